@@ -11,12 +11,12 @@ namespace citykiln::assume {
 
 /// Settings of assume().
 struct Settings {
-  Assumptions on = kAllAssumptions;  ///< What is assumed; the rest stays as mapped.
+  Assumptions on = kAllAssumptions;  ///< The assumptions that are made; the rest stays as mapped.
   std::uint64_t seed = 0;
 };
 
 /// Returns the features with what is assumed of them, marked in Track::assumed and Footprint::assumed and counted in
-/// the report. What tags state is never changed.
+/// the report. Nothing that tags state is changed.
 ///
 /// Each assumption is local: it depends on what is mapped within the radius that its header states. Without any
 /// assumption the features are returned unchanged.

@@ -22,8 +22,10 @@ constexpr std::size_t kLandEvery = 3;
 constexpr double kAlong = 0.8;
 // A paved square begins this far behind the kerb at most.
 constexpr double kBehindKerb_m = 1.5;
-// A quarter of a side may have less room: the road narrows there (roads/width_limits).
+// A quarter of a side may have less room before buildings and walls: the road narrows there (roads/width_limits).
 constexpr double kNarrowShare = 0.25;
+// Streets that meet the stretch leave less room this near to its ends.
+constexpr double kNearEnd_m = 24;
 
 LandCoverGroup cover_group_of(LandCoverClass surface) { return map::values_of(surface).group; }
 
@@ -136,6 +138,7 @@ struct Indexer {
 struct Ray {
   Vec2 at, along, out;
   double kerb_m = 0;
+  bool is_near_end = false;  // other ways may meet the stretch there
 };
 
 // The distance along a ray to a line; nothing if they do not meet.
@@ -148,10 +151,10 @@ bool runs_along(const Ray& ray, const MappedLine& line) {
   return std::abs(dot(unit(line.b - line.a), ray.along)) > kAlong;
 }
 
-// The facts of one sample of a side.
+// The facts of one sample of a side. Nothing may be nearer than the firm room at any sample.
 struct Seen {
   bool has_house = false, has_path = false, has_oncoming = false;
-  double room_m = std::numeric_limits<double>::infinity(), water_m = std::numeric_limits<double>::infinity();
+  double room_m = std::numeric_limits<double>::infinity(), firm_m = std::numeric_limits<double>::infinity();
 };
 
 void look_at(const MappedLine& line, const Ray& ray, Vec2 heading, Seen& seen) {
@@ -160,6 +163,7 @@ void look_at(const MappedLine& line, const Ray& ray, Vec2 heading, Seen& seen) {
   if (!away_m) return;
   const double from_kerb_m = *away_m - ray.kerb_m - line.half_m;
   const auto limit = [&] { seen.room_m = std::min(seen.room_m, std::max(0.0, from_kerb_m)); };
+  const auto limit_firmly = [&] { seen.firm_m = std::min(seen.firm_m, std::max(0.0, from_kerb_m)); };
   switch (line.kind) {
     case LineKind::kBuilding:
       seen.has_house |= *away_m <= kFront_m;
@@ -173,29 +177,28 @@ void look_at(const MappedLine& line, const Ray& ray, Vec2 heading, Seen& seen) {
     case LineKind::kCarPark:
       return limit();
     case LineKind::kWater:
-      seen.water_m = std::min(seen.water_m, std::max(0.0, from_kerb_m));
-      return;
+      return limit_firmly();
     case LineKind::kRail:
       // rails within the carriageway are a tram's
-      if (*away_m >= ray.kerb_m && runs_along(ray, line)) limit();
-      return;
+      if (*away_m < ray.kerb_m || !runs_along(ray, line)) return;
+      return ray.is_near_end ? limit() : limit_firmly();
     case LineKind::kStreet:
       if (*away_m <= 0 || !runs_along(ray, line)) return;
       seen.has_oncoming |= *away_m <= kOncoming_m && dot(line.heading, heading) < -kAlong;
-      return limit();
+      return ray.is_near_end ? limit() : limit_firmly();
   }
 }
 
 // The rooms that samples leave, sums of what they see, and the land use of some.
 struct Side {
   std::vector<double> rooms_m;
-  double water_m = std::numeric_limits<double>::infinity();
+  double firm_m = std::numeric_limits<double>::infinity();
   std::size_t houses = 0, paths = 0, oncoming = 0, squares = 0;
   std::array<std::size_t, static_cast<std::size_t>(LandUse::kCount)> lands{};
 
   void add(const Seen& seen) {
     houses += seen.has_house, paths += seen.has_path, oncoming += seen.has_oncoming;
-    rooms_m.push_back(seen.room_m), water_m = std::min(water_m, seen.water_m);
+    rooms_m.push_back(seen.room_m), firm_m = std::min(firm_m, seen.firm_m);
   }
 };
 
@@ -227,7 +230,7 @@ SideFacts facts_of(Side side) {
   facts.houses = static_cast<double>(side.houses) / n;
   facts.path = std::min(1.0, static_cast<double>(side.paths) / n + squares);
   facts.oncoming = static_cast<double>(side.oncoming) / n;
-  facts.room_m = std::min(*narrow, side.water_m);
+  facts.room_m = std::min(*narrow, side.firm_m);
   facts.land = static_cast<LandUse>(std::ranges::max_element(side.lands) - side.lands.begin());
   return facts;
 }
@@ -267,8 +270,10 @@ struct Walk {
     for (int k = 0; k < count; ++k) {
       const Vec2 at = a + (b - a) * ((k + 0.5) / count);
       ++samples, samples_near_streets += is_near_cross_street({at, forward, out}, near);
-      look({at, forward, out, left_m}, near, left);
-      look({at, forward, out * -1.0, right_m}, near, right);
+      const bool is_near_end =
+          std::min(distance(at, stretch.axis.front()), distance(at, stretch.axis.back())) < kNearEnd_m;
+      look({at, forward, out, left_m, is_near_end}, near, left);
+      look({at, forward, out * -1.0, right_m, is_near_end}, near, right);
     }
   }
 };

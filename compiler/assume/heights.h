@@ -24,7 +24,7 @@ inline constexpr double kHeightTouching_m = 0.3;
 /// Land use under a building: groups of land cover classes.
 enum class SiteUse : std::uint8_t { kNoUse, kHomes, kTrade, kIndustry, kCountry };
 
-/// What the storeys of a building follow from, apart from its neighbours' tags.
+/// The facts that the storeys of a building follow from, apart from its neighbours' tags.
 struct HeightFacts {
   map::BuildingClass building_class{};
   map::CountryGroup country{};
@@ -55,7 +55,7 @@ struct HeightIndex {
   std::vector<HeightFacts> facts;
   std::vector<std::vector<std::uint32_t>> touching;  ///< Entries of the buildings that share a wall with it.
   std::vector<double> tagged_storeys;                ///< By levels, else by height; 0: neither is tagged.
-  BoxGrid grid;                                      ///< Of `at`.
+  BoxGrid grid;                                      ///< The index of `at`.
 };
 
 /// Returns the index of a map's buildings. O(n times buildings within kHeightSurroundings_m).

@@ -98,7 +98,7 @@ struct Building {
   std::uint16_t year = 0;           ///< Year of construction; 0 if unknown.
   bool has_shop = false;
   map::CountryGroup country{};
-  Assumptions assumed = kNoAssumptions;    ///< What of it is assumed.
+  Assumptions assumed = kNoAssumptions;    ///< The assumptions made of it.
   std::vector<FacadeEdge> facade_edges{};  ///< One per edge of the outer ring, or empty.
   std::vector<BuriedFrom> buried_from{};   ///< On long edges along a slope. Sorted by edge, then from_m.
   std::vector<PartyWall> party_walls{};    ///< Sorted by edge, then from_m. No two overlap.

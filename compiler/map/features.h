@@ -89,8 +89,8 @@ struct Track {
   bool is_piece = false;              ///< True for a part of a long way that was cut so as to assume its pavements.
   DrivingSide side{};                 ///< The side on which its traffic drives.
   TreeSides trees{};                  ///< Sides with trees; left and right as seen along the axis.
-  CountryGroup country{};             ///< Of its first node.
-  Assumptions assumed = kNoAssumptions;  ///< What is assumed of it.
+  CountryGroup country{};             ///< The group at its first node.
+  Assumptions assumed = kNoAssumptions;  ///< The assumptions made of it.
 };
 
 /// The outline of a building, or of a building part.
@@ -116,8 +116,8 @@ struct Footprint {
   std::uint8_t building_class = 0;       ///< A BuildingClass.
   std::uint16_t year = 0;                ///< The year in which construction began; 0: unknown.
   bool has_shop = false;                 ///< True if something is sold or served in it.
-  CountryGroup country{};                ///< Of its first point.
-  Assumptions assumed = kNoAssumptions;  ///< What is assumed of it.
+  CountryGroup country{};                ///< The group at its first point.
+  Assumptions assumed = kNoAssumptions;  ///< The assumptions made of it.
 };
 
 /// The place where a way leads through a building on the ground. The building is open there, and the way's surface

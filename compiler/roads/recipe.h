@@ -60,7 +60,7 @@ struct Road {
   double riser_m = 0;  ///< The height of a step of stairs with a tagged number of steps; a multiple of 2^-10.
   std::uint8_t handrails = 0;  ///< map::Handrail bits of stairs.
   map::CountryGroup country{};
-  Assumptions assumed = kNoAssumptions;  ///< What of it is assumed.
+  Assumptions assumed = kNoAssumptions;  ///< The assumptions made of it.
   bool operator==(const Road&) const = default;
 };
 

@@ -25,8 +25,6 @@ constexpr double kPavementStep_m = 4, kAssumedBucket_m = 32;
 constexpr double kLeastMeasured_m = 0.25;
 // Rounding of outlines.
 constexpr double kInside_m = 0.05;
-// The least cosine of the angle between a road and a path that runs along it.
-constexpr double kAlong = 0.87;
 
 LandCoverGroup group_of_class(LandCoverClass surface) { return map::values_of(surface).group; }
 
@@ -70,7 +68,7 @@ void add_segments(Mapped& mapped) {
 // The middle of an assumed pavement at a place along its road.
 struct PavementPlace {
   const Road& road;
-  Vec2 on_axis, along, at;
+  Vec2 on_axis, at;
 };
 
 bool meet_near(const Road& one, const Road& other, Vec2 p) {
@@ -79,13 +77,12 @@ bool meet_near(const Road& one, const Road& other, Vec2 p) {
   });
 }
 
-// True if a place lies between the kerbs of another way.
+// True if a place lies between the kerbs of another road, or on a railway. A path may join a pavement.
 bool is_on_way(const PavementPlace& place, const Road& other, std::uint32_t segment) {
   const Vec2 a = other.axis[segment], b = other.axis[segment + 1];
   const double half_m = cross(b - a, place.at - a) > 0 ? roads::left_m(other) : roads::right_m(other);
   if (a == b || distance_to_segment(a, b, place.at) >= half_m - kInside_m) return false;
-  const bool is_path = group_of_class(other.surface) == LandCoverGroup::kPath;
-  return !is_path || std::abs(dot(unit(b - a), place.along)) > kAlong;
+  return group_of_class(other.surface) != LandCoverGroup::kPath;
 }
 
 // The mapped element on which a place of a pavement lies; none if it is free.
@@ -112,7 +109,7 @@ void test_place(const Mapped& mapped, const PavementPlace& place, AssumedPlaces&
 void test_pavements(const Mapped& mapped, const Road& road, const Box2& box, AssumedPlaces& found) {
   const std::vector<double> along_m = roads::distances_along(road);
   for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
-    const Vec2 a = road.axis[i], b = road.axis[i + 1], along = unit(b - a), left = left_of(along);
+    const Vec2 a = road.axis[i], b = road.axis[i + 1], left = left_of(unit(b - a));
     const int steps = std::max(1, static_cast<int>(distance(a, b) / kPavementStep_m));
     for (int k = 0; k < steps; ++k) {
       const double share = (k + 0.5) / steps;
@@ -121,7 +118,7 @@ void test_pavements(const Mapped& mapped, const Road& road, const Box2& box, Ass
       const double offsets_m[] = {(edges.kerb_left_m + edges.left_m) / 2, -(edges.kerb_right_m + edges.right_m) / 2};
       const double widths_m[] = {edges.left_m - edges.kerb_left_m, edges.right_m - edges.kerb_right_m};
       for (const int side : {0, 1}) {
-        const PavementPlace place{road, on_axis, along, on_axis + left * offsets_m[side]};
+        const PavementPlace place{road, on_axis, on_axis + left * offsets_m[side]};
         if (widths_m[side] >= kLeastMeasured_m && box.contains_half_open(place.at)) test_place(mapped, place, found);
       }
     }

@@ -21,8 +21,7 @@ struct AssumedPlaces {
 /// Tests the middles of the pavements, within the width limits, of ground roads with assumed pavements, every 4 m, in a
 /// box. None may lie
 /// - in mapped water or a building, unless the axis beside it lies there too;
-/// - on a railway or the carriageway of another road;
-/// - on a path that runs along the road.
+/// - on a railway or the carriageway of another road. Paths may join a pavement.
 /// Places within kJunctionRadius_m of a node that both ways have are not tested against each other. O(places · roads
 /// near).
 AssumedPlaces measure_assumed_pavements(const scene::Chunk& chunk, const Box2& box);

@@ -147,7 +147,7 @@ def best_split(node):
     return best
 
 
-# What surveys of dwellings say of single houses: group, built share, mean area about, touching, areas, storeys and their shares in percent.
+# Surveys of dwellings on single houses: group, built share, mean area about, touching, areas, storeys and their shares in percent.
 # Each counts as PUBLISHED places of its own. Sources: American Housing Survey and Survey of Construction (U.S. Census Bureau: about half of the
 # single-family houses have one storey, 2 % three), Housing and Land Survey of Japan 2018 (detached houses: 2 storeys or more nine in ten),
 # TABULA typologies (single-family houses of one to two storeys in Central, Northern and Southern Europe), English Housing Survey (houses of two

@@ -9,7 +9,7 @@
 namespace citykiln::assume {
 namespace {
 
-map::Footprint house(std::int64_t id, double x, double levels) {
+map::Footprint house_of_row(std::int64_t id, double x, double levels) {
   map::Footprint f;
   f.id = {{OsmType::kWay, id}, 0};
   f.polygon.outer = {{x, 0}, {x + 14, 0}, {x + 14, 12}, {x, 12}};
@@ -21,7 +21,7 @@ map::Footprint house(std::int64_t id, double x, double levels) {
 map::Features row_of_houses(double levels = 5, map::LandCoverClass street = map::LandCoverClass::kSecondaryRoad) {
   map::Features features;
   features.extent = {{-128, -128}, {1024, 128}};
-  for (int i = 0; i < 60; ++i) features.footprints.push_back(house(i + 1, 14.0 * i, levels));
+  for (int i = 0; i < 60; ++i) features.footprints.push_back(house_of_row(i + 1, 14.0 * i, levels));
   map::Track track;
   track.id = {{OsmType::kWay, 999}, 0};
   track.axis = {{-50, -5}, {900, -5}};
