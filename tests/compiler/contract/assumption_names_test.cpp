@@ -16,7 +16,7 @@ TEST(AssumptionNames, OfUnknownBitsAreNone) {
 }
 
 TEST(AssumptionNames, AreListedWithTheirBits) {
-  EXPECT_TRUE(bits_text().starts_with("1 pavements, 2 parking, 4 lamps"));
+  EXPECT_TRUE(bits_text().starts_with("1 pavements, 2 lamps, 4 heights"));
 }
 
 }  // namespace
