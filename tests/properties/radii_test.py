@@ -224,7 +224,8 @@ class Radii(ProgramTest):
         if heights_at:
             dem = ["--dem", self.folder / "heights.asc"]
             self.write_heights(dem[1], heights_at(20000 if distance is None else distance))
-        out = self.compiled(f"out{len(list(self.folder.iterdir()))}", path, *dem, "--emit", "kiln", "--tile", TILE_M, "--only", "0_0")
+        out = self.compiled(f"out{len(list(self.folder.iterdir()))}", path, *dem, "--emit", "kiln", "--tile", TILE_M, "--only", "0_0",
+                            "--assume", "heights" if stage == "assumed storeys" else "none")
         return view(Manifest((out / "scene.kiln").read_bytes()).chunks[0, 0])
 
     @staticmethod
