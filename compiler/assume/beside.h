@@ -47,8 +47,8 @@ struct SideFacts {
   double streets = 0;        ///< The share of the stretch that lies within kBlock_m of a cross street.
   double path = 0;           ///< The share along which a path or a paved square runs beside the kerb.
   double oncoming = 0;       ///< The share along which a one-way street runs in the other direction.
-  /// The distance from the kerb to buildings, walls and car parks, of which a quarter of the side may leave less; and to
-  /// water, rails and other streets, which leave this everywhere but where they meet the stretch's ends.
+  /// The distance from the kerb to buildings, walls and car parks, of which a quarter of the side may leave less; and
+  /// to water, rails and other streets, which leave this everywhere but where they meet the stretch's ends.
   double room_m = std::numeric_limits<double>::infinity();
   LandUse land{};  ///< The most frequent one.
 };
