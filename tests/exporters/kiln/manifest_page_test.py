@@ -294,7 +294,11 @@ class Chunk:
                  self.all("party walls", self.party_wall))
         posts = self.points("posts")
         return (*seen, style, *walls, posts, self.metres("post foot") if posts else None,
-                self.all("passageways", self.passageway))
+                self.all("passageways", self.passageway), self.all("fronts", self.front))
+
+    def front(self):
+        edge, places, kind = self.plain("front edge"), [self.metres("front place") for _ in range(2)], self.plain("front kind")
+        return edge, places, kind, [self.plain("front hours") for _ in range(6)] if self.plain("front hours") else None
 
     def barrier(self):
         return (self.id(), self.points("barrier points"), self.plain("barrier kind"),
@@ -341,7 +345,7 @@ class Manifest:
     def __init__(self, manifest):
         assert manifest[:8] == b"CITYKILN"
         major, _, size, value = struct.unpack_from("<HHIQ", manifest, 8)
-        assert major == 4
+        assert major == 5
         frame, body = manifest[24:24 + size], manifest[24 + size:]
         assert fnv(manifest[:16] + frame) == value
         header = root_of(unzstd(frame))
