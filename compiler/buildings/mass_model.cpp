@@ -135,7 +135,7 @@ struct WallBase {
 struct WallBuilder {
   const Building& building;
   const Run& run;
-  bool hides_party_walls;
+  double tolerance_m;
   MassModel& mass;
   double eaves = eaves_m(building);
   double low_m = 0;  // where walls begin: above the buried storeys
@@ -152,6 +152,9 @@ struct WallBuilder {
       for (const BuriedFrom& place : building.buried_from)
         if (place.edge == edge) all.push_back({start_m + place.from_m, place.storeys});
     }
+    // without steps the wall begins at its lowest base: what lies above that is below the ground
+    if (!has_detail(Detail::kStoreySteps, tolerance_m) && !all.empty())
+      all = {*std::ranges::min_element(all, {}, &WallBase::buried_storeys)}, all.front().from_m = 0;
     return merged(std::move(all));
   }
 
@@ -207,7 +210,7 @@ struct WallBuilder {
   void add_party_wall(const Stretch& stretch) {
     double top_m = std::clamp(stretch.wall->top_m, low_m, eaves);
     if (top_m > eaves - kMinStrip_m) top_m = eaves;
-    const bool is_kept = !stretch.wall->is_hidden || !hides_party_walls;
+    const bool is_kept = !stretch.wall->is_hidden || !has_detail(Detail::kPartyWallOpenings, tolerance_m);
     if (is_kept && top_m > low_m) add_wall(stretch, low_m, top_m, FaceTag::kInside, false);
     const FaceTag above = stretch.wall->has_windows_above ? FaceTag::kSide : FaceTag::kInside;
     if (top_m < eaves) add_wall(stretch, top_m, eaves, above, faces_street);
@@ -275,8 +278,7 @@ MassModel mass_model_of(const Building& building, double tolerance_m, Report& re
   MassModel mass;
   mass.roof = roofs::generate_roof(building.footprint, building.roof_shape, tolerance_m, building.id.osm, report);
   const std::vector<Run> runs = runs_of(building, mass.roof);
-  for (const Run& run : runs)
-    WallBuilder{building, run, has_detail(Detail::kPartyWallOpenings, tolerance_m), mass}.build();
+  for (const Run& run : runs) WallBuilder{building, run, tolerance_m, mass}.build();
   if (!building.stands_on_ground) add_underside(building, runs, mass);
   return mass;
 }

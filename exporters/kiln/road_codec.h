@@ -149,45 +149,66 @@ void width_limits(auto& io, std::vector<roads::WidthLimit>& side) {
   });
 }
 
+/// Calls code(number) for a road's number in a list of roads, given as the number of roads since the one before.
+/// @param next  The number after the road before; it is set to the number after this one.
+/// @param code  Writes or reads the difference; false if it is no road.
+template <typename Io>
+bool road_number(std::uint64_t& road, std::uint64_t& next, std::size_t count, auto code) {
+  std::uint64_t skipped = road - next;
+  code(skipped);
+  if (Io::kReads && skipped >= count - next) return false;
+  road = next + skipped, next = road + 1;
+  return true;
+}
+
+/// Returns the numbers of the roads for which a predicate holds.
+std::vector<std::uint64_t> numbers_of(const std::vector<roads::Road>& roads, auto holds) {
+  std::vector<std::uint64_t> numbers;
+  for (std::size_t i = 0; i < roads.size(); ++i)
+    if (holds(roads[i])) numbers.push_back(i);
+  return numbers;
+}
+
 // Writes only roads with width limits: most roads have none, and take no bytes.
 template <typename Io>
 void narrowings(Io& io, std::vector<roads::Road>& roads) {
-  std::vector<std::uint64_t> narrowed;
-  for (std::size_t i = 0; i < roads.size(); ++i)
-    if (!roads[i].width_limits.is_empty()) narrowed.push_back(i);
+  std::vector<std::uint64_t> narrowed = numbers_of(roads, [](const auto& r) { return !r.width_limits.is_empty(); });
   std::uint64_t next = 0;
   list(io, "narrowed roads", narrowed, 0, [&](std::uint64_t& road) {
-    std::uint64_t skipped = road - next;
-    io.number("narrowed road", skipped);
+    const auto code = [&](std::uint64_t& skipped) { io.number("narrowed road", skipped); };
+    const bool is_road = road_number<Io>(road, next, roads.size(), code);
     if constexpr (Io::kReads)
-      if (skipped >= roads.size() - next) return io.fail("narrowed road");
-    road = next + skipped, next = road + 1;
+      if (!is_road) return io.fail("narrowed road");
     width_limits(io, roads[road].width_limits.left), width_limits(io, roads[road].width_limits.right);
   });
+}
+
+// The height of a step and the handrails of stairs.
+template <typename Io>
+void stairs(Io& io, roads::Road& road) {
+  constexpr double kMostRiser_m = 1;
+  auto riser = static_cast<std::uint64_t>(road.riser_m / kQuantum_m);
+  io.number("riser", riser);
+  road.riser_m = static_cast<double>(riser) * kQuantum_m;
+  io.number("handrails", road.handrails);
+  if constexpr (Io::kReads) {
+    if (road.riser_m > kMostRiser_m) io.fail("riser");
+    if (road.handrails > 7) io.fail("handrails");
+  }
 }
 
 // Writes only stairs with a tagged number of steps, or with handrails.
 template <typename Io>
 void stepped(Io& io, std::vector<roads::Road>& roads) {
-  std::vector<std::uint64_t> numbers;
-  for (std::size_t i = 0; i < roads.size(); ++i)
-    if (roads[i].riser_m > 0 || roads[i].handrails != 0) numbers.push_back(i);
+  std::vector<std::uint64_t> numbers =
+      numbers_of(roads, [](const auto& r) { return r.riser_m > 0 || r.handrails != 0; });
   std::uint64_t next = 0;
   list(io, "stepped roads", numbers, 0, [&](std::uint64_t& road) {
-    std::uint64_t skipped = road - next;
-    io.number("stepped road", skipped);
+    const auto code = [&](std::uint64_t& skipped) { io.number("stepped road", skipped); };
+    const bool is_road = road_number<Io>(road, next, roads.size(), code);
     if constexpr (Io::kReads)
-      if (skipped >= roads.size() - next) return io.fail("stepped road");
-    road = next + skipped, next = road + 1;
-    auto riser = static_cast<std::uint64_t>(roads[road].riser_m / kQuantum_m);
-    io.number("riser", riser);
-    roads[road].riser_m = static_cast<double>(riser) * kQuantum_m;
-    io.number("handrails", roads[road].handrails);
-    if constexpr (Io::kReads) {
-      constexpr double kMost_m = 1;
-      if (roads[road].riser_m > kMost_m) io.fail("riser");
-      if (roads[road].handrails > 7) io.fail("handrails");
-    }
+      if (!is_road) return io.fail("stepped road");
+    stairs(io, roads[road]);
   });
 }
 
