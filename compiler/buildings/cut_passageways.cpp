@@ -33,7 +33,7 @@ struct Prism {
 std::vector<Prism> prisms_of(const Building& building) {
   std::vector<Prism> prisms;
   for (const Passageway& passageway : building.passageways)
-    for (Ring& ring : rings_of(passageway)) {
+    for (Ring& ring : opening_rings(passageway)) {
       const Box2 box = box_of(ring);
       prisms.push_back({std::move(ring), box, passageway.top_m});
     }
@@ -193,7 +193,7 @@ struct Opening {
 std::vector<Opening> openings_in(const Building& building) {
   std::vector<Opening> openings;
   for (const Passageway& passageway : building.passageways) {
-    std::vector<Ring> rings = rings_of(passageway);
+    std::vector<Ring> rings = opening_rings(passageway);
     std::vector<Polygon> plan = united(rings);
     openings.push_back({std::move(plan), std::move(rings), passageway.top_m});
   }
@@ -203,13 +203,13 @@ std::vector<Opening> openings_in(const Building& building) {
 bool is_in_plan(const Opening& opening, Vec2 p) {
   return std::ranges::any_of(opening.plan, [&](const Polygon& polygon) {
     const bool is_on_side = std::ranges::any_of(
-        citykiln::rings_of(polygon), [&](const Ring* ring) { return distance_to_ring(*ring, p) <= kOnSide_m; });
+        rings_of(polygon), [&](const Ring* ring) { return distance_to_ring(*ring, p) <= kOnSide_m; });
     return !is_on_side && contains(polygon, p);
   });
 }
 
 void add_crossings(Vec2 a, Vec2 b, const Polygon& polygon, std::vector<double>& shares) {
-  for (const Ring* ring : citykiln::rings_of(polygon))
+  for (const Ring* ring : rings_of(polygon))
     for (std::size_t i = 0; i < ring->size(); ++i)
       if (const auto crossing = crossing_shares(a, b, (*ring)[i], (*ring)[(i + 1) % ring->size()]))
         shares.push_back(crossing->first);
@@ -227,7 +227,7 @@ std::vector<double> changes_along(Vec2 a, Vec2 b, const Building& building, std:
 
 bool is_in_building(const Building& building, Vec2 p) {
   const auto is_in_wall = [&](const Ring* ring) { return distance_to_ring(*ring, p) < kInWall_m; };
-  return contains(building.footprint, p) && std::ranges::none_of(citykiln::rings_of(building.footprint), is_in_wall);
+  return contains(building.footprint, p) && std::ranges::none_of(rings_of(building.footprint), is_in_wall);
 }
 
 // A jamb that faces the left of a to b.
@@ -253,7 +253,7 @@ void add_jambs(std::size_t number, std::span<const Opening> openings, const Buil
     }
   };
   for (const Polygon& polygon : opening.plan)
-    for (const Ring* ring : citykiln::rings_of(polygon))
+    for (const Ring* ring : rings_of(polygon))
       for (std::size_t i = 0; i < ring->size(); ++i) add_side((*ring)[i], (*ring)[(i + 1) % ring->size()]);
 }
 
@@ -328,7 +328,7 @@ void add_pillars(const Passageway& passageway, const Building& building, Materia
     if (offset_m == 0) continue;
     for (std::size_t i = 0; i + 1 < passageway.axis.size(); ++i) {
       const Vec2 a = passageway.axis[i], b = passageway.axis[i + 1], along = unit(b - a);
-      const double count = std::max(1.0, std::floor(distance(a, b) / kPillarSpacing_m));
+      const double count = std::max(1.0, std::floor(distance(a, b) / kLeastPillarSpacing_m));
       for (double k = 0.5; k < count; ++k) {
         const Vec2 on_axis = a + (b - a) * (k / count);
         const Vec2 at = on_axis + left_of(along) * offset_m;

@@ -22,6 +22,6 @@ namespace citykiln::buildings {
 void cut_passageways(const Building& building, materials::MaterialMesh wall, GeneratedBuilding& generated);
 
 /// The side of a square pillar, and the least distance between two pillars along a segment of the axis.
-inline constexpr double kPillar_m = 0.375, kPillarSpacing_m = 4;
+inline constexpr double kPillar_m = 0.375, kLeastPillarSpacing_m = 4;
 
 }  // namespace citykiln::buildings

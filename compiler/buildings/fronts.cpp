@@ -21,7 +21,7 @@ int steps_of(double length_m) { return static_cast<int>(std::floor(length_m / kF
 // A stretch of wall where fronts may be.
 struct FrontWall {
   std::uint32_t edge = 0;
-  LineStretch stretch;
+  LinePart stretch;
   bool faces_street = false;
   std::vector<const map::FrontPoint*> points{};  // that belong to it
   double length_m() const { return stretch.to_m - stretch.from_m; }
@@ -40,7 +40,7 @@ FrontWalls front_walls_of(std::size_t footprint, const FrontSite& site) {
   FrontWalls all;
   for (std::uint32_t edge = 0; edge < sides.size(); ++edge) {
     all.has_mapped_doors |= doors[edge] != 0;
-    for (const LineStretch& stretch : free_stretches(footprint, edge, doors[edge], site))
+    for (const LinePart& stretch : free_parts(footprint, edge, doors[edge], site))
       all.walls.push_back({edge, stretch, sides[edge] || doors[edge] != 0});
   }
   return all;
@@ -190,9 +190,9 @@ Building with_openings(ObjectId footprint, std::span<const map::Passageway> pass
   return building;
 }
 
-void remove_stretch(std::vector<LineStretch>& stretches, LineStretch gone) {
-  std::vector<LineStretch> kept;
-  for (const LineStretch& stretch : stretches) {
+void remove_stretch(std::vector<LinePart>& stretches, LinePart gone) {
+  std::vector<LinePart> kept;
+  for (const LinePart& stretch : stretches) {
     if (const double end_m = std::min(stretch.to_m, gone.from_m); end_m > stretch.from_m)
       kept.push_back({stretch.from_m, end_m});
     if (const double begin_m = std::max(stretch.from_m, gone.to_m); begin_m < stretch.to_m)
@@ -216,20 +216,19 @@ bool may_have_fronts(const map::Footprint& footprint) {
          std::ranges::find(kWithout, own) == std::end(kWithout);
 }
 
-std::vector<LineStretch> free_stretches(std::size_t footprint, std::size_t edge, std::uint16_t doors,
-                                        const FrontSite& site) {
+std::vector<LinePart> free_parts(std::size_t footprint, std::size_t edge, std::uint16_t doors, const FrontSite& site) {
   const Ring& ring = site.footprints[footprint].polygon.outer;
   const Vec2 from = ring[edge], to = ring[(edge + 1) % ring.size()];
-  std::vector<LineStretch> stretches{{0, distance(from, to)}};
+  std::vector<LinePart> stretches{{0, distance(from, to)}};
   if (stretches[0].to_m < kLeastFront_m) return {};
   for (const SharedWall& wall : site.shared_walls[footprint])
     if (wall.edge == edge) remove_stretch(stretches, {wall.from_m, wall.to_m});
-  for (const LineStretch& opening :
-       stretches_in_openings(with_openings(site.footprints[footprint].id, site.passageways), from, to, 0.25))
+  for (const LinePart& opening :
+       parts_in_openings(with_openings(site.footprints[footprint].id, site.passageways), from, to, 0.25))
     remove_stretch(stretches, opening);
   for (const double door_m : door_places_m(doors, distance(from, to)))
     remove_stretch(stretches, {door_m - kMinDoorToCorner_m, door_m + kMinDoorToCorner_m});
-  std::erase_if(stretches, [](const LineStretch& s) { return s.to_m - s.from_m < kLeastFront_m; });
+  std::erase_if(stretches, [](const LinePart& s) { return s.to_m - s.from_m < kLeastFront_m; });
   return stretches;
 }
 

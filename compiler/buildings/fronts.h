@@ -49,8 +49,7 @@ bool may_have_fronts(const map::Footprint& footprint);
 /// Returns the parts of an edge of the outer ring where fronts may be, as distances along it: without party walls,
 /// openings for ways, and the tiles of mapped doors.
 /// @param doors  FacadeEdge::doors of the edge.
-std::vector<LineStretch> free_stretches(std::size_t footprint, std::size_t edge, std::uint16_t doors,
-                                        const FrontSite& site);
+std::vector<LinePart> free_parts(std::size_t footprint, std::size_t edge, std::uint16_t doors, const FrontSite& site);
 
 /// The largest distances of a point from its wall: inside the building, outside of it, and from a wall that faces no
 /// street.

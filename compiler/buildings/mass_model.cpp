@@ -197,7 +197,7 @@ struct WallBuilder {
 
   // An ordinary wall. Above an opening for a way it is a face of its own, so that no window is cut at the sides.
   void add_facade(double from_m, double to_m, double bottom_m, double top_m) {
-    for (const LineStretch& opening : stretches_in_openings(building, run.from(), run.to(), kMinStrip_m)) {
+    for (const LinePart& opening : parts_in_openings(building, run.from(), run.to(), kMinStrip_m)) {
       const double begin_m = std::clamp(opening.from_m, from_m, to_m), end_m = std::clamp(opening.to_m, from_m, to_m);
       if (begin_m > from_m) add_wall({from_m, begin_m, nullptr}, bottom_m, top_m, FaceTag::kSide, faces_street);
       if (end_m > begin_m) add_wall({begin_m, end_m, nullptr}, bottom_m, top_m, FaceTag::kSide, false);

@@ -9,8 +9,8 @@ namespace citykiln::buildings {
 namespace {
 
 // The part of the line inside a convex ring.
-LineStretch stretch_in(const Ring& ring, Vec2 a, Vec2 along, double length_m) {
-  LineStretch stretch{0, length_m};
+LinePart stretch_in(const Ring& ring, Vec2 a, Vec2 along, double length_m) {
+  LinePart stretch{0, length_m};
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2 p = ring[i], side = ring[(i + 1) % ring.size()] - p;
     // how far inside the line begins, and how fast it goes further inside
@@ -22,10 +22,10 @@ LineStretch stretch_in(const Ring& ring, Vec2 a, Vec2 along, double length_m) {
   return stretch;
 }
 
-std::vector<LineStretch> merged(std::vector<LineStretch> stretches) {
-  std::ranges::sort(stretches, {}, &LineStretch::from_m);
-  std::vector<LineStretch> all;
-  for (const LineStretch& stretch : stretches)
+std::vector<LinePart> merged(std::vector<LinePart> stretches) {
+  std::ranges::sort(stretches, {}, &LinePart::from_m);
+  std::vector<LinePart> all;
+  for (const LinePart& stretch : stretches)
     if (!all.empty() && stretch.from_m <= all.back().to_m)
       all.back().to_m = std::max(all.back().to_m, stretch.to_m);
     else
@@ -35,18 +35,18 @@ std::vector<LineStretch> merged(std::vector<LineStretch> stretches) {
 
 }  // namespace
 
-std::vector<Ring> rings_of(const Passageway& passageway) {
+std::vector<Ring> opening_rings(const Passageway& passageway) {
   return roads::stroke(
       {.id = passageway.way, .axis = passageway.axis, .left_m = passageway.left_m, .right_m = passageway.right_m});
 }
 
-std::vector<LineStretch> stretches_in_openings(const Building& building, Vec2 a, Vec2 b, double least_m) {
+std::vector<LinePart> parts_in_openings(const Building& building, Vec2 a, Vec2 b, double least_m) {
   const double length_m = distance(a, b);
   if (building.passageways.empty() || length_m == 0) return {};
-  std::vector<LineStretch> stretches;
+  std::vector<LinePart> stretches;
   for (const Passageway& passageway : building.passageways)
-    for (const Ring& ring : rings_of(passageway)) {
-      LineStretch stretch = stretch_in(ring, a, (b - a) * (1 / length_m), length_m);
+    for (const Ring& ring : opening_rings(passageway)) {
+      LinePart stretch = stretch_in(ring, a, (b - a) * (1 / length_m), length_m);
       if (stretch.to_m - stretch.from_m < least_m) continue;
       if (stretch.from_m < least_m) stretch.from_m = 0;
       if (stretch.to_m > length_m - least_m) stretch.to_m = length_m;
@@ -58,7 +58,7 @@ std::vector<LineStretch> stretches_in_openings(const Building& building, Vec2 a,
 bool is_in_opening(const Building& building, Vec2 p) {
   constexpr double kOnSide_m = 0x1p-9;
   return std::ranges::any_of(building.passageways, [&](const Passageway& passageway) {
-    return std::ranges::any_of(rings_of(passageway), [&](const Ring& ring) {
+    return std::ranges::any_of(opening_rings(passageway), [&](const Ring& ring) {
       return contains({ring, {}}, p) || distance_to_ring(ring, p) <= kOnSide_m;
     });
   });

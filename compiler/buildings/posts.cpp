@@ -45,7 +45,7 @@ void add_places(const Ring& ring, std::vector<BorderPlace>& places) {
     const Vec2 in = left_of(unit(at - before)), out = left_of(unit(after - at)), both = in + out;
     // a corner's post is a width away from both edges, up to twice that from a sharp corner
     if (dot(both, both) > 0.25) places.push_back({at, both * (2 / dot(both, both))});
-    const double edge_m = distance(at, after), count = std::ceil(edge_m / kPostSpacing_m);
+    const double edge_m = distance(at, after), count = std::ceil(edge_m / kMostPostSpacing_m);
     for (double k = 1; k < count; ++k) places.push_back({at + (after - at) * (k / count), out});
   }
 }

@@ -36,9 +36,9 @@ struct PostObstacles {
 PostObstacles index_post_obstacles(std::span<const map::Track> tracks, std::span<const map::Footprint> footprints);
 
 /// Returns the centres of a footprint's posts, in plane metres, in the order of its border: inside each corner, and at
-/// most kPostSpacing_m apart along long edges, one width of a post inside the border. A post is left out on a way, at
-/// the wall of another footprint, which carries the building there, and within three widths of an earlier post. May be
-/// empty.
+/// most kMostPostSpacing_m apart along long edges, one width of a post inside the border. A post is left out on a way,
+/// at the wall of another footprint, which carries the building there, and within three widths of an earlier post. May
+/// be empty.
 /// @param footprint  Index into obstacles.footprints.
 /// @param height_m   The length of the posts, which decides their width.
 std::vector<Vec2> plan_posts(std::size_t footprint, const PostObstacles& obstacles, double height_m);
@@ -50,6 +50,6 @@ double post_width_m(double height_m);
 std::vector<grammars::Face> post_faces(const Building& building);
 
 /// The largest distance between planned posts along an edge.
-inline constexpr double kPostSpacing_m = 6;
+inline constexpr double kMostPostSpacing_m = 6;
 
 }  // namespace citykiln::buildings

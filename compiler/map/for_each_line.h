@@ -13,7 +13,7 @@ namespace citykiln::map {
 /// Returns the code with which a line or point is dropped that is not there, or not on the ground. Waterways
 /// underground go on, since they join those above.
 inline std::optional<Code> reason_without(const ReadContext& context, source::Range tags, std::string_view key) {
-  Standing standing = standing_of_thing(context.osm, tags, key);
+  Standing standing = standing_of_object(context.osm, tags, key);
   if (key == "waterway") standing.storey = Storey::kGround;
   return reason_to_drop(standing);
 }

@@ -127,7 +127,7 @@ std::optional<FrontTags> read_front_tags(const source::OsmData& osm, source::Ran
   const auto row =
       std::ranges::find_if(kFronts, [&](const FrontRow& each) { return fits(value(each.key), each.value); });
   if (row == std::end(kFronts)) return std::nullopt;
-  const Standing standing = standing_of_thing(osm, tags, row->key);
+  const Standing standing = standing_of_object(osm, tags, row->key);
   if (standing.presence != Presence::kStands || standing.storey != Storey::kGround) return std::nullopt;
   return FrontTags{row->kind, front_hours_of(osm.value_of(tags, "opening_hours"))};
 }

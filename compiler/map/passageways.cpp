@@ -164,7 +164,7 @@ std::optional<double> wall_beside_m(Vec2 at, Vec2 aside, double most_m, const Po
   return std::nullopt;
 }
 
-// The open side of an arcade: how far it is open, and where its pillars stand.
+// The open side of an arcade: how far it is open, and where its pillars stand; 0 if the wall is in the way itself.
 struct OpenSide {
   double side_m, pillars_m;
 };
@@ -189,7 +189,9 @@ std::optional<OpenSide> open_side(const Polyline& line, double side, double half
     }
   }
   if (open < kArcadeShare * samples) return std::nullopt;
-  return OpenSide{farthest_m + kBeyondWall_m, std::max(nearest_m - kHalfPillar_m, half_m + kPlay_m + kHalfPillar_m)};
+  const double edge_m = half_m + kPlay_m;
+  const double pillars_m = nearest_m < half_m ? 0 : std::max(nearest_m - kHalfPillar_m, edge_m + kHalfPillar_m);
+  return OpenSide{std::max(farthest_m + kBeyondWall_m, edge_m), pillars_m};
 }
 
 LandCoverGroup group_of(const Track& track) { return values_of(track.surface).group; }

@@ -101,7 +101,7 @@ std::int8_t tagged_layer(const ReadContext& context, OsmId id, source::Range tag
 
 Passage tagged_passage(const ReadContext& context, source::Range tags) {
   const std::string_view tunnel = context.tag(tags, "tunnel");
-  const Storey storey = standing_of_thing(context.osm, tags, "highway").storey;
+  const Storey storey = standing_of_object(context.osm, tags, "highway").storey;
   const bool is_inside =
       storey == Storey::kUnderground || storey == Storey::kIndoor || context.tag(tags, "highway") == "corridor";
   // a passage through a building is on the ground

@@ -139,7 +139,7 @@ Presence presence_of(const source::OsmData& osm, source::Range tags, std::string
   const bool is_building = key.starts_with("building");
   if (is_building && osm.value_of(tags, "historic") == "ruins") presence = std::max(presence, Presence::kShell);
   const auto end = year_of(osm.value_of(tags, "end_date"));
-  return end && *end <= kLastEnd ? Presence::kGone : presence;
+  return end && *end <= kLastPastYear ? Presence::kGone : presence;
 }
 
 Standing standing_of_building(const source::OsmData& osm, source::Range tags, std::string_view key) {
@@ -169,7 +169,7 @@ Standing standing_of_area(const source::OsmData& osm, source::Range tags, std::s
   return standing;
 }
 
-Standing standing_of_thing(const source::OsmData& osm, source::Range tags, std::string_view key) {
+Standing standing_of_object(const source::OsmData& osm, source::Range tags, std::string_view key) {
   return {presence_of(osm, tags, key), storey_of(osm, tags)};
 }
 

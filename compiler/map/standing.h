@@ -43,7 +43,7 @@ std::optional<Levels> levels_of(std::string_view text);
 
 /// Returns whether an object exists. Words of lifecycle.inc count as the value of `key` and as a key with the value
 /// yes; ruins: and construction: count as prefixes of `key`; historic=ruins makes a building a shell. An end_date up to
-/// kLastEnd means that the object is gone.
+/// kLastPastYear means that the object is gone.
 /// @param key  The key that says what the object is, such as "building".
 Presence presence_of(const source::OsmData& osm, source::Range tags, std::string_view key);
 
@@ -61,7 +61,7 @@ Standing standing_of_area(const source::OsmData& osm, source::Range tags, std::s
 
 /// Returns whether and where a line or a point stands. Its layer is ignored.
 /// @param key  The key that gives the object its class.
-Standing standing_of_thing(const source::OsmData& osm, source::Range tags, std::string_view key);
+Standing standing_of_object(const source::OsmData& osm, source::Range tags, std::string_view key);
 
 /// Returns the value of a key, else that of the key with a prefix for objects that can still be seen: disused:,
 /// abandoned:, ruins:, construction:. Empty if none is tagged.
@@ -77,6 +77,6 @@ bool is_ruin(const source::OsmData& osm, source::Range tags);
 std::optional<Code> reason_to_drop(Standing standing);
 
 /// The last year of end_date in which an object counts as gone. A later end is a plan, and the object still stands.
-inline constexpr int kLastEnd = 2024;
+inline constexpr int kLastPastYear = 2024;
 
 }  // namespace citykiln::map

@@ -300,7 +300,7 @@ bool Cutter::is_incomplete(const osmium::Relation& relation) const {
 osmium::memory::Buffer Cutter::incomplete_relations() {
   osmium::memory::Buffer found(64 * 1024, osmium::memory::Buffer::auto_grow::yes);
   for_each<osmium::Relation>(cut_.map_path, bits::relation, pool_, [&](const osmium::Relation& relation) {
-    if (relation.deleted() || !source::cut_kind(relation.tags()) || !is_incomplete(relation)) return;
+    if (relation.deleted() || !source::cut_area_kind(relation.tags()) || !is_incomplete(relation)) return;
     found.add_item(relation);
     found.commit();
   });

@@ -142,7 +142,7 @@ ground::LandCoverPolygon footprint_surface(const buildings::Building& building) 
   ground::LandCoverPolygon surface = footprint_surface(building.id, building.footprint);
   // a clockwise ring lowers the winding number to 0 or less
   for (const buildings::Passageway& passageway : building.passageways)
-    for (Ring& ring : buildings::rings_of(passageway)) {
+    for (Ring& ring : buildings::opening_rings(passageway)) {
       std::ranges::reverse(ring);
       surface.rings.push_back(std::move(ring));
     }

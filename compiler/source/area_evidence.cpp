@@ -14,7 +14,7 @@ namespace {
 struct EvidenceRow {
   const char* key;
   const char* value;
-  std::array<int, 5> votes;  // by CutKind
+  std::array<int, 5> votes;  // by CutAreaKind
 };
 
 constexpr EvidenceRow kEvidence[] = {
@@ -46,22 +46,22 @@ bool is_row_of(const osmium::TagList& tags, const EvidenceRow& row) {
 
 }  // namespace
 
-std::optional<CutKind> cut_kind(const osmium::TagList& tags) {
+std::optional<CutAreaKind> cut_area_kind(const osmium::TagList& tags) {
   if (!tags.has_tag("type", "multipolygon") || says_yes(tags, "building") || says_yes(tags, "building:part"))
     return std::nullopt;
   if (has_value(tags, "water", {"river", "canal", "stream", "oxbow"}) ||
       has_value(tags, "waterway", {"riverbank", "river", "canal", "stream"}))
-    return CutKind::kRiver;
+    return CutAreaKind::kRiver;
   if (tags.has_tag("natural", "water") || tags.has_key("water") || tags.has_tag("waterway", "dock") ||
       has_value(tags, "landuse", {"reservoir", "basin", "salt_pond", "aquaculture"}))
-    return CutKind::kStanding;
-  if (has_value(tags, "landuse", {"residential", "industrial", "commercial", "retail"})) return CutKind::kBuiltUp;
-  if (is_body(tags, "landuse") || is_body(tags, "natural")) return CutKind::kCover;
-  if (is_body(tags, "leisure")) return CutKind::kPark;
+    return CutAreaKind::kStanding;
+  if (has_value(tags, "landuse", {"residential", "industrial", "commercial", "retail"})) return CutAreaKind::kBuiltUp;
+  if (is_body(tags, "landuse") || is_body(tags, "natural")) return CutAreaKind::kCover;
+  if (is_body(tags, "leisure")) return CutAreaKind::kPark;
   return std::nullopt;
 }
 
-int evidence_of(const osmium::TagList& tags, CutKind kind) {
+int votes_of(const osmium::TagList& tags, CutAreaKind kind) {
   if (says_yes(tags, "bridge") || says_yes(tags, "tunnel") || tags.has_tag("location", "underground")) return 0;
   const auto row = std::ranges::find_if(kEvidence, [&](const EvidenceRow& each) { return is_row_of(tags, each); });
   return row == std::end(kEvidence) ? 0 : row->votes[static_cast<std::size_t>(kind)];

@@ -239,8 +239,8 @@ std::vector<Location> places_of_way(const osmium::Way& way) {
 }
 
 // The lines of a candidate by their roles. A closed way stays closed around missing nodes.
-std::vector<BrokenLine> lines_of(const Candidate& candidate, const Elements& elements) {
-  std::vector<BrokenLine> lines;
+std::vector<AreaLine> lines_of(const Candidate& candidate, const Elements& elements) {
+  std::vector<AreaLine> lines;
   if (candidate.way) {
     lines.push_back({places_of_way(*candidate.way)});
     if (!lines[0].points.empty() && lines[0].points.front() != lines[0].points.back())
@@ -257,8 +257,8 @@ std::vector<BrokenLine> lines_of(const Candidate& candidate, const Elements& ele
 
 // Makes an area of rings that libosmium refuses. Returns false if a line remains open, or no area is left.
 bool mend_area(const Candidate& candidate, const Elements& elements, Slot& slot) {
-  const std::vector<BrokenLine> lines = lines_of(candidate, elements);
-  const auto is_open = [](const BrokenLine& line) {
+  const std::vector<AreaLine> lines = lines_of(candidate, elements);
+  const auto is_open = [](const AreaLine& line) {
     return line.points.size() < 4 || line.points.front() != line.points.back();
   };
   if (std::ranges::any_of(lines, is_open)) return false;
@@ -305,7 +305,7 @@ std::string body_tag_of(const Candidate& candidate) {
 double across_m(const Candidate& candidate, const Elements& elements) {
   constexpr double kMetresPerStep = 40'007'863.0 / 360 * 1e-7;  // of latitude, by the length of a meridian
   std::vector<Location> places;
-  for (const BrokenLine& line : lines_of(candidate, elements))
+  for (const AreaLine& line : lines_of(candidate, elements))
     places.insert(places.end(), line.points.begin(), line.points.end());
   if (places.empty()) return 0;
   const auto [west, east] = std::ranges::minmax(places, {}, &Location::lon_e7);

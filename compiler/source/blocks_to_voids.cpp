@@ -22,7 +22,13 @@ constexpr double kRough = 0.25;
 constexpr double kKnownEdges = 0.75;
 // width of the land around a block that is examined, in samples
 constexpr int kLand = 2;
-static_assert(kLargestBlock - 1 + kLand <= kBlockInfluence);
+// width of the samples around zeros into which these may be mixed
+constexpr int kMixed = 1;
+static_assert(kLargestBlock - 1 + kMixed + kLand <= kBlockInfluence);
+// least distance of the land around zeros from 0
+constexpr double kLeastDepth_m = 6, kLeastDepthSlope = 0.5;
+// programs that interpolate leave this much of a zero
+constexpr double kZero_m = 1e-3;
 
 struct SampleAt {
   int column = 0, row = 0;
@@ -63,8 +69,10 @@ double least_step_m(const Raster& raster) {
 
 // ---- samples that belong together ----
 
-// The samples to which one leads through neighbours without a step; nothing if they are no small block inside.
-std::optional<SampleBlock> block_from(const Raster& raster, SampleAt start, double step_m) {
+// The samples to which one leads from neighbour to neighbour; nothing if they are no small block inside.
+// @param is_one  True for two neighbouring samples that belong together.
+template <typename IsOne>
+std::optional<SampleBlock> block_from(const Raster& raster, SampleAt start, IsOne is_one) {
   SampleBlock block{{}, start, start};
   block.add(start);
   for (std::size_t i = 0; i < block.cells.size(); ++i) {
@@ -72,9 +80,7 @@ std::optional<SampleBlock> block_from(const Raster& raster, SampleAt start, doub
     for (const SampleAt by : kNeighbours) {
       const SampleAt next{cell.column + by.column, cell.row + by.row};
       if (!is_inside(raster, next)) return std::nullopt;
-      // a void belongs to no block
-      const bool is_next = std::abs(height_at_m(raster, next) - height_at_m(raster, cell)) <= step_m;
-      if (is_next && !block.holds(next)) block.add(next);
+      if (is_one(height_at_m(raster, cell), height_at_m(raster, next)) && !block.holds(next)) block.add(next);
     }
     if (!block.is_small()) return std::nullopt;
   }
@@ -104,20 +110,23 @@ struct LandPlane {
   double height_m(SampleAt cell) const { return mean_m + east_m * (cell.column - column) + south_m * (cell.row - row); }
 };
 
-bool is_near(const SampleBlock& block, SampleAt cell) {
-  return std::ranges::any_of(block.cells, [&](SampleAt own) {
-    return std::max(std::abs(own.column - cell.column), std::abs(own.row - cell.row)) <= kLand;
-  });
+// How many samples a cell is away from a block, diagonally too.
+int samples_away(const SampleBlock& block, SampleAt cell) {
+  int away = std::numeric_limits<int>::max();
+  for (const SampleAt own : block.cells)
+    away = std::min(away, std::max(std::abs(own.column - cell.column), std::abs(own.row - cell.row)));
+  return away;
 }
 
-// The known samples around the block, two wide.
-std::vector<SampleAt> land_around(const Raster& raster, const SampleBlock& block) {
+// The known samples that are more than some samples, and at most others, away from the block.
+std::vector<SampleAt> land_around(const Raster& raster, const SampleBlock& block, int more_than, int at_most) {
   std::vector<SampleAt> land;
-  for (int row = block.first.row - kLand; row <= block.last.row + kLand; ++row) {
-    for (int column = block.first.column - kLand; column <= block.last.column + kLand; ++column) {
+  for (int row = block.first.row - at_most; row <= block.last.row + at_most; ++row) {
+    for (int column = block.first.column - at_most; column <= block.last.column + at_most; ++column) {
       const SampleAt cell{column, row};
       if (!is_inside(raster, cell) || std::isnan(height_at_m(raster, cell))) continue;
-      if (is_near(block, cell) && !block.holds(cell)) land.push_back(cell);
+      const int away = samples_away(block, cell);
+      if (away > more_than && away <= at_most) land.push_back(cell);
     }
   }
   return land;
@@ -164,13 +173,34 @@ struct Broken {
 };
 
 std::optional<Broken> broken_from(const Raster& raster, SampleAt start, double step_m) {
-  std::optional<SampleBlock> block = block_from(raster, start, step_m);
+  // a void belongs to no block
+  const auto is_one = [&](double a_m, double b_m) { return std::abs(a_m - b_m) <= step_m; };
+  std::optional<SampleBlock> block = block_from(raster, start, is_one);
   if (!block || !block->begins_at(start) || !stands_alone(raster, *block)) return std::nullopt;
-  const std::vector<SampleAt> land = land_around(raster, *block);
+  const std::vector<SampleAt> land = land_around(raster, *block, 0, kLand);
   const LandPlane plane = plane_through(raster, land);
   const Distances own = distances_m(raster, block->cells, plane), around = distances_m(raster, land, plane);
   if (own.least_m <= step_m || own.most_m > kUneven * own.least_m || around.most_m > kRough * own.least_m)
     return std::nullopt;
+  return Broken{std::move(*block), own.most_m};
+}
+
+bool is_zero(double height_m) { return std::abs(height_m) < kZero_m; }
+
+// A block of zeros, with the samples beside it into which they are mixed.
+std::optional<Broken> zeros_from(const Raster& raster, SampleAt start) {
+  const auto is_one = [](double, double next_m) { return is_zero(next_m); };
+  std::optional<SampleBlock> block = block_from(raster, start, is_one);
+  if (!block || !block->begins_at(start)) return std::nullopt;
+  const std::vector<SampleAt> land = land_around(raster, *block, kMixed, kMixed + kLand);
+  if (land.empty()) return std::nullopt;
+  const LandPlane plane = plane_through(raster, land);
+  const Distances own = distances_m(raster, block->cells, plane), around = distances_m(raster, land, plane);
+  const double spacing_m = std::min(raster.spacing_m.x, raster.spacing_m.y);
+  if (own.least_m <= kLeastDepth_m + kLeastDepthSlope * spacing_m || around.most_m > kRough * own.least_m)
+    return std::nullopt;
+  for (const SampleAt beside : land_around(raster, *block, 0, kMixed))
+    if (std::abs(height_at_m(raster, beside) - plane.height_m(beside)) > around.most_m) block->add(beside);
   return Broken{std::move(*block), own.most_m};
 }
 
@@ -183,14 +213,24 @@ bool may_begin(const Raster& raster, SampleAt cell, double step_m) {
   return !(std::abs(west_m) <= step_m) && !(std::abs(north_m) <= step_m);
 }
 
+// True for the first sample of each block of zeros.
+bool may_begin_zeros(const Raster& raster, SampleAt cell) {
+  const auto is_zero_at = [&](int column, int row) { return is_zero(raster.at(column, row)); };
+  return is_zero_at(cell.column, cell.row) && !is_zero_at(cell.column - 1, cell.row) &&
+         !is_zero_at(cell.column, cell.row - 1);
+}
+
 // All blocks, in the order of their first samples.
 std::vector<Broken> find_broken(const Raster& raster) {
   std::vector<Broken> found;
   const double step_m = least_step_m(raster);
   for (int row = 1; row < raster.rows; ++row) {
     for (int column = 1; column < raster.columns; ++column) {
-      if (!may_begin(raster, {column, row}, step_m)) continue;
-      if (auto broken = broken_from(raster, {column, row}, step_m)) found.push_back(std::move(*broken));
+      const SampleAt cell{column, row};
+      std::optional<Broken> broken;
+      if (may_begin(raster, cell, step_m)) broken = broken_from(raster, cell, step_m);
+      if (!broken && may_begin_zeros(raster, cell)) broken = zeros_from(raster, cell);
+      if (broken) found.push_back(std::move(*broken));
     }
   }
   return found;

@@ -10,7 +10,7 @@ namespace citykiln::source {
 /// The largest width and depth of a block, in samples.
 inline constexpr int kLargestBlock = 6;
 /// Samples more than this many columns or rows away do not change the result for a sample.
-inline constexpr int kBlockInfluence = kLargestBlock - 1 + 2;
+inline constexpr int kBlockInfluence = kLargestBlock - 1 + 3;
 
 /// Replaces blocks of broken samples by voids. Call it after spikes_to_voids() and before fill_voids().
 ///
@@ -22,6 +22,10 @@ inline constexpr int kBlockInfluence = kLargestBlock - 1 + 2;
 /// - is even: its distances from a plane fitted to the land around it, two samples wide, are all more than a step, and
 ///   the largest is at most one and a half times the smallest;
 /// - stands in calm land: no sample of that land is farther from the plane than a quarter of the smallest distance.
+///
+/// A block of zeros needs no step: samples within 1 mm of 0 in calm land that lies more than 6 m plus half the sample
+/// spacing above or below 0 are what programs write where they know no height. They may be mixed into the samples
+/// beside them, which belong to the block if they are farther from the plane than the land is.
 ///
 /// Guarantees: cliffs, ridges, gorges, walls, wide towers and quarries with a ramp stay, since samples lead out of them
 /// without a step. A rock tower stays if the samples at its foot are between its height and that of the land, or if its

@@ -28,7 +28,7 @@ std::int64_t sides_of(const LocationBox& box) { return 2 * (width_of(box) + heig
 // How many steps of latitude a step of longitude is long in the middle of the box.
 double shortening(const LocationBox& box) { return cosine((double{1} * box.low.lat_e7 + box.high.lat_e7) / 2 * 1e-7); }
 
-bool is_ring(const BrokenLine& line) { return line.points.size() > 3 && line.points.front() == line.points.back(); }
+bool is_ring(const AreaLine& line) { return line.points.size() > 3 && line.points.front() == line.points.back(); }
 
 enum class BoxSide { kSouth, kEast, kNorth, kWest };
 
@@ -130,7 +130,7 @@ std::optional<std::array<Location, 2>> part_inside(Location a, Location b, const
 }
 
 // Cuts an open line into its parts inside the box.
-void add_parts_inside(const BrokenLine& line, const LocationBox& box, std::vector<BrokenLine>& parts) {
+void add_parts_inside(const AreaLine& line, const LocationBox& box, std::vector<AreaLine>& parts) {
   bool continues = false;
   for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
     if (line.points[i] == line.points[i + 1]) continue;
@@ -141,13 +141,13 @@ void add_parts_inside(const BrokenLine& line, const LocationBox& box, std::vecto
   }
 }
 
-bool is_all_inside(const BrokenLine& line, const LocationBox& box) {
+bool is_all_inside(const AreaLine& line, const LocationBox& box) {
   return std::ranges::all_of(line.points, [&](Location at) { return is_strictly_inside(box, at); });
 }
 
 // A ring as a line that begins and ends at a point outside the box.
-BrokenLine opened_outside(const BrokenLine& ring, const LocationBox& box) {
-  BrokenLine line{{ring.points.begin(), ring.points.end() - 1}, ring.is_inner};
+AreaLine opened_outside(const AreaLine& ring, const LocationBox& box) {
+  AreaLine line{{ring.points.begin(), ring.points.end() - 1}, ring.is_inner};
   const auto outside = std::ranges::find_if(line.points, [&](Location at) { return !is_strictly_inside(box, at); });
   std::ranges::rotate(line.points, outside);
   line.points.push_back(Location(line.points.front()));
@@ -155,7 +155,7 @@ BrokenLine opened_outside(const BrokenLine& ring, const LocationBox& box) {
 }
 
 // True if the line could be cut at the box.
-bool add_cut(BrokenLine line, const LocationBox& box, CutLines& cut) {
+bool add_cut(AreaLine line, const LocationBox& box, CutLines& cut) {
   if (is_ring(line) && is_all_inside(line, box)) {
     cut.rings.push_back(std::move(line));
     return true;
@@ -211,7 +211,7 @@ struct LineEnd {
 
 std::vector<LineEnd> ends_of(const CutLines& cut) {
   std::vector<LineEnd> ends;
-  for (const BrokenLine& line : cut.lines)
+  for (const AreaLine& line : cut.lines)
     for (const Location at : {line.points.front(), line.points.back()})
       ends.push_back({along_sides(cut.box, at), at, line.is_inner});
   std::ranges::sort(ends);
@@ -219,8 +219,8 @@ std::vector<LineEnd> ends_of(const CutLines& cut) {
 }
 
 // The line along the widened box, counter-clockwise from one end to the next.
-BrokenLine line_along(const LocationBox& box, const LineEnd& from, const LineEnd& to, bool turns) {
-  BrokenLine line{{beyond_side(box, from.at)}, false};
+AreaLine line_along(const LocationBox& box, const LineEnd& from, const LineEnd& to, bool turns) {
+  AreaLine line{{beyond_side(box, from.at)}, false};
   const std::int64_t last = to.along + (turns ? sides_of(box) : 0);
   for (const WideCorner& corner : wide_corners(box))
     if (corner.along > from.along && corner.along <= last) line.points.push_back(corner.at);
@@ -228,18 +228,18 @@ BrokenLine line_along(const LocationBox& box, const LineEnd& from, const LineEnd
   return line;
 }
 
-BrokenLine ring_along(const LocationBox& box) {
-  BrokenLine ring;
+AreaLine ring_along(const LocationBox& box) {
+  AreaLine ring;
   for (const WideCorner& corner : wide_corners(box))
     if (corner.along <= sides_of(box)) ring.points.push_back(corner.at);
   return ring;
 }
 
 // The lines along the sides of a part. Ends are sorted, and the part changes at each.
-std::vector<BrokenLine> openings_of(const CutLines& cut, bool is_odd) {
+std::vector<AreaLine> openings_of(const CutLines& cut, bool is_odd) {
   const std::vector<LineEnd> ends = ends_of(cut);
-  if (ends.empty()) return is_odd ? std::vector<BrokenLine>{} : std::vector{ring_along(cut.box)};
-  std::vector<BrokenLine> openings;
+  if (ends.empty()) return is_odd ? std::vector<AreaLine>{} : std::vector{ring_along(cut.box)};
+  std::vector<AreaLine> openings;
   for (std::size_t i = is_odd ? 0 : 1; i < ends.size(); i += 2) {
     const bool turns = i + 1 == ends.size();
     const LineEnd& to = ends[turns ? 0 : i + 1];
@@ -248,15 +248,15 @@ std::vector<BrokenLine> openings_of(const CutLines& cut, bool is_odd) {
   return openings;
 }
 
-BrokenLine led_out(const LocationBox& box, const BrokenLine& line) {
-  BrokenLine out{{beyond_side(box, line.points.front())}, false};
+AreaLine led_out(const LocationBox& box, const AreaLine& line) {
+  AreaLine out{{beyond_side(box, line.points.front())}, false};
   out.points.insert(out.points.end(), line.points.begin(), line.points.end());
   out.points.push_back(beyond_side(box, line.points.back()));
   return out;
 }
 
 // The part west of a ring's westernmost point.
-bool is_odd_around(const BrokenLine& ring, const PartsOfBox& parts) {
+bool is_odd_around(const AreaLine& ring, const PartsOfBox& parts) {
   return parts.is_odd(*std::ranges::min_element(ring.points));
 }
 
@@ -294,20 +294,20 @@ bool is_strictly_inside(const LocationBox& box, Location at) {
          at.lat_e7 < box.high.lat_e7;
 }
 
-std::optional<CutLines> cut_at_box(std::vector<BrokenLine> lines, const LocationBox& box) {
+std::optional<CutLines> cut_at_box(std::vector<AreaLine> lines, const LocationBox& box) {
   lines = joined_lines(std::move(lines));
-  const auto is_closed_outer = [](const BrokenLine& line) { return is_ring(line) && !line.is_inner; };
+  const auto is_closed_outer = [](const AreaLine& line) { return is_ring(line) && !line.is_inner; };
   if (std::ranges::all_of(lines, is_ring) && std::ranges::any_of(lines, is_closed_outer)) return std::nullopt;
   CutLines cut{.box = box, .rings = {}, .lines = {}};
-  for (BrokenLine& line : lines)
+  for (AreaLine& line : lines)
     if (line.points.size() > 1 && !add_cut(std::move(line), box, cut)) return std::nullopt;
   if (cut.rings.empty() && cut.lines.empty()) return std::nullopt;
   return cut;
 }
 
 PartsOfBox::PartsOfBox(const CutLines& cut) : box_(cut.box), rows_(kRowsOfBox) {
-  for (const std::vector<BrokenLine>* kind : {&cut.rings, &cut.lines})
-    for (const BrokenLine& line : *kind) {
+  for (const std::vector<AreaLine>* kind : {&cut.rings, &cut.lines})
+    for (const AreaLine& line : *kind) {
       vertices_.insert(vertices_.end(), line.points.begin(), line.points.end());
       for (std::size_t i = 1; i < line.points.size(); ++i) {
         Segment segment{line.points[i - 1], line.points[i]};
@@ -349,7 +349,7 @@ void add_vote(PartVotes& votes, bool is_odd, int weight) {
 
 PartVotes votes_of_rings(const CutLines& cut, const PartsOfBox& parts) {
   PartVotes votes;
-  for (const BrokenLine& ring : cut.rings)
+  for (const AreaLine& ring : cut.rings)
     add_vote(votes, is_odd_around(ring, parts), ring.is_inner ? kRoleVotes : -kRoleVotes);
   return votes;
 }
@@ -357,7 +357,7 @@ PartVotes votes_of_rings(const CutLines& cut, const PartsOfBox& parts) {
 PartVotes votes_of_inner_lines(const CutLines& cut) {
   PartVotes votes;
   const std::vector<LineEnd> ends = ends_of(cut);
-  for (const BrokenLine& line : cut.lines) {
+  for (const AreaLine& line : cut.lines) {
     if (!line.is_inner) continue;
     const auto [low, high] =
         std::minmax({along_sides(cut.box, line.points.front()), along_sides(cut.box, line.points.back())});
@@ -375,18 +375,18 @@ PartVotes votes_of_river(const CutLines& cut) {
   return {.even = sides_of(cut.box) - odd < quarter, .odd = odd < quarter};
 }
 
-std::optional<std::vector<BrokenLine>> close_along_box(const CutLines& cut, const PartsOfBox& parts,
-                                                       const PartVotes& votes, std::int64_t least) {
+std::optional<std::vector<AreaLine>> close_along_box(const CutLines& cut, const PartsOfBox& parts,
+                                                     const PartVotes& votes, std::int64_t least) {
   const PartVotes rings = votes_of_rings(cut, parts), lines_say = votes_of_inner_lines(cut);
   const std::int64_t odd = votes.odd + rings.odd + lines_say.odd, even = votes.even + rings.even + lines_say.even;
   const bool is_odd = odd > even;
   if (std::max(odd, even) < least || !is_clear(std::max(odd, even), std::min(odd, even))) return std::nullopt;
   if (is_odd ? rings.odd < kClearly * rings.even : rings.even < kClearly * rings.odd) return std::nullopt;
-  std::vector<BrokenLine> lines = openings_of(cut, is_odd);
-  for (const BrokenLine& line : cut.lines) lines.push_back(led_out(cut.box, line));
+  std::vector<AreaLine> lines = openings_of(cut, is_odd);
+  for (const AreaLine& line : cut.lines) lines.push_back(led_out(cut.box, line));
   lines = joined_lines(std::move(lines));
   if (!std::ranges::all_of(lines, is_ring)) return std::nullopt;
-  for (const BrokenLine& ring : cut.rings) lines.push_back({ring.points, is_odd_around(ring, parts) == is_odd});
+  for (const AreaLine& ring : cut.rings) lines.push_back({ring.points, is_odd_around(ring, parts) == is_odd});
   return lines;
 }
 

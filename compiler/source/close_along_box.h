@@ -30,8 +30,8 @@ bool is_strictly_inside(const LocationBox& box, Location at);
 /// The remaining outline of an area, inside a box.
 struct CutLines {
   LocationBox box;
-  std::vector<BrokenLine> rings;  ///< Closed, inside the box.
-  std::vector<BrokenLine> lines;  ///< From side to side of the box; only their ends touch it.
+  std::vector<AreaLine> rings;  ///< Closed, inside the box.
+  std::vector<AreaLine> lines;  ///< From side to side of the box; only their ends touch it.
 };
 
 /// Joins the lines of an area at common ends and cuts them at the box. A loose end inside the box is extended to the
@@ -40,7 +40,7 @@ struct CutLines {
 ///
 /// Returns nothing if another end is inside the box, if all lines are closed and one is an outer ring (the area needs
 /// no closing), or if nothing is inside the box. The order and the directions of lines do not matter.
-std::optional<CutLines> cut_at_box(std::vector<BrokenLine> lines, const LocationBox& box);
+std::optional<CutLines> cut_at_box(std::vector<AreaLine> lines, const LocationBox& box);
 
 /// Tells in which part of a box a place is.
 class PartsOfBox {
@@ -92,8 +92,8 @@ PartVotes votes_of_river(const CutLines& cut);
 /// Returns nothing if the votes are not clear. The area is the part with more votes, those of rings and inner lines
 /// added. It needs at least `least` votes and three times those of the other part, and among the votes of rings three
 /// times those of the other part, too.
-std::optional<std::vector<BrokenLine>> close_along_box(const CutLines& cut, const PartsOfBox& parts,
-                                                       const PartVotes& votes, std::int64_t least);
+std::optional<std::vector<AreaLine>> close_along_box(const CutLines& cut, const PartsOfBox& parts,
+                                                     const PartVotes& votes, std::int64_t least);
 
 /// The distance outside the map's box at which areas, as well as the sea, are closed. The sides are out of sight there,
 /// since the extent ends less than a cell (128 m) outside the box.

@@ -18,7 +18,9 @@ namespace {
 constexpr std::int32_t kNear_e7 = 50000;
 
 // One house can stand in a wood, but not in a lake.
-std::int64_t least_votes(CutKind kind) { return kind == CutKind::kRiver || kind == CutKind::kStanding ? 1 : 2; }
+std::int64_t least_votes(CutAreaKind kind) {
+  return kind == CutAreaKind::kRiver || kind == CutAreaKind::kStanding ? 1 : 2;
+}
 
 Location place_of_ref(const osmium::NodeRef& node) { return {node.location().x(), node.location().y()}; }
 
@@ -33,7 +35,7 @@ bool is_incomplete(const osmium::Relation& relation, std::span<const osmium::Way
 }
 
 // The lines of a way, which ends at a missing node and begins again after it.
-void add_lines_of(const osmium::Way& way, bool is_inner, std::vector<BrokenLine>& lines) {
+void add_lines_of(const osmium::Way& way, bool is_inner, std::vector<AreaLine>& lines) {
   bool continues = false;
   for (const osmium::NodeRef& node : way.nodes()) {
     const bool is_there = node.location().valid();
@@ -46,8 +48,8 @@ void add_lines_of(const osmium::Way& way, bool is_inner, std::vector<BrokenLine>
 LocationBox box_near(const CutLines& cut) {
   if (cut.lines.empty()) return cut.box;
   LocationBox box{cut.box.high, cut.box.low};
-  for (const std::vector<BrokenLine>* kind : {&cut.rings, &cut.lines})
-    for (const BrokenLine& line : *kind)
+  for (const std::vector<AreaLine>* kind : {&cut.rings, &cut.lines})
+    for (const AreaLine& line : *kind)
       for (const Location at : line.points) {
         box.low = {std::min(box.low.lon_e7, at.lon_e7), std::min(box.low.lat_e7, at.lat_e7)};
         box.high = {std::max(box.high.lon_e7, at.lon_e7), std::max(box.high.lat_e7, at.lat_e7)};
@@ -56,7 +58,7 @@ LocationBox box_near(const CutLines& cut) {
           {box.high.lon_e7 + kNear_e7, box.high.lat_e7 + kNear_e7}};
 }
 
-void add_ring_way(std::int64_t id, const BrokenLine& ring, osmium::memory::Buffer& buffer) {
+void add_ring_way(std::int64_t id, const AreaLine& ring, osmium::memory::Buffer& buffer) {
   {
     osmium::builder::WayBuilder builder(buffer);
     builder.set_id(id);
@@ -67,7 +69,7 @@ void add_ring_way(std::int64_t id, const BrokenLine& ring, osmium::memory::Buffe
   buffer.commit();
 }
 
-void add_relation_with(const osmium::Relation& relation, std::span<const BrokenLine> rings, std::int64_t first_ring,
+void add_relation_with(const osmium::Relation& relation, std::span<const AreaLine> rings, std::int64_t first_ring,
                        osmium::memory::Buffer& buffer) {
   {
     osmium::builder::RelationBuilder builder(buffer);
@@ -80,7 +82,7 @@ void add_relation_with(const osmium::Relation& relation, std::span<const BrokenL
     osmium::builder::RelationMemberListBuilder members(builder);
     for (const osmium::RelationMember& member : relation.members())
       members.add_member(member.type(), member.ref(), member.role());
-    for (const BrokenLine& ring : rings)
+    for (const AreaLine& ring : rings)
       members.add_member(osmium::item_type::way, first_ring++, ring.is_inner ? "inner" : "outer");
   }
   buffer.commit();
@@ -95,7 +97,7 @@ Pointer element_with(const std::vector<Pointer>& elements, std::int64_t id) {
 std::vector<CutArea> find_cut_areas(const Elements& elements, const LocationBox& box) {
   std::vector<CutArea> areas;
   for (const osmium::Relation* relation : elements.relations) {
-    if (!cut_kind(relation->tags())) continue;
+    if (!cut_area_kind(relation->tags())) continue;
     std::vector<const osmium::Way*> ways;
     for (const osmium::RelationMember& member : relation->members())
       ways.push_back(member.type() == osmium::item_type::way ? element_with(elements.ways, member.ref()) : nullptr);
@@ -121,16 +123,16 @@ void adopt(osmium::memory::Buffer& closed, Elements& elements) {
 
 std::optional<CutArea> cut_area_of(const osmium::Relation& relation, std::span<const osmium::Way* const> ways,
                                    const LocationBox& box) {
-  const std::optional<CutKind> kind = cut_kind(relation.tags());
+  const std::optional<CutAreaKind> kind = cut_area_kind(relation.tags());
   if (!kind || !is_incomplete(relation, ways)) return std::nullopt;
-  std::vector<BrokenLine> lines;
+  std::vector<AreaLine> lines;
   std::size_t i = 0;
   for (const osmium::RelationMember& member : relation.members())
     if (const osmium::Way* way = ways[i++]) add_lines_of(*way, std::strcmp(member.role(), "inner") == 0, lines);
   std::optional<CutLines> cut = cut_at_box(std::move(lines), box);
   if (!cut) return std::nullopt;
   const PartsOfBox parts(*cut);
-  const PartVotes votes = *kind == CutKind::kRiver ? votes_of_river(*cut) : PartVotes{};
+  const PartVotes votes = *kind == CutAreaKind::kRiver ? votes_of_river(*cut) : PartVotes{};
   const LocationBox near = box_near(*cut);
   return CutArea{&relation, *kind, std::move(*cut), parts, near, votes};
 }
@@ -142,7 +144,7 @@ void add_evidence(const osmium::Way& way, CutArea& area) {
     if (!node.location().valid()) continue;
     const Location at = place_of_ref(node);
     if (!is_strictly_inside(area.near, at) || !is_strictly_inside(area.lines.box, at)) continue;
-    if (weight == 0) weight = evidence_of(way.tags(), area.kind);
+    if (weight == 0) weight = votes_of(way.tags(), area.kind);
     if (weight == 0) return;
     if (area.parts.is_vertex(at)) continue;
     const bool odd_here = area.parts.is_odd(at);
@@ -153,11 +155,11 @@ void add_evidence(const osmium::Way& way, CutArea& area) {
 }
 
 bool add_closed(const CutArea& area, std::int64_t& next_ring, osmium::memory::Buffer& buffer) {
-  const std::optional<std::vector<BrokenLine>> rings =
+  const std::optional<std::vector<AreaLine>> rings =
       close_along_box(area.lines, area.parts, area.votes, least_votes(area.kind));
   if (!rings || rings->empty()) return false;
   add_relation_with(*area.relation, *rings, next_ring, buffer);
-  for (const BrokenLine& ring : *rings) add_ring_way(next_ring++, ring, buffer);
+  for (const AreaLine& ring : *rings) add_ring_way(next_ring++, ring, buffer);
   return true;
 }
 

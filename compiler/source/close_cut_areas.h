@@ -18,20 +18,20 @@ namespace citykiln::source {
 /// A multipolygon with missing ways, whose remaining lines lead from side to side of the box.
 struct CutArea {
   const osmium::Relation* relation = nullptr;
-  CutKind kind = CutKind::kCover;
+  CutAreaKind kind = CutAreaKind::kCover;
   CutLines lines;
   PartsOfBox parts;
   LocationBox near;  ///< The lines' box, widened by about 500 m. Ways outside have no vote.
   PartVotes votes;   ///< The votes of other ways, and of the shape of a river.
 };
 
-/// Returns the area if it may be closed, else nothing: a multipolygon with a cut_kind(), of which some member ways are
-/// in the map and some are missing, and whose lines end at the box (cut_at_box()).
+/// Returns the area if it may be closed, else nothing: a multipolygon with a cut_area_kind(), of which some member ways
+/// are in the map and some are missing, and whose lines end at the box (cut_at_box()).
 /// @param ways  For each member of the relation its way with locations, or null.
 std::optional<CutArea> cut_area_of(const osmium::Relation& relation, std::span<const osmium::Way* const> ways,
                                    const LocationBox& box);
 
-/// Adds the votes of a way (evidence_of()) if its nodes inside area.near, without those of the outline, are all in one
+/// Adds the votes of a way (votes_of()) if its nodes inside area.near, without those of the outline, are all in one
 /// part of the box.
 void add_evidence(const osmium::Way& way, CutArea& area);
 

@@ -17,10 +17,10 @@ constexpr std::int64_t kWidest_e7 = 50000000;
 // Owners of the overlay. Each ring is there in both directions, so that lobes that run clockwise count as well.
 constexpr std::uint32_t kInner = 0, kInnerBack = 1, kOuter = 2, kOuterBack = 3, kOwners = 4;
 
-bool is_closed(const BrokenLine& line) { return line.points.size() > 3 && line.points.front() == line.points.back(); }
+bool is_closed(const AreaLine& line) { return line.points.size() > 3 && line.points.front() == line.points.back(); }
 
 // Moves the line to the end of `chain` if they meet.
-bool append_line(BrokenLine& chain, BrokenLine& line) {
+bool append_line(AreaLine& chain, AreaLine& line) {
   if (line.points.empty() || is_closed(line) || line.is_inner != chain.is_inner) return false;
   if (line.points.back() == chain.points.back()) std::ranges::reverse(line.points);
   if (line.points.front() != chain.points.back()) return false;
@@ -29,8 +29,8 @@ bool append_line(BrokenLine& chain, BrokenLine& line) {
   return true;
 }
 
-void extend(BrokenLine& chain, std::vector<BrokenLine>& lines) {
-  const auto grows = [&] { return std::ranges::any_of(lines, [&](BrokenLine& l) { return append_line(chain, l); }); };
+void extend(AreaLine& chain, std::vector<AreaLine>& lines) {
+  const auto grows = [&] { return std::ranges::any_of(lines, [&](AreaLine& l) { return append_line(chain, l); }); };
   while (!is_closed(chain) && grows()) {
   }
 }
@@ -39,7 +39,7 @@ struct Corner {
   std::int64_t lon_e7 = 0, lat_e7 = 0;
 };
 
-Ring grid_ring(const BrokenLine& ring, Corner origin) {
+Ring grid_ring(const AreaLine& ring, Corner origin) {
   Ring points;
   for (std::size_t i = 0; i + 1 < ring.points.size(); ++i)
     points.push_back(Vec2{static_cast<double>(ring.points[i].lon_e7 - origin.lon_e7),
@@ -60,9 +60,9 @@ std::vector<Location> places_of_grid_ring(const Ring& ring, Corner origin) {
 }
 
 // The south-western corner of the rings; nothing wider than kWidest_e7 has one.
-std::optional<Corner> corner_of(std::span<const BrokenLine> rings) {
+std::optional<Corner> corner_of(std::span<const AreaLine> rings) {
   std::vector<Location> all;
-  for (const BrokenLine& ring : rings) all.insert(all.end(), ring.points.begin(), ring.points.end());
+  for (const AreaLine& ring : rings) all.insert(all.end(), ring.points.begin(), ring.points.end());
   if (all.empty() || all.size() > kMostMended) return std::nullopt;
   const auto [west, east] = std::ranges::minmax(all, {}, &Location::lon_e7);
   const auto [south, north] = std::ranges::minmax(all, {}, &Location::lat_e7);
@@ -74,11 +74,11 @@ std::optional<Corner> corner_of(std::span<const BrokenLine> rings) {
 
 }  // namespace
 
-std::vector<BrokenLine> joined_lines(std::vector<BrokenLine> lines) {
-  std::vector<BrokenLine> joined;
+std::vector<AreaLine> joined_lines(std::vector<AreaLine> lines) {
+  std::vector<AreaLine> joined;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (lines[i].points.empty()) continue;
-    BrokenLine chain = std::exchange(lines[i], {});
+    AreaLine chain = std::exchange(lines[i], {});
     if (!is_closed(chain)) {
       extend(chain, lines);
       std::ranges::reverse(chain.points);
@@ -89,11 +89,11 @@ std::vector<BrokenLine> joined_lines(std::vector<BrokenLine> lines) {
   return joined;
 }
 
-std::vector<MendedPolygon> mended_polygons(std::span<const BrokenLine> rings) {
+std::vector<MendedPolygon> mended_polygons(std::span<const AreaLine> rings) {
   const std::optional<Corner> origin = corner_of(rings);
   if (!origin) return {};
   std::vector<OwnedSegment> segments;
-  for (const BrokenLine& ring : rings) {
+  for (const AreaLine& ring : rings) {
     if (!is_closed(ring)) continue;
     Ring points = grid_ring(ring, *origin);
     if (signed_area_m2(points) < 0) std::ranges::reverse(points);

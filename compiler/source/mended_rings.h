@@ -10,7 +10,7 @@
 namespace citykiln::source {
 
 /// A ring, or an open line, of a broken area. The first point of a ring is repeated at the end.
-struct BrokenLine {
+struct AreaLine {
   std::vector<Location> points;
   bool is_inner = false;  ///< Its role: true for the border of a hole.
 };
@@ -20,7 +20,7 @@ using MendedPolygon = std::vector<std::vector<Location>>;
 
 /// Joins open lines of one role at common ends. Where several lines could continue, the first in order does. Lines that
 /// remain open keep different first and last points. O(n²) in open lines.
-std::vector<BrokenLine> joined_lines(std::vector<BrokenLine> lines);
+std::vector<AreaLine> joined_lines(std::vector<AreaLine> lines);
 
 /// Returns the area inside the outer rings, both lobes of a bow tie included, without the area inside the inner rings.
 /// Spikes, and segments along which a ring runs twice, enclose nothing and vanish. Open lines are left out. Empty if
@@ -28,7 +28,7 @@ std::vector<BrokenLine> joined_lines(std::vector<BrokenLine> lines);
 ///
 /// Guarantees: rings are simple and touch each other at points only; each point is less than 2e-7° from a given
 /// segment.
-std::vector<MendedPolygon> mended_polygons(std::span<const BrokenLine> rings);
+std::vector<MendedPolygon> mended_polygons(std::span<const AreaLine> rings);
 
 /// The largest number of points of all rings: the cost of an overlay grows with its square.
 inline constexpr std::size_t kMostMended = 4096;

@@ -212,7 +212,7 @@ void check_assumed(TileUnderCheck& tile, const bake::BakedTile& level, const std
 // Measures buildings by the triangles of the finest level: coarser ones have the same recipes.
 void check_buildings(TileUnderCheck& tile, const bake::BakedTile& level, const GroundIndex& ground,
                      const std::string& name) {
-  const Standing standing = measure_standing(tile.chunk, ground, level.error_m);
+  const FloorMeasure standing = measure_standing(tile.chunk, ground, level.error_m);
   tile.results().standing.tests += standing.buildings;
   for (const OffGround& off : standing.off)
     tile.results().standing.test_all(

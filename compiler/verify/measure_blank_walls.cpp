@@ -38,7 +38,7 @@ BasesOf bases_of(const scene::Chunk& chunk) {
     if (!b.stands_on_ground) continue;
     Base& base = bases[b.id.osm].emplace_back(Base{b.bottom_m, std::max(kLowestStorey_m, buildings::storey_m(b))});
     for (const buildings::Passageway& opening : b.passageways)
-      for (Ring& ring : buildings::rings_of(opening)) base.openings.push_back(std::move(ring));
+      for (Ring& ring : buildings::opening_rings(opening)) base.openings.push_back(std::move(ring));
   }
   return bases;
 }

@@ -37,13 +37,13 @@ double off_ground_m(const buildings::Building& building, const GroundAbout& abou
   if (building.top_m < about.lowest_m - error_m) return building.top_m - about.lowest_m;
   const double storey_m = buildings::storey_m(building);
   const double above_m = building.floor_m - about.highest_m;
-  return storey_m >= kLeastWall_m && above_m > std::max(kFloorAbove_m, storey_m) + error_m ? above_m : 0;
+  return storey_m >= kLeastWall_m && above_m > std::max(kMostFloorRise_m, storey_m) + error_m ? above_m : 0;
 }
 
 }  // namespace
 
-Standing measure_standing(const scene::Chunk& chunk, const GroundIndex& ground, double error_m) {
-  Standing standing;
+FloorMeasure measure_standing(const scene::Chunk& chunk, const GroundIndex& ground, double error_m) {
+  FloorMeasure standing;
   for (const buildings::Building& building : chunk.buildings) {
     if (!building.stands_on_ground || building.footprint.outer.empty()) continue;
     const auto about = ground_about(building.footprint.outer, ground);

@@ -12,7 +12,7 @@ namespace citykiln::verify {
 
 /// The height that a floor may have above the highest ground at the walls, or a storey of the building if that is more.
 /// Parts of one building have a common floor, which is less than a storey above the lowest ground of each.
-inline constexpr double kFloorAbove_m = 3;
+inline constexpr double kMostFloorRise_m = 3;
 
 /// A building above or below the ground.
 struct OffGround {
@@ -24,7 +24,7 @@ struct OffGround {
 };
 
 /// The measured buildings of a tile.
-struct Standing {
+struct FloorMeasure {
   std::uint64_t buildings = 0;  ///< How many were measured.
   std::vector<OffGround> off;   ///< Buildings farther off the ground than allowed.
 };
@@ -33,6 +33,6 @@ struct Standing {
 /// of the edges of the outer ring; a building is left out if the tile has no ground at one of these places. The floor
 /// of buildings without storeys, such as roofs down to the ground and treads, is not measured. O(corners).
 /// @param error_m  The error of the ground, which is allowed in addition.
-Standing measure_standing(const scene::Chunk& chunk, const GroundIndex& ground, double error_m);
+FloorMeasure measure_standing(const scene::Chunk& chunk, const GroundIndex& ground, double error_m);
 
 }  // namespace citykiln::verify

@@ -65,6 +65,7 @@ TEST(Spec, ParsesEverySetting) {
                                                       {"threads", "2"},
                                                       {"snow-line", "2200"},
                                                       {"strict", "true"},
+                                                      {"assume", "pavements,lamps"},
                                                       {"time", "2026-06-21T15:00+02:00"},
                                                       {"visibility", "30"},
                                                       {"turbidity", "3"},

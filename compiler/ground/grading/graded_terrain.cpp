@@ -67,7 +67,7 @@ StepRoom room_across(const std::optional<StepSide>& step, double away_m) {
   constexpr double kBefore_m = 0.5;
   if (!step) return {};
   const double between = std::clamp((away_m - step->away_m) / kBefore_m + 1, 0.0, 1.0) * step->rise_m;
-  return {between * step->share, between * (1 - step->share)};
+  return {between * step->high_share, between * (1 - step->high_share)};
 }
 
 // Keeps the land between the slopes that start at a height, `away_m` away.

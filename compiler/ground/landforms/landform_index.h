@@ -35,9 +35,9 @@ LandformIndex index_landforms(std::span<const Landform> forms);
 
 /// The nearest step, as seen from a place.
 struct StepSide {
-  double away_m = 0;  ///< Distance of the place from the axis.
-  double rise_m = 0;  ///< Height of the step; it fades with the distance, and beyond the ends of the axis.
-  double share = 0;   ///< 1 on the high side, 0 on the low side, in between within the wall's thickness.
+  double away_m = 0;      ///< Distance of the place from the axis.
+  double rise_m = 0;      ///< Height of the step; it fades with the distance, and beyond the ends of the axis.
+  double high_share = 0;  ///< 1 on the high side, 0 on the low side, in between within the wall's thickness.
 };
 
 /// The land at a place, plane metres.

@@ -123,6 +123,13 @@ TEST(MassModel, BeginsStoreyByStoreyAlongASlope) {
   EXPECT_EQ(area_of(mass.foundation, FaceTag::kSide), 2 * (12 + 9) * 2 + 4 * 3 + 4 * 6);
 }
 
+TEST(MassModel, BeginsAtTheLowestStoreyOfASlopeWithoutDetail) {
+  Building b = gabled_house();
+  b.facade_edges[0].buried_storeys = 1, b.buried_from = {{0, 4, 2}, {0, 8, 1}};
+  EXPECT_EQ(area_of(made(b).walls, FaceTag::kSide), (9 + 12 + 9) * 6 + 8 * 3);
+  EXPECT_EQ(area_of(made(b, 1.5).walls, FaceTag::kSide), (9 + 12 + 9) * 6 + 12 * 3);
+}
+
 TEST(MassModel, HasAnUndersideIfLifted) {
   Building b = gabled_house();
   b.stands_on_ground = false, b.bottom_m = b.floor_m = 100;

@@ -111,6 +111,13 @@ TEST(Passageways, AnArcadeIsOpenThroughItsOuterWallWherePillarsStand) {
   EXPECT_EQ(all[0].pillars_left_m, 0);
 }
 
+TEST(Passageways, AnArcadeIsAsWideAsAWayThatStandsOutOfItsOuterWall) {
+  const auto all = passageways_of(kHouse + "w2 -2:1.1 42:1.1 highway=service covered=yes width=5");
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_GE(all[0].right_m, 2.5);
+  EXPECT_EQ(all[0].pillars_right_m, 0) << "pillars would stand in front of the wall";
+}
+
 TEST(Passageways, AnArcadeKeepsItsWallWhereAnotherHouseStands) {
   const auto all = passageways_of(kHouse + "a3 0:-9 40:-9 40:0 0:0 building=house height=9\n" +
                                   "w2 -2:1.5 42:1.5 highway=footway tunnel=building_passage width=2");

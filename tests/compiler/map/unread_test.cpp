@@ -39,7 +39,7 @@ TEST(Unread, ElementsWithoutABodyAreCountedAndNoFindings) {
   Report report;
   const auto tags = unknown_kinds(R"(
     a1 0:0 40:0 40:30 boundary=administrative
-    n2 3:4 office=lawyer
+    n2 3:4 addr:housenumber=7
     n3 3:4 highway=crossing
     n4 3:4 natural=peak
     w5 0:0 9:0 name=nothing)",

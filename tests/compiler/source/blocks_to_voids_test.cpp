@@ -175,6 +175,34 @@ TEST(BlocksToVoids, BlocksAtTheEdgeAndAmongVoidsStay) {
   EXPECT_EQ(removed_from(among), voids_in(among).size());
 }
 
+// Samples of exactly 0 between calm land, and a height between 0 and the land on two of their sides.
+double with_zeros_m(double column, double row, double land_m) {
+  if (row < 11 || row > 13) return land_m;
+  if (column == 10 || column == 13) return 0.4 * land_m;
+  return column > 10 && column < 13 ? 0 : land_m;
+}
+
+TEST(BlocksToVoids, ZerosInCalmLandAreRemovedWithTheSamplesTheyAreMixedInto) {
+  const auto at_height = [](double land_m) {
+    return raster_over(
+        30, 30, [=](double c, double r) { return with_zeros_m(c, r, land_m + 0.3 * std::sin(c)); }, 10);
+  };
+  Report report;
+  const Raster mended = blocks_to_voids(at_height(14), report);
+  ASSERT_EQ(report.diagnoses().size(), 1u);
+  EXPECT_NEAR(report.diagnoses()[0].size, 14, 1);
+  EXPECT_EQ(voids_in(mended).size(), 12u);
+  EXPECT_EQ(removed_from(at_height(-14)), 12u);
+  EXPECT_EQ(removed_from(at_height(8)), 0u) << "shallow holes may be real";
+}
+
+TEST(BlocksToVoids, HolesThatEndAboveZeroAndZerosBelowAHillsideStay) {
+  const auto hole = [](double c, double r) { return with_zeros_m(c, r, 14) + 0.1; };
+  EXPECT_EQ(removed_from(raster_over(30, 30, hole, 10)), 0u);
+  const auto cove = [](double c, double r) { return with_zeros_m(c, r, c < 13 ? 3 : 20); };
+  EXPECT_EQ(removed_from(raster_over(30, 30, cove, 10)), 0u);
+}
+
 TEST(BlocksToVoids, AWindowEqualsThatPartOfTheWhole) {
   const Raster whole = raster_over(90, 90, [](double c, double r) {
     const int i = static_cast<int>(c) / 11, j = static_cast<int>(r) / 11;

@@ -10,9 +10,9 @@
 namespace citykiln::source {
 namespace {
 
-BrokenLine line(std::vector<Location> points, bool is_inner = false) { return {std::move(points), is_inner}; }
+AreaLine line(std::vector<Location> points, bool is_inner = false) { return {std::move(points), is_inner}; }
 
-BrokenLine square(int low, int high, bool is_inner = false) {
+AreaLine square(int low, int high, bool is_inner = false) {
   return line({{low, low}, {high, low}, {high, high}, {low, high}, {low, low}}, is_inner);
 }
 
@@ -39,7 +39,7 @@ TEST(MendedRings, BowTiesAreTwoLobes) {
 }
 
 TEST(MendedRings, AnInnerRingOnTheEdgeLeavesAU) {
-  const BrokenLine inner = line({{400, 600}, {600, 600}, {600, 1000}, {400, 1000}, {400, 600}}, true);
+  const AreaLine inner = line({{400, 600}, {600, 600}, {600, 1000}, {400, 1000}, {400, 600}}, true);
   const auto u = mended_polygons({{square(0, 1000), inner}});
   ASSERT_EQ(u.size(), 1u);
   EXPECT_EQ(u[0].size(), 1u);
@@ -47,7 +47,7 @@ TEST(MendedRings, AnInnerRingOnTheEdgeLeavesAU) {
 }
 
 TEST(MendedRings, AnInnerRingThatCrossesTakesOnlyWhatIsInside) {
-  const BrokenLine inner = line({{400, 600}, {600, 600}, {600, 1200}, {400, 1200}, {400, 600}}, true);
+  const AreaLine inner = line({{400, 600}, {600, 600}, {600, 1200}, {400, 1200}, {400, 600}}, true);
   EXPECT_NEAR(area_of(mended_polygons({{square(0, 1000), inner}})), 1e6 - 8e4, 1);
 }
 
@@ -59,7 +59,7 @@ TEST(MendedRings, SpikesAndDoubleSegmentsHaveNoArea) {
 }
 
 TEST(MendedRings, LinesAreJoinedByRoleInAnyDirection) {
-  const std::vector<BrokenLine> joined = joined_lines(
+  const std::vector<AreaLine> joined = joined_lines(
       {line({{0, 0}, {9, 0}}), line({{9, 9}, {9, 0}}), line({{5, 5}, {6, 6}}, true), line({{9, 9}, {0, 9}, {0, 0}})});
   ASSERT_EQ(joined.size(), 2u);
   EXPECT_EQ(joined[0].points.front(), joined[0].points.back());

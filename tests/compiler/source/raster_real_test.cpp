@@ -267,7 +267,7 @@ TEST_F(RasterReal, SpikesAreFoundAndNoNaturalPlaceIs) {
   }
 }
 
-TEST_F(RasterReal, NoNaturalPlaceIsABlockAndPlantedBlocksAreFound) {
+TEST_F(RasterReal, OnlyBlocksOfZerosArePlacesThatNobodyPlanted) {
   for (const std::string spec :
        {"andorra/N42E001.hgt", "monaco/N43E007.hgt", "berlin/N52E013.hgt", "st-moritz/N46E009.hgt.zip",
         "liechtenstein/N47E009.hgt.zip", "portland/portland-ned.tif", "porto-alegre/poa_elevation.tif",
@@ -277,9 +277,10 @@ TEST_F(RasterReal, NoNaturalPlaceIsABlockAndPlantedBlocksAreFound) {
     Report spikes, natural, planted;
     const Raster land = spikes_to_voids(read_real(spec), spikes);
     blocks_to_voids(land, natural);
-    EXPECT_TRUE(natural.diagnoses().empty()) << spec;
+    // two by three samples with 0 m in the middle of 14 m, and three of 11 m
+    EXPECT_EQ(natural.diagnoses().size(), spec.starts_with("portland/") ? 2u : 0u) << spec;
     Raster broken = land;
-    std::size_t blocks = 0;
+    std::size_t blocks = natural.diagnoses().size();
     for (int row = 20; row + 20 < land.rows; row += 40) {
       for (int column = 20; column + 20 < land.columns; column += 40) {
         if (std::isnan(land.at(column, row))) continue;
