@@ -301,6 +301,18 @@ Surroundings index_surroundings(const map::Features& features) {
   return std::move(indexer.all);
 }
 
+LandUse land_use_along(const Surroundings& surroundings, const Polyline& line) {
+  std::array<std::size_t, static_cast<std::size_t>(LandUse::kCount)> counts{};
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const int steps = std::max(1, static_cast<int>(distance(line[i], line[i + 1]) / kSampleEvery_m));
+    for (int k = 0; k < steps; ++k) {
+      const MappedLand* land = area_at(surroundings, line[i] + (line[i + 1] - line[i]) * ((k + 0.5) / steps), false);
+      ++counts[static_cast<std::size_t>(land == nullptr ? LandUse::kNone : land->land)];
+    }
+  }
+  return static_cast<LandUse>(std::ranges::max_element(counts) - counts.begin());
+}
+
 BothSides facts_beside(const Surroundings& surroundings, const map::Track& stretch) {
   Walk walk{surroundings, stretch, static_cast<double>(flow_of(stretch))};
   for (std::size_t i = 0; i + 1 < stretch.axis.size(); ++i) walk.along(stretch.axis[i], stretch.axis[i + 1]);

@@ -90,6 +90,9 @@ struct Surroundings {
 /// Returns the index of a map's features on the ground; it points into them. O(n log n).
 Surroundings index_surroundings(const map::Features& features);
 
+/// Returns the most frequent land use along a line. O(length * areas near it).
+LandUse land_use_along(const Surroundings& surroundings, const Polyline& line);
+
 /// The facts of both sides of a stretch, seen along its axis.
 struct BothSides {
   SideFacts left, right;
