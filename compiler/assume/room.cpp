@@ -101,9 +101,8 @@ struct Measured {
   const std::vector<Vec2>& places_of(const map::Track* way) {
     const auto [found, is_new] = meeting.try_emplace(way);
     if (is_new && way != nullptr)
-      for (std::size_t i = 0; i < way->axis.size(); ++i)
-        if (std::ranges::find(stretch.node_ids, way->node_ids[i]) != stretch.node_ids.end())
-          found->second.push_back(way->axis[i]);
+      for (const Vec2 p : way->axis)
+        if (std::ranges::find(stretch.axis, p) != stretch.axis.end()) found->second.push_back(p);
     return found->second;
   }
 
