@@ -71,7 +71,7 @@ constexpr WidthRow kWidths[] = {
 constexpr double kOpen = 0.1, kTownHouses = 0.6;
 // The share of the inner side of a one-way street along which houses stand, from which it is the side of a street of
 // its own, not of a carriageway.
-constexpr double kInsideHouses = 0.25;
+constexpr double kInsideHouses = 0.6;
 // The share of a stretch near cross streets from which it belongs to a town.
 constexpr double kTownStreets = 0.4;
 // A path along more than this share of a side is its pavement; another carriageway along more than this share is on its

@@ -261,8 +261,8 @@ def facts(row):
     inside = "right" if drives_left else "left"
     held = {main_kind(row), f"land {row['land']}"}
     for name, holds in (("link", row["link"]), ("inner", row["inner"] > 0.25), ("one-way", row["oneway"]),
-                        ("one-way inside, houses", row["oneway"] and row["side"] == inside and row["front"] > 0.25),
-                        ("one-way inside, none", row["oneway"] and row["side"] == inside and row["front"] <= 0.25), ("roundabout inside", row["roundabout"] and row["side"] == inside),
+                        ("one-way inside, houses", row["oneway"] and row["side"] == inside and row["front"] > 0.6),
+                        ("one-way inside, none", row["oneway"] and row["side"] == inside and row["front"] <= 0.6), ("roundabout inside", row["roundabout"] and row["side"] == inside),
                         ("mapped", row["mapped"] > 0.5), ("front < 10 %", row["front"] < 0.1), ("front > 40 %", row["front"] > 0.4)):
         if holds:
             held.add(name)

@@ -144,7 +144,7 @@ TEST(AssumePavements, ItIsNowhereOnAnotherCarriageway) {
   map::Features features = town(silent_street(), 30);
   map::Track service = silent_street(50, LandCoverClass::kServiceRoad);
   service.id.osm.id = 2;
-  service.axis = {{101, 5.5}, {108, 12.5}};
+  service.axis = {{101, 5}, {108, 12}};
   service.section.lanes = {{LaneKind::kDriving, LaneDirection::kBoth, 3.5}}, service.section.axis_offset_m = 1.75;
   features.tracks.push_back(service);
   EXPECT_EQ(to_string(section_in(features)), "dd|s v^|-");
