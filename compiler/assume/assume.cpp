@@ -9,6 +9,8 @@
 #include "compiler/assume/pavements.h"
 #include "compiler/assume/roofs.h"
 #include "compiler/assume/styles.h"
+#include "compiler/assume/surfaces.h"
+#include "compiler/assume/verges.h"
 
 namespace citykiln::assume {
 
@@ -18,6 +20,9 @@ map::Features assume(map::Features features, const Settings& settings, Report& r
   if (has(settings.on, Assumption::kRoofs)) features = assume_roofs(std::move(features), settings.seed, report);
   if (has(settings.on, Assumption::kPavements))
     features.tracks = assume_bridge_pavements(assume_pavements(features, report), report);
+  // beside the pavements
+  if (has(settings.on, Assumption::kVerges)) features.tracks = assume_verges(features, report);
+  if (has(settings.on, Assumption::kSurfaces)) features.tracks = assume_surfaces(features, report);
   if (has(settings.on, Assumption::kLamps)) features.tracks = assume_lamps(features, report);
   if (has(settings.on, Assumption::kFronts)) assume_fronts(features, settings.seed, report);
   if (has(settings.on, Assumption::kStyles)) features = assume_styles(std::move(features), report);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "compiler/assume/room.h"
 #include "compiler/geometry/segment.h"
 
 namespace citykiln::assume {
@@ -18,14 +19,10 @@ constexpr double kLineBucket_m = 32;
 constexpr double kSampleEvery_m = 8;
 // Land use is looked up at every third sample.
 constexpr std::size_t kLandEvery = 3;
-// Lines at less than about 37 degrees from the axis run along it.
-constexpr double kAlong = 0.8;
 // A paved square begins this far behind the kerb at most.
 constexpr double kBehindKerb_m = 1.5;
 // A quarter of a side may have less room before buildings and walls: the road narrows there (roads/width_limits).
 constexpr double kNarrowShare = 0.25;
-// Streets that meet the stretch leave less room this near to its ends.
-constexpr double kNearEnd_m = 24;
 
 LandCoverGroup cover_group_of(LandCoverClass surface) { return map::values_of(surface).group; }
 
@@ -67,8 +64,16 @@ LandUse land_use_of(LandCoverClass surface) {
   }
 }
 
-double left_kerb_m(const map::CrossSection& section) { return section.axis_offset_m; }
-double right_kerb_m(const map::CrossSection& section) { return carriageway_width_m(section) - section.axis_offset_m; }
+// The greater distance from a way's axis to its outer edges.
+double widest_half_m(const map::CrossSection& section) {
+  double left_m = left_kerb_m(section), right_m = right_kerb_m(section);
+  bool is_left = true;
+  for (const map::Lane& lane : section.lanes) {
+    is_left &= lane.is_raised;
+    if (lane.is_raised) (is_left ? left_m : right_m) += lane.width_m;
+  }
+  return std::max(left_m, right_m);
+}
 
 // The direction of a one-way street's traffic: 1 along the way, -1 against it, 0 if it has both.
 int flow_of(const map::Track& track) {
@@ -92,6 +97,7 @@ struct Indexer {
 
   void add(const MappedLine& line) {
     all.lines.push_back(line);
+    all.widest_half_m = std::max(all.widest_half_m, line.half_m);
     line_boxes.push_back(box_of(std::array{line.a, line.b}));
   }
   void add_ring(const Ring& ring, LineKind kind, ObjectId of) {
@@ -103,14 +109,16 @@ struct Indexer {
     const bool is_path = group == LandCoverGroup::kPath, is_road = group == LandCoverGroup::kRoad;
     const LineKind kind = is_path ? LineKind::kPath : is_road ? LineKind::kStreet : LineKind::kRail;
     const int flow = flow_of(track);
+    const double half_m = widest_half_m(track.section);
     for (std::size_t i = 0; i + 1 < track.axis.size(); ++i)
       add({.a = track.axis[i],
            .b = track.axis[i + 1],
            .kind = kind,
-           .half_m = carriageway_width_m(track.section) / 2,
+           .half_m = half_m,
            .is_through = is_through(track.surface),
            .heading = unit(track.axis[i + 1] - track.axis[i]) * static_cast<double>(flow),
-           .of = track.id});
+           .of = track.id,
+           .way = &track});
   }
   // guard rails stand on the road
   void add_barrier(const map::Barrier& barrier) {
@@ -125,9 +133,13 @@ struct Indexer {
   void add_area(const map::AreaFeature& area) {
     const LandUse land = land_use_of(area.surface);
     const bool is_square = area.surface == LandCoverClass::kSquare;
-    if (land == LandUse::kWater || land == LandUse::kParking)
+    if (land == LandUse::kWater || land == LandUse::kParking || is_square)
       for (const Ring* ring : rings_of(area.polygon))
-        add_ring(*ring, land == LandUse::kWater ? LineKind::kWater : LineKind::kCarPark, area.id);
+        add_ring(*ring,
+                 is_square                 ? LineKind::kSquare
+                 : land == LandUse::kWater ? LineKind::kWater
+                                           : LineKind::kCarPark,
+                 area.id);
     if ((land == LandUse::kNone && !is_square) || area.polygon.outer.empty()) return;
     all.areas.push_back({&area, land, is_square});
     area_boxes.push_back(box_of(area.polygon.outer));
@@ -138,7 +150,6 @@ struct Indexer {
 struct Ray {
   Vec2 at, along, out;
   double kerb_m = 0;
-  bool is_near_end = false;  // other ways may meet the stretch there
 };
 
 // The distance along a ray to a line; nothing if they do not meet.
@@ -151,10 +162,10 @@ bool runs_along(const Ray& ray, const MappedLine& line) {
   return std::abs(dot(unit(line.b - line.a), ray.along)) > kAlong;
 }
 
-// The facts of one sample of a side. Nothing may be nearer than the firm room at any sample.
+// The facts of one sample of a side.
 struct Seen {
   bool has_house = false, has_path = false, has_oncoming = false;
-  double room_m = std::numeric_limits<double>::infinity(), firm_m = std::numeric_limits<double>::infinity();
+  double room_m = std::numeric_limits<double>::infinity();
 };
 
 void look_at(const MappedLine& line, const Ray& ray, Vec2 heading, Seen& seen) {
@@ -163,7 +174,6 @@ void look_at(const MappedLine& line, const Ray& ray, Vec2 heading, Seen& seen) {
   if (!away_m) return;
   const double from_kerb_m = *away_m - ray.kerb_m - line.half_m;
   const auto limit = [&] { seen.room_m = std::min(seen.room_m, std::max(0.0, from_kerb_m)); };
-  const auto limit_firmly = [&] { seen.firm_m = std::min(seen.firm_m, std::max(0.0, from_kerb_m)); };
   switch (line.kind) {
     case LineKind::kBuilding:
       seen.has_house |= *away_m <= kFront_m;
@@ -176,29 +186,25 @@ void look_at(const MappedLine& line, const Ray& ray, Vec2 heading, Seen& seen) {
       return;
     case LineKind::kCarPark:
       return limit();
-    case LineKind::kWater:
-      return limit_firmly();
-    case LineKind::kRail:
-      // rails within the carriageway are a tram's
-      if (*away_m < ray.kerb_m || !runs_along(ray, line)) return;
-      return ray.is_near_end ? limit() : limit_firmly();
     case LineKind::kStreet:
-      if (*away_m <= 0 || !runs_along(ray, line)) return;
-      seen.has_oncoming |= *away_m <= kOncoming_m && dot(line.heading, heading) < -kAlong;
-      return ray.is_near_end ? limit() : limit_firmly();
+      seen.has_oncoming |= *away_m > 0 && *away_m <= kOncoming_m && dot(line.heading, heading) < -kAlong;
+      return;
+    case LineKind::kWater:
+    case LineKind::kSquare:
+    case LineKind::kRail:
+      return;
   }
 }
 
 // The rooms that samples leave, sums of what they see, and the land use of some.
 struct Side {
   std::vector<double> rooms_m;
-  double firm_m = std::numeric_limits<double>::infinity();
   std::size_t houses = 0, paths = 0, oncoming = 0, squares = 0;
   std::array<std::size_t, static_cast<std::size_t>(LandUse::kCount)> lands{};
 
   void add(const Seen& seen) {
     houses += seen.has_house, paths += seen.has_path, oncoming += seen.has_oncoming;
-    rooms_m.push_back(seen.room_m), firm_m = std::min(firm_m, seen.firm_m);
+    rooms_m.push_back(seen.room_m);
   }
 };
 
@@ -230,7 +236,7 @@ SideFacts facts_of(Side side) {
   facts.houses = static_cast<double>(side.houses) / n;
   facts.path = std::min(1.0, static_cast<double>(side.paths) / n + squares);
   facts.oncoming = static_cast<double>(side.oncoming) / n;
-  facts.room_m = std::min(*narrow, side.firm_m);
+  facts.room_m = *narrow;
   facts.land = static_cast<LandUse>(std::ranges::max_element(side.lands) - side.lands.begin());
   return facts;
 }
@@ -270,15 +276,16 @@ struct Walk {
     for (int k = 0; k < count; ++k) {
       const Vec2 at = a + (b - a) * ((k + 0.5) / count);
       ++samples, samples_near_streets += is_near_cross_street({at, forward, out}, near);
-      const bool is_near_end =
-          std::min(distance(at, stretch.axis.front()), distance(at, stretch.axis.back())) < kNearEnd_m;
-      look({at, forward, out, left_m, is_near_end}, near, left);
-      look({at, forward, out * -1.0, right_m, is_near_end}, near, right);
+      look({at, forward, out, left_m}, near, left);
+      look({at, forward, out * -1.0, right_m}, near, right);
     }
   }
 };
 
 }  // namespace
+
+double left_kerb_m(const map::CrossSection& section) { return section.axis_offset_m; }
+double right_kerb_m(const map::CrossSection& section) { return carriageway_width_m(section) - section.axis_offset_m; }
 
 Surroundings index_surroundings(const map::Features& features) {
   Indexer indexer;
@@ -294,6 +301,18 @@ Surroundings index_surroundings(const map::Features& features) {
   return std::move(indexer.all);
 }
 
+LandUse land_use_along(const Surroundings& surroundings, const Polyline& line) {
+  std::array<std::size_t, static_cast<std::size_t>(LandUse::kCount)> counts{};
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const int steps = std::max(1, static_cast<int>(distance(line[i], line[i + 1]) / kSampleEvery_m));
+    for (int k = 0; k < steps; ++k) {
+      const MappedLand* land = area_at(surroundings, line[i] + (line[i + 1] - line[i]) * ((k + 0.5) / steps), false);
+      ++counts[static_cast<std::size_t>(land == nullptr ? LandUse::kNone : land->land)];
+    }
+  }
+  return static_cast<LandUse>(std::ranges::max_element(counts) - counts.begin());
+}
+
 BothSides facts_beside(const Surroundings& surroundings, const map::Track& stretch) {
   Walk walk{surroundings, stretch, static_cast<double>(flow_of(stretch))};
   for (std::size_t i = 0; i + 1 < stretch.axis.size(); ++i) walk.along(stretch.axis[i], stretch.axis[i + 1]);
@@ -301,6 +320,9 @@ BothSides facts_beside(const Surroundings& surroundings, const map::Track& stret
   const auto samples = static_cast<double>(std::max<std::size_t>(walk.samples, 1));
   sides.left.streets = sides.right.streets = static_cast<double>(walk.samples_near_streets) / samples;
   sides.left.houses_across = sides.right.houses, sides.right.houses_across = sides.left.houses;
+  const Room room = room_beside(surroundings, stretch);
+  sides.left.room_m = std::min(sides.left.room_m, room.left_m);
+  sides.right.room_m = std::min(sides.right.room_m, room.right_m);
   return sides;
 }
 

@@ -25,6 +25,13 @@ inline constexpr double kBesideKerb_m = 10;
 inline constexpr double kBlock_m = 60;
 static_assert(kBeside_m > kBlock_m && kBlock_m > kFront_m && kFront_m > kOncoming_m && kOncoming_m > kLandUse_m);
 
+/// Lines whose direction has this cosine with the axis, or more, run along it: less than about 37 degrees.
+inline constexpr double kAlong = 0.8;
+
+/// The distances from the axis to the kerbs.
+double left_kerb_m(const map::CrossSection& section);
+double right_kerb_m(const map::CrossSection& section);
+
 /// The use of the land beside a road.
 enum class LandUse : std::uint8_t {
   kNone,  ///< Nothing is mapped.
@@ -48,20 +55,21 @@ struct SideFacts {
   double path = 0;           ///< The share along which a path or a paved square runs beside the kerb.
   double oncoming = 0;       ///< The share along which a one-way street runs in the other direction.
   /// The distance from the kerb to buildings, walls and car parks, of which a quarter of the side may leave less; and
-  /// to water, rails and other streets, which leave this everywhere but where they meet the stretch's ends.
+  /// what room_beside() leaves.
   double room_m = std::numeric_limits<double>::infinity();
   LandUse land{};  ///< The most frequent one.
 };
 
 /// A straight piece of a mapped line or outline.
 struct MappedLine {
-  enum class Kind : std::uint8_t { kBuilding, kWall, kPath, kStreet, kRail, kCarPark, kWater };
+  enum class Kind : std::uint8_t { kBuilding, kWall, kPath, kStreet, kRail, kCarPark, kWater, kSquare };
   Vec2 a, b;
   Kind kind{};
-  double half_m = 0;        ///< The half width of a way.
+  double half_m = 0;        ///< The greatest distance of a way's edges from its axis, mapped pavements included.
   bool is_through = false;  ///< True for streets of residential or higher class.
   Vec2 heading{};           ///< The direction of traffic of a one-way street; else 0.
   ObjectId of{};
+  const map::Track* way = nullptr;  ///< The way; null for outlines and barriers.
 };
 
 /// An area with a land use.
@@ -76,10 +84,14 @@ struct Surroundings {
   std::vector<MappedLine> lines;
   std::vector<MappedLand> areas;
   BoxGrid line_grid, area_grid;
+  double widest_half_m = 0;  ///< The greatest half width of all lines.
 };
 
 /// Returns the index of a map's features on the ground; it points into them. O(n log n).
 Surroundings index_surroundings(const map::Features& features);
+
+/// Returns the most frequent land use along a line. O(length * areas near it).
+LandUse land_use_along(const Surroundings& surroundings, const Polyline& line);
 
 /// The facts of both sides of a stretch, seen along its axis.
 struct BothSides {

@@ -45,6 +45,8 @@ constexpr LitCountry kLitCountries[] = {
 #undef LIT_SCORE
 
 constexpr double kLitHouses = 0.25, kLitOpen = 0.1;
+// Shorter paths lead to doors.
+constexpr double kShortestLitPath_m = 40;
 
 std::optional<double> lit_class_score(map::LandCoverClass surface) {
   for (const LitClass& row : kLitClasses)
@@ -61,6 +63,8 @@ double lit_land_score(LandUse land) {
 bool may_be_lit(const map::Track& track) {
   if (track.has_tagged_lighting || track.is_lit || track.is_rail || track.is_indoor) return false;
   if (track.passage == map::Passage::kTunnel || track.section.axis_drift != 0) return false;
+  const bool is_path = map::values_of(track.surface).group == map::LandCoverGroup::kPath;
+  if (is_path && !track.is_piece && length_m(track.axis) < kShortestLitPath_m) return false;
   return lit_class_score(track.surface).has_value();
 }
 

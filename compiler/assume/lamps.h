@@ -1,6 +1,6 @@
-// Assumes that streets in built-up land are lit where no tag says whether they are.
+// Assumes that streets and paved paths in built-up land are lit where no tag says whether they are.
 //
-// The rows of lamps.inc for class, land use, houses and country are added up for a stretch of street, the side with the
+// The rows of lamps.inc for class, land use, houses and country are added up for a stretch, the side with the
 // higher score counts; it is lit where the sum is above 0. Lamps then stand as along streets that are tagged
 // (props/street_lamps.h): none near mapped lamps. Open country, woods, farm tracks, driveways and motorways stay dark.
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace citykiln::assume {
 
-/// True if a stretch of street without lit=* is lit.
+/// True if a stretch of street or path without lit=* is lit.
 bool is_assumed_lit(const map::Track& stretch, const BothSides& sides);
 
 /// Returns the tracks with assumed lighting, sorted by id. Streets on the ground and on bridges change where

@@ -69,6 +69,9 @@ constexpr WidthRow kWidths[] = {
 
 // Shares of a side along which houses stand: below the first it is open; above the second pavements are wider.
 constexpr double kOpen = 0.1, kTownHouses = 0.6;
+// The share of the inner side of a one-way street along which houses stand, from which it is the side of a street of
+// its own, not of a carriageway.
+constexpr double kInsideHouses = 0.6;
 // The share of a stretch near cross streets from which it belongs to a town.
 constexpr double kTownStreets = 0.4;
 // A path along more than this share of a side is its pavement; another carriageway along more than this share is on its
@@ -88,7 +91,9 @@ double score_of(const Track& stretch, const SideFacts& side, bool is_inside) {
   for (const CountryScore& row : kCountryScores)
     if (row.country == stretch.country && row.surface == stretch.surface) score += row.score;
   if (stretch.is_link) score += kLinkScore;
-  if (stretch.is_oneway) score += kOneWayScore + (is_inside ? kOneWayInsideScore : 0);
+  if (stretch.is_oneway) score += kOneWayScore;
+  if (stretch.is_oneway && is_inside)
+    score += side.houses > kInsideHouses ? kOneWayInsideHousesScore : kOneWayInsideScore;
   if (side.houses < kOpen && side.houses_across < kOpen && side.streets < kTownStreets) score += kOpenScore;
   return score;
 }

@@ -1,5 +1,6 @@
 #include "compiler/map/cross_section.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "compiler/geometry/snap.h"
@@ -36,6 +37,15 @@ Lane pavement_lane(double width_m) {
 CrossSection with_pavement(CrossSection section, std::uint8_t sides, double width_m) {
   if ((sides & kLeftSide) != 0) section.lanes.insert(section.lanes.begin(), pavement_lane(width_m));
   if ((sides & kRightSide) != 0) section.lanes.push_back(pavement_lane(width_m));
+  return section;
+}
+
+CrossSection with_verge(CrossSection section, std::uint8_t sides, double width_m) {
+  const Lane verge{.kind = LaneKind::kVerge, .width_m = snapped(width_m), .is_raised = true};
+  const auto is_level = [](const Lane& lane) { return !lane.is_raised; };
+  std::vector<Lane>& lanes = section.lanes;
+  if ((sides & kLeftSide) != 0) lanes.insert(std::ranges::find_if(lanes, is_level), verge);
+  if ((sides & kRightSide) != 0) lanes.insert(std::find_if(lanes.rbegin(), lanes.rend(), is_level).base(), verge);
   return section;
 }
 

@@ -79,6 +79,10 @@ Lane pavement_lane(double width_m);
 /// @param width_m  > 0; rounded to 2^-10 m.
 CrossSection with_pavement(CrossSection section, std::uint8_t sides, double width_m);
 
+/// Returns the section with a verge beside the kerb on each of these sides, inside of pavements and cycle tracks.
+/// @param width_m  > 0; rounded to 2^-10 m.
+CrossSection with_verge(CrossSection section, std::uint8_t sides, double width_m);
+
 /// Returns the section as "s|pddp|s -|vv^^|-", in the notation above.
 std::string to_string(const CrossSection& section);
 

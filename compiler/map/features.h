@@ -85,7 +85,10 @@ struct Track {
   bool has_tagged_placement = false;  ///< True if tags state where the axis lies in the carriageway; else the middle.
   bool is_transition = false;         ///< True for placement=transition.
   bool has_tagged_lighting = false;   ///< True if lit=* is tagged, also as "no".
+  bool has_tagged_surface = false;    ///< True if surface=* is tagged.
   std::uint8_t tagged_pavements = 0;  ///< Sides on which tags say whether there is a pavement: bits of RoadSide.
+  std::uint8_t tagged_verges = 0;     ///< Sides on which tags say whether there is a verge.
+  std::uint8_t tagged_parking = 0;    ///< Sides on which tags say whether cars park.
   bool is_piece = false;              ///< True for a part of a long way that was cut so as to assume its pavements.
   DrivingSide side{};                 ///< The side on which its traffic drives.
   TreeSides trees{};                  ///< Sides with trees; left and right as seen along the axis.

@@ -142,6 +142,8 @@ Track track_of(const ReadContext& context, std::optional<DrivingSide> driving_si
   track.has_tagged_width = section.has_width, track.has_tagged_placement = section.has_placement;
   track.is_transition = section.is_transition;
   track.tagged_pavements = section.tagged_pavements;
+  track.tagged_verges = section.tagged_verges, track.tagged_parking = section.tagged_parking;
+  track.has_tagged_surface = !context.tag(way.tags, "surface").empty();
   track.layer = tagged_layer(context, id, way.tags);
   track.passage = is_upper_passage(context, way, track) ? Passage::kTunnel : tagged_passage(context, way.tags);
   read_cover(context, way.tags, track);

@@ -36,17 +36,18 @@ struct MappedSegment {
 // The mapped objects of a chunk that nothing assumed may cover.
 struct Mapped {
   const scene::Chunk& chunk;
-  std::vector<ground::LandCoverPolygon> areas;  // Water and buildings.
+  std::vector<ground::LandCoverPolygon> areas;  // Water, buildings and squares.
   ground::LandCoverIndex index;                 // The index of `areas`.
   std::vector<MappedSegment> segments{};
   BoxGrid grid{};  // The boxes of `segments`.
 };
 
-std::vector<ground::LandCoverPolygon> waters_and_buildings(const scene::Chunk& chunk) {
+std::vector<ground::LandCoverPolygon> areas_to_avoid(const scene::Chunk& chunk) {
   std::vector<ground::LandCoverPolygon> areas;
   for (const ground::LandCoverPolygon& surface : chunk.surfaces)
-    if (const auto group = group_of_class(surface.surface);
-        group == LandCoverGroup::kWater || group == LandCoverGroup::kBuilding)
+    if (const auto group = group_of_class(surface.surface); group == LandCoverGroup::kWater ||
+                                                            group == LandCoverGroup::kBuilding ||
+                                                            surface.surface == LandCoverClass::kSquare)
       areas.push_back(surface);
   for (const buildings::Building& building : chunk.buildings)
     if (building.stands_on_ground) areas.push_back(scene::footprint_surface(building));
@@ -77,12 +78,16 @@ bool meet_near(const Road& one, const Road& other, Vec2 p) {
   });
 }
 
-// True if a place lies between the kerbs of another road, or on a railway. A path may join a pavement.
+// Paths at a greater angle to a road join its pavement: the sine of about 53 degrees between path and pavement.
+constexpr double kJoins = 0.6;
+
+// True if a place lies between the kerbs of another road, on a railway, or on a path that runs along the road.
 bool is_on_way(const PavementPlace& place, const Road& other, std::uint32_t segment) {
   const Vec2 a = other.axis[segment], b = other.axis[segment + 1];
   const double half_m = cross(b - a, place.at - a) > 0 ? roads::left_m(other) : roads::right_m(other);
   if (a == b || distance_to_segment(a, b, place.at) >= half_m - kInside_m) return false;
-  return group_of_class(other.surface) != LandCoverGroup::kPath;
+  const bool is_path = group_of_class(other.surface) == LandCoverGroup::kPath;
+  return !is_path || std::abs(dot(unit(b - a), unit(place.at - place.on_axis))) < kJoins;
 }
 
 // The mapped element on which a place of a pavement lies; none if it is free.
@@ -184,13 +189,17 @@ OsmId no_place_for_lamp(const ground::LandCoverIndex& land_cover, Vec2 p) {
   return is_taken && surface.surface != LandCoverClass::kPedestrianStreet ? surface.id.osm : OsmId{};
 }
 
+bool has_assumed_strips(const Road& road) {
+  return has(road.assumed, Assumption::kPavements) || has(road.assumed, Assumption::kVerges);
+}
+
 }  // namespace
 
 AssumedPlaces measure_assumed_pavements(const scene::Chunk& chunk, const Box2& box) {
   AssumedPlaces found;
-  const auto has_any = [](const Road& road) { return has(road.assumed, Assumption::kPavements); };
+  const auto has_any = [](const Road& road) { return has_assumed_strips(road); };
   if (std::ranges::none_of(chunk.roads, has_any)) return found;
-  Mapped mapped{chunk, waters_and_buildings(chunk), {}};
+  Mapped mapped{chunk, areas_to_avoid(chunk), {}};
   mapped.index = ground::index_land_cover(mapped.areas, box.widened(scene::kHalo_m));
   add_segments(mapped);
   for (const Road& road : chunk.roads)

@@ -18,10 +18,10 @@ struct AssumedPlaces {
   OsmId first{}, on{};  ///< The element that it descends from, and the mapped one. `on` may be of OsmType::kNone.
 };
 
-/// Tests the middles of the pavements, within the width limits, of ground roads with assumed pavements, every 4 m, in a
-/// box. None may lie
-/// - in mapped water or a building, unless the axis beside it lies there too;
-/// - on a railway or the carriageway of another road. Paths may join a pavement.
+/// Tests the middles of the strips beyond the kerbs, within the width limits, of ground roads with assumed pavements or
+/// verges, every 4 m, in a box. None may lie
+/// - in mapped water, a building or a square, unless the axis beside it lies there too;
+/// - on a railway, the carriageway of another road, or a path that runs along the road. Other paths may join a pavement.
 /// Places within kJunctionRadius_m of a node that both ways have are not tested against each other. O(places · roads
 /// near).
 AssumedPlaces measure_assumed_pavements(const scene::Chunk& chunk, const Box2& box);

@@ -252,7 +252,7 @@ def main_kind(row):
 
 FEATURES = ["motorway", "trunk", "primary", "secondary", "tertiary", "unclassified", "residential", "living_street", "service",
             "service=driveway", "service=parking_aisle", "service=alley", "link", "inner", "one-way",
-            "one-way inside", "roundabout inside", "mapped",
+            "one-way inside, houses", "one-way inside, none", "roundabout inside", "mapped",
             "front < 10 %", "front > 40 %"] + [f"land {name}" for name in LAND_NAMES[1:]]
 
 
@@ -261,7 +261,8 @@ def facts(row):
     inside = "right" if drives_left else "left"
     held = {main_kind(row), f"land {row['land']}"}
     for name, holds in (("link", row["link"]), ("inner", row["inner"] > 0.25), ("one-way", row["oneway"]),
-                        ("one-way inside", row["oneway"] and row["side"] == inside), ("roundabout inside", row["roundabout"] and row["side"] == inside),
+                        ("one-way inside, houses", row["oneway"] and row["side"] == inside and row["front"] > 0.6),
+                        ("one-way inside, none", row["oneway"] and row["side"] == inside and row["front"] <= 0.6), ("roundabout inside", row["roundabout"] and row["side"] == inside),
                         ("mapped", row["mapped"] > 0.5), ("front < 10 %", row["front"] < 0.1), ("front > 40 %", row["front"] > 0.4)):
         if holds:
             held.add(name)

@@ -146,6 +146,14 @@ bool says_pavement(const LaneTags& tags, Flow flow) {
   return !tags.beside(flow, "sidewalk").empty() || !tags("sidewalk").empty();
 }
 
+bool says_verge(const LaneTags& tags, Flow flow) {
+  return !tags.beside(flow, "verge").empty() || !tags("verge").empty();
+}
+
+bool says_parking(const LaneTags& tags, Flow flow) {
+  return !tags.beside(flow, "parking").empty() || !tags.beside(flow, "parking:lane").empty();
+}
+
 std::vector<RoadsideLane> roadside_of(const LaneTags& tags, const LaneClass& lane_class, Flow flow,
                                       bool has_cycle_lane) {
   std::vector<RoadsideLane> lanes;

@@ -28,5 +28,9 @@ std::vector<RoadsideLane> roadside_of(const LaneTags& tags, const LaneClass& lan
 
 /// True if tags say whether there is a pavement on the side of a flow: also none, or one mapped as a way of its own.
 bool says_pavement(const LaneTags& tags, Flow flow);
+/// True if tags say whether there is a verge on the side of a flow.
+bool says_verge(const LaneTags& tags, Flow flow);
+/// True if tags say whether cars park on the side of a flow.
+bool says_parking(const LaneTags& tags, Flow flow);
 
 }  // namespace citykiln::map

@@ -225,10 +225,11 @@ bool has_listed_widths(const LaneTags& tags) {
   return !tags("width:lanes").empty() || !tags("width:lanes:forward").empty() || !tags("width:lanes:backward").empty();
 }
 
-std::uint8_t tagged_pavements(const LaneTags& tags) {
+// The sides of the road for which a test of a flow's roadside holds.
+std::uint8_t sides_where(const LaneTags& tags, bool (*says)(const LaneTags&, Flow)) {
   unsigned sides = 0;
   for (const Flow flow : kFlows)
-    if (says_pavement(tags, flow)) sides |= tags.roadside(flow) == "left" ? kLeftSide : kRightSide;
+    if (says(tags, flow)) sides |= tags.roadside(flow) == "left" ? kLeftSide : kRightSide;
   return static_cast<std::uint8_t>(sides);
 }
 
@@ -249,7 +250,9 @@ TaggedSection road_section(const LaneTags& tags, const LaneClass& lane_class) {
   return {.section = std::move(section),
           .has_width = width_m || has_listed_widths(tags),
           .has_placement = has_placement(tags),
-          .tagged_pavements = tagged_pavements(tags),
+          .tagged_pavements = sides_where(tags, says_pavement),
+          .tagged_verges = sides_where(tags, says_verge),
+          .tagged_parking = sides_where(tags, says_parking),
           .is_transition = is_transition(tags)};
 }
 
@@ -261,10 +264,12 @@ TaggedSection tagged_section_of(const ReadContext& context, OsmId id, source::Ra
   lane_tags.traffic = traffic_of(lane_tags);
   const LaneClass lane_class = lane_class_of(lane_tags);
   if (lane_class.is_road) return road_section(lane_tags, lane_class);
-  // such ways have no pavements
+  // such ways have neither pavements nor verges nor parked cars
   return {.section = lone_lane(lane_tags, lane_class),
           .has_width = tagged_width_m(lane_tags).has_value(),
-          .tagged_pavements = kBothSides};
+          .tagged_pavements = kBothSides,
+          .tagged_verges = kBothSides,
+          .tagged_parking = kBothSides};
 }
 
 }  // namespace citykiln::map

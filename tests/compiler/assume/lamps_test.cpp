@@ -43,6 +43,25 @@ TEST(AssumeLamps, MotorwaysDrivewaysAndFarmTracksAreDark) {
     EXPECT_FALSE(is_lit_on(LandCoverClass::kResidential, dark_street(surface)));
 }
 
+TEST(AssumeLamps, APavedPathBetweenHousesIsLit) {
+  map::Features features;
+  features.tracks = {dark_street(LandCoverClass::kPavedFootPath)};
+  map::AreaFeature area;
+  area.id = {{OsmType::kWay, 50}, 0};
+  area.polygon.outer = {{-100, -200}, {300, -200}, {300, 200}, {-100, 200}};
+  area.surface = LandCoverClass::kResidential, area.area_m2 = 160000;
+  features.areas = {area};
+  Report report;
+  EXPECT_FALSE(assume_lamps(features, report).front().is_lit);
+  map::Footprint house;
+  house.id = {{OsmType::kWay, 60}, 0};
+  house.polygon.outer = {{0, 7}, {190, 7}, {190, 15}, {0, 15}};
+  features.footprints = {house};
+  EXPECT_TRUE(assume_lamps(features, report).front().is_lit);
+  features.areas.front().surface = LandCoverClass::kPark;
+  EXPECT_FALSE(assume_lamps(features, report).front().is_lit);
+}
+
 TEST(AssumeLamps, AStreetThatTagsCallUnlitStaysDark) {
   map::Track street = dark_street();
   street.has_tagged_lighting = true;

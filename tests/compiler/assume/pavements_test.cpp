@@ -95,7 +95,7 @@ TEST(AssumePavements, WithoutHousesCrossStreetsMakeATown) {
   for (int i = 0; i < 3; ++i) {
     map::Track cross = silent_street();
     cross.id.osm.id = 10 + i;
-    for (Vec2& p : cross.axis) p = {70.0 * i + 20, p.x - 100};
+    for (Vec2& p : cross.axis) p = {50.0 * i + 50, p.x - 100};
     features.tracks.push_back(cross);
   }
   EXPECT_EQ(pavements_in(features), 2);
@@ -127,6 +127,60 @@ TEST(AssumePavements, ItIsAsNarrowAsTheRoomBeforeTheHouses) {
   EXPECT_EQ(section.lanes.front().kind, LaneKind::kSidewalk);
   EXPECT_EQ(section.lanes.front().width_m, 1.25);
   EXPECT_EQ(to_string(section_in(town(silent_street(), 2.75 + 0.8))), "dd|s v^|-");
+}
+
+// A shed in the carriageway (Kyoto, w832055419) lies between two samples.
+TEST(AssumePavements, ItIsNowhereInABuildingHoweverSmall) {
+  map::Features features = town(silent_street(), 30);
+  map::Footprint shed = features.footprints.front();
+  shed.id.osm.id = 3000;
+  shed.polygon.outer = rectangle({100.5, 2.1}, {103, 5.3});
+  features.footprints.push_back(shed);
+  EXPECT_EQ(to_string(section_in(features)), "dd|s v^|-");
+}
+
+// A service road that ends beside the street without a node of it (Monaco, w690914540).
+TEST(AssumePavements, ItIsNowhereOnAnotherCarriageway) {
+  map::Features features = town(silent_street(), 30);
+  map::Track service = silent_street(50, LandCoverClass::kServiceRoad);
+  service.id.osm.id = 2;
+  service.axis = {{101, 5}, {108, 12}};
+  service.section.lanes = {{LaneKind::kDriving, LaneDirection::kBoth, 3.5}}, service.section.axis_offset_m = 1.75;
+  features.tracks.push_back(service);
+  EXPECT_EQ(to_string(section_in(features)), "dd|s v^|-");
+}
+
+TEST(AssumePavements, ItIsNowhereInWaterOrOnASquare) {
+  for (const LandCoverClass surface : {LandCoverClass::kLake, LandCoverClass::kSquare}) {
+    map::Features features = town(silent_street(), 30);
+    features.areas.push_back(land(surface, 60));
+    features.areas.back().polygon.outer = rectangle({101, 3.5}, {103, 6}), features.areas.back().area_m2 = 5;
+    EXPECT_EQ(to_string(section_in(features)), "dd|s v^|-");
+  }
+}
+
+TEST(AssumePavements, AStreetThatMeetsTheStretchLeavesRoom) {
+  map::Features features = town(silent_street(), 30);
+  map::Track side_street = silent_street(50);
+  side_street.id.osm.id = 2;
+  side_street.axis = {{100, 0}, {130, 12}};
+  features.tracks.push_back(side_street);
+  EXPECT_EQ(pavements_in(features), 2);
+}
+
+// Streets of Manhattan: no land use, one way, houses on both sides.
+TEST(AssumePavements, AOneWayStreetBetweenHousesHasThemOnBothSides) {
+  map::Track street = silent_street();
+  street.is_oneway = true;
+  for (Lane& lane : street.section.lanes) lane.way = LaneDirection::kForward;
+  map::Features features = town(street);
+  features.areas.clear();
+  for (map::Footprint& house : houses(12)) {
+    for (Vec2& p : house.polygon.outer) p.y = -p.y;
+    house.id.osm.id += 100;
+    features.footprints.push_back(house);
+  }
+  EXPECT_EQ(pavements_in(features), 2);
 }
 
 TEST(AssumePavements, ADualCarriagewayHasThemOutside) {

@@ -49,9 +49,10 @@ TEST(MeasureAssumed, LooksOnlyAtRoadsWithAssumedPavements) {
   EXPECT_EQ(measure_assumed_pavements(chunk, kTile).places, 0u);
 }
 
-TEST(MeasureAssumed, FindsPavementsInWaterAndBuildings) {
+TEST(MeasureAssumed, FindsPavementsInWaterBuildingsAndSquares) {
   const Ring beside = {{20, 53.5}, {40, 53.5}, {40, 60}, {20, 60}};
-  for (const LandCoverClass surface : {LandCoverClass::kLake, LandCoverClass::kBuilding, LandCoverClass::kPark}) {
+  for (const LandCoverClass surface :
+       {LandCoverClass::kLake, LandCoverClass::kBuilding, LandCoverClass::kSquare, LandCoverClass::kPark}) {
     scene::Chunk chunk = street_with_pavements();
     chunk.surfaces = {{{kMappedWay, 0}, surface, 130, {beside}}};
     const AssumedPlaces found = measure_assumed_pavements(chunk, kTile);
@@ -70,6 +71,11 @@ TEST(MeasureAssumed, AllowsWaterUnderTheStreetItself) {
 TEST(MeasureAssumed, FindsPavementsOnRailwaysAndRoadsBesideTheStreet) {
   for (const LandCoverClass surface : {LandCoverClass::kRailway, LandCoverClass::kServiceRoad})
     EXPECT_EQ(pavements_beside(way_along(kMappedWay, {{0, 54}, {120, 54}}, surface, 2)).misplaced, 30u);
+}
+
+TEST(MeasureAssumed, FindsPavementsOnPathsAlongTheStreet) {
+  const roads::Road path = way_along(kMappedWay, {{0, 54}, {120, 54}}, LandCoverClass::kPavedFootPath, 2);
+  EXPECT_EQ(pavements_beside(path).misplaced, 30u);
 }
 
 TEST(MeasureAssumed, AllowsPathsAndWaysThatJoinTheStreet) {
