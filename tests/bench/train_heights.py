@@ -13,6 +13,7 @@ without it, with less weight, since most maps say building=yes.
 """
 import argparse
 import collections
+import itertools
 import math
 
 import building_data as data
@@ -168,13 +169,12 @@ def published_samples():
     """The rows of PUBLISHED as samples of houses, and of buildings of unknown class on residential land."""
     samples = []
     for i, (group, built, mean_area, touching, areas, storeys) in enumerate(PUBLISHED):
-        for area in areas:
-            for cls in ("kHouse", "kPlain"):
-                b = data.Building()
-                b.cls, b.group, b.use, b.area, b.touching, b.built, b.mean_area = cls, group, "kHomes", area, touching, built, mean_area
-                b.shops, b.row_share = 0, 0.9 if touching else 0.1
-                samples += [(codes_of(b), s, PUBLISHED_WEIGHT * percent / 100 / len(areas), f"published {i} {k}")
-                            for k in range(3) for s, percent in storeys]
+        for area, cls, row_share in itertools.product(areas, ("kHouse", "kPlain"), (0.9,) if touching else (0, 0.1) if group == "kJapan" else (0.1,)):
+            b = data.Building()
+            b.cls, b.group, b.use, b.area, b.touching, b.built, b.mean_area = cls, group, "kHomes", area, touching, built, mean_area
+            b.shops, b.row_share = 0, row_share
+            weight = PUBLISHED_WEIGHT / len(areas)
+            samples += [(codes_of(b), s, weight * percent / 100, f"published {i} {k}") for k in range(3) for s, percent in storeys]
     return samples
 
 
