@@ -359,7 +359,7 @@ constexpr Setting kSettings[] = {
      "the N brightest street lamps of each tile are lights of .glb (KHR_lights_punctual) and USD (UsdLux) files, at "
      "any time (default: {})",
      false, set_lights, [](const CompileSpec& spec) { return fmt::format("{}", spec.outputs.lights); }},
-    {"assume", "all|none|NAME,...", "what is assumed where the map is silent, such as pavements,lamps (default: none)",
+    {"assume", "all|none|NAME,...", "what is assumed where the map is silent, such as pavements,lamps (default: all)",
      false, set_assume},
     {"drive-on", "left|right", "side of the road on which vehicles drive (default: by country)", false, set_drive_on},
     {"time", "ISO",

@@ -315,8 +315,9 @@ def made_situations(seed):
     """One of each, at places in a random order; the squares meet where tiles and regions do."""
     dice, osm = random.Random(seed), Map()
     places = [((i - (SIDE - 1) / 2) * SPACING_M, (j - (SIDE - 1) / 2) * SPACING_M) for i in range(SIDE) for j in range(SIDE)]
+    # one stands on the corner of four tiles, in place of the four about it
+    places = [place for place in places if max(map(abs, place)) > SPACING_M]
     dice.shuffle(places)
-    # one stands on the corner of four tiles
     places[dice.randrange(len(SITUATIONS))] = (0, 0)
     situations = []
     for kind, (x, y) in zip(SITUATIONS, places):

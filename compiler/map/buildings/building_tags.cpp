@@ -123,6 +123,22 @@ double untagged_height_m(const Footprint& footprint, double level_m, double clas
   return class_height_m > 0 ? class_height_m : height_by_area_m(area_m2);
 }
 
+// Buildings that span a street, and how high above it they begin where no tag says so: over the traffic below.
+constexpr std::string_view kSkywalks[] = {"bridge", "skyway", "skywalk", "skybridge", "walkway"};
+constexpr double kSkywalk_m = 5;
+
+bool is_skywalk(const ReadContext& context, source::Range tags) {
+  const std::string_view value = context.tag(tags, "building");
+  return std::ranges::find(kSkywalks, value) != std::end(kSkywalks) && context.tag(tags, "min_height").empty() &&
+         context.tag(tags, "building:min_level").empty();
+}
+
+// Lifts a skywalk: its storeys, of which it has at least one, lie above the street.
+void lift_skywalk(bool has_height, Footprint& footprint) {
+  footprint.min_height_m = kSkywalk_m;
+  if (!has_height) footprint.height_m = snapped(kSkywalk_m + std::max(1.0, footprint.levels) * footprint.storey_m);
+}
+
 void read_min_height(const ReadContext& context, OsmId id, source::Range tags, Footprint& footprint) {
   const auto height_m = tagged_length_m(context, id, tags, "min_height", 0, kHighestBuilding_m);
   if (!height_m) footprint.min_levels = tagged_levels(context, id, tags, "building:min_level").value_or(0);
@@ -155,6 +171,7 @@ void read_heights(const ReadContext& context, OsmId id, source::Range tags, cons
   read_min_height(context, id, tags, footprint);
   // compared as stored
   if (!height_m) footprint.height_m = snapped(untagged_height_m(footprint, values.level_m, values.height_m, area_m2));
+  if (is_skywalk(context, tags)) lift_skywalk(height_m.has_value(), footprint);
   if (footprint.min_height_m < footprint.height_m) return;
   context.report.add(Code::kMinHeightNotBelowHeight, id, footprint.min_height_m - footprint.height_m);
   mend_height(height_m.has_value(), values.level_m, footprint);

@@ -39,6 +39,11 @@ TEST(LocateFootprints, HeightComesFromTagsElseLevelsElseClass) {
       // a height below min_height is that of the part; an equal one is the place of a slab or a storey
       {"building:part=yes height=5 min_height=9", 14, 9},
       {"building:part=roof height=146 min_height=146", 146.25, 146},
+      // a skywalk without min_height begins over the traffic
+      {"building=bridge", 8.1, 5},
+      {"building=skyway building:levels=2", 11.2, 5},
+      {"building=bridge height=9", 9, 5},
+      {"building=bridge min_height=7 height=12", 12, 7},
       {"building=church building:part=yes min_height=18 roof:shape=dome roof:height=5", 19, 18},
       {"building:part=apartments building:levels=1 building:min_level=3", 12, 9},
       {"building:part=apartments building:levels=2 building:min_level=2", 9, 6},

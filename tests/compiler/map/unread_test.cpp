@@ -39,13 +39,12 @@ TEST(Unread, ElementsWithoutABodyAreCountedAndNoFindings) {
   Report report;
   const auto tags = unknown_kinds(R"(
     a1 0:0 40:0 40:30 boundary=administrative
-    n2 3:4 addr:housenumber=7
     n3 3:4 highway=crossing
     n4 3:4 natural=peak
     w5 0:0 9:0 name=nothing)",
                                   report);
   EXPECT_TRUE(tags.empty());
-  EXPECT_EQ(report.account("map", "unread").without_body, 5u);
+  EXPECT_EQ(report.account("map", "unread").without_body, 4u);
   EXPECT_TRUE(report.balances());
 }
 
