@@ -6,6 +6,7 @@
 #include "compiler/assume/fronts.h"
 #include "compiler/assume/heights.h"
 #include "compiler/assume/lamps.h"
+#include "compiler/assume/parking.h"
 #include "compiler/assume/pavements.h"
 #include "compiler/assume/roofs.h"
 #include "compiler/assume/styles.h"
@@ -22,6 +23,7 @@ map::Features assume(map::Features features, const Settings& settings, Report& r
     features.tracks = assume_bridge_pavements(assume_pavements(features, report), report);
   // beside the pavements
   if (has(settings.on, Assumption::kVerges)) features.tracks = assume_verges(features, report);
+  if (has(settings.on, Assumption::kParking)) features.tracks = assume_parking(features, report);
   if (has(settings.on, Assumption::kSurfaces)) features.tracks = assume_surfaces(features, report);
   if (has(settings.on, Assumption::kLamps)) features.tracks = assume_lamps(features, report);
   if (has(settings.on, Assumption::kFronts)) assume_fronts(features, settings.seed, report);

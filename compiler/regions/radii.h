@@ -35,6 +35,8 @@ namespace citykiln::regions {
 // | transitions of lanes   | map::kLongestTransition_m      |    512 | the ways before and after                      |
 // | assumed widths         | roads::kLongestFitted_m        |    512 | objects that are mapped beside the way         |
 // | assumed pavements      | assume::kPavementRadius_m      |    576 | houses beside the other end of the way         |
+// | verges, parking        | assume::kPavementRadius_m      |    576 | the same, beside the same stretch              |
+// | assumed surfaces       | assume::kPavementRadius_m      |    576 | land use along the way                         |
 // | pavements on bridges   | assume::kLongestBridge_m       |    128 | streets at the other end                       |
 // | assumed storeys        | assume::kHeightNeighbours_m    |    200 | buildings with tagged heights                  |
 // | rows of houses         | assume::kHeightRow_m           |     64 | the house that draws for its row               |

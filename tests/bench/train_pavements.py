@@ -259,10 +259,11 @@ FEATURES = ["motorway", "trunk", "primary", "secondary", "tertiary", "unclassifi
 def facts(row):
     drives_left = row.get("drives_left", False)
     inside = "right" if drives_left else "left"
+    is_inside = row["oneway"] and row["side"] == inside
+    is_street = row["inner"] <= 0.25 and row["front"] > 0.6  # between houses, not one carriageway of two
     held = {main_kind(row), f"land {row['land']}"}
     for name, holds in (("link", row["link"]), ("inner", row["inner"] > 0.25), ("one-way", row["oneway"]),
-                        ("one-way inside, houses", row["oneway"] and row["side"] == inside and row["front"] > 0.6),
-                        ("one-way inside, none", row["oneway"] and row["side"] == inside and row["front"] <= 0.6), ("roundabout inside", row["roundabout"] and row["side"] == inside),
+                        ("one-way inside, houses", is_inside and is_street), ("one-way inside, none", is_inside and not is_street), ("roundabout inside", row["roundabout"] and row["side"] == inside),
                         ("mapped", row["mapped"] > 0.5), ("front < 10 %", row["front"] < 0.1), ("front > 40 %", row["front"] > 0.4)):
         if holds:
             held.add(name)
@@ -387,7 +388,7 @@ def main():
     for name in PLACES:
         train, test = [r for r in rows if r["place"] != name], [r for r in rows if r["place"] == name]
         print(f"{name}: {len(test)} sides, {sum(r['there'] for r in test)} there")
-        w = np.round(2 * fit(train, balanced(train))) / 2
+        w = np.round(4 * fit(train, balanced(train))) / 4
         show("constant by class", test, by_class(train, test))
         show("majority of neighbours", test, by_neighbours(test))
         show("scores", test, scored(test, w))

@@ -252,7 +252,8 @@ TaggedSection road_section(const LaneTags& tags, const LaneClass& lane_class) {
           .has_placement = has_placement(tags),
           .tagged_pavements = sides_where(tags, says_pavement),
           .tagged_verges = sides_where(tags, says_verge),
-          .tagged_parking = sides_where(tags, says_parking),
+          // listed widths are those of the moving lanes alone
+          .tagged_parking = has_listed_widths(tags) ? kBothSides : sides_where(tags, says_parking),
           .is_transition = is_transition(tags)};
 }
 
