@@ -381,7 +381,8 @@ Storeys storeys_of(std::uint32_t entry, const HeightIndex& index,
                    const std::function<bool(std::uint32_t entry)>& is_known) {
   assert(entry < index.at.size());
   const Storeys table = storeys_by_table(index.facts[entry]);
-  std::vector<Vote> votes{{table.low, kTable / 4}, {table.middle, kTable / 2}, {table.high, kTable / 4}};
+  // a little more than a quarter each, so that without neighbours the quartiles are those of the table
+  std::vector<Vote> votes{{table.low, 0.3 * kTable}, {table.middle, 0.4 * kTable}, {table.high, 0.3 * kTable}};
   for (const std::uint32_t k : entries_within(index, index.at[entry], kHeightNeighbours_m)) {
     if (k == entry || index.tagged_storeys[k] == 0 || (is_known && !is_known(k))) continue;
     votes.push_back({index.tagged_storeys[k], vote_weight(entry, k, index)});

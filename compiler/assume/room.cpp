@@ -11,6 +11,11 @@ namespace {
 
 using LineKind = MappedLine::Kind;
 
+// Shorter pieces of an axis are parts of a bend.
+constexpr double kTight_m = 8;
+// Walls in bends that leave less leave no room.
+constexpr double kLeastInBends_m = 2;
+
 // Shares of a line from its first point to its last one.
 struct Part {
   double from = 0, to = 1;
@@ -92,8 +97,24 @@ bool runs_beside(const MappedLine& line, Vec2 along) {
   return line.kind != LineKind::kPath || std::abs(dot(unit(line.b - line.a), along)) > kAlong;
 }
 
+bool has_vertex(const map::Track& way, Vec2 p) { return std::ranges::find(way.axis, p) != way.axis.end(); }
+
+// True if a way has a place, or begins or ends near it on a way that has it: streets are cut near junctions.
+bool meets_at(const Surroundings& surroundings, const map::Track& way, Vec2 place) {
+  if (has_vertex(way, place)) return true;
+  for (const Vec2 end : {way.axis.front(), way.axis.back()}) {
+    if (distance(end, place) >= kJunctionReach_m) continue;
+    for (const std::uint32_t n : boxes_about(surroundings.line_grid, place)) {
+      const map::Track* between = surroundings.lines[n].way;
+      if (between != nullptr && has_vertex(*between, place) && has_vertex(*between, end)) return true;
+    }
+  }
+  return false;
+}
+
 // A stretch with the places where other ways meet it.
 struct Measured {
+  const Surroundings& surroundings;
   const map::Track& stretch;
   std::map<const map::Track*, std::vector<Vec2>> meeting = {};  // only looked up
   Room room = {};
@@ -101,23 +122,26 @@ struct Measured {
   const std::vector<Vec2>& places_of(const map::Track* way) {
     const auto [found, is_new] = meeting.try_emplace(way);
     if (is_new && way != nullptr)
-      for (const Vec2 p : way->axis)
-        if (std::ranges::find(stretch.axis, p) != stretch.axis.end()) found->second.push_back(p);
+      for (const Vec2 p : stretch.axis)
+        if (meets_at(surroundings, *way, p)) found->second.push_back(p);
     return found->second;
   }
 
-  void limit(const MappedLine& line, const Part& within, const CornerSide& side, double kerb_m, double& room_m) {
+  // @param is_tight  True in bends, where roads are not narrowed before each wall.
+  void limit(const MappedLine& line, const Part& within, const CornerSide& side, bool is_tight, double kerb_m,
+             double& room_m) {
     if (within.is_empty()) return;
     for (const Part& part : parts_outside(line, places_of(line.way), std::max(0.0, kJunctionReach_m - line.half_m))) {
       const double left_m = room_before(range_of(line, both(within, part), side), kerb_m, line.half_m);
       const bool is_wall = line.kind == LineKind::kBuilding;
-      if (!is_wall || left_m < kLeastBeforeWalls_m) room_m = std::min(room_m, is_wall ? 0 : left_m);
+      if (is_wall && left_m < (is_tight ? kLeastInBends_m : kLeastBeforeWalls_m)) room_m = 0;
+      if (!is_wall || is_tight) room_m = std::min(room_m, left_m);
     }
   }
 
-  void limit_both(const MappedLine& line, const Part& within, Vec2 corner, Vec2 left, Vec2 next_left) {
-    limit(line, within, {corner, left, next_left}, left_kerb_m(stretch.section), room.left_m);
-    limit(line, within, {corner, left * -1.0, next_left * -1.0}, right_kerb_m(stretch.section), room.right_m);
+  void limit_both(const MappedLine& line, const Part& within, Vec2 corner, Vec2 left, Vec2 next_left, bool is_tight) {
+    limit(line, within, {corner, left, next_left}, is_tight, left_kerb_m(stretch.section), room.left_m);
+    limit(line, within, {corner, left * -1.0, next_left * -1.0}, is_tight, right_kerb_m(stretch.section), room.right_m);
   }
 };
 
@@ -129,14 +153,14 @@ void limit_at_bend(Measured& measured, const MappedLine& line, Vec2 before, Vec2
   const double turn = cross(in, out);
   const CornerSide side{corner, left_of(in), left_of(out)};
   const CornerSide right{corner, left_of(in) * -1.0, left_of(out) * -1.0};
-  if (turn < 0) measured.limit(line, within, side, left_kerb_m(section), measured.room.left_m);
-  if (turn > 0) measured.limit(line, within, right, right_kerb_m(section), measured.room.right_m);
+  if (turn < 0) measured.limit(line, within, side, false, left_kerb_m(section), measured.room.left_m);
+  if (turn > 0) measured.limit(line, within, right, false, right_kerb_m(section), measured.room.right_m);
 }
 
 }  // namespace
 
 Room room_beside(const Surroundings& surroundings, const map::Track& stretch) {
-  Measured measured{stretch};
+  Measured measured{surroundings, stretch};
   const Polyline& axis = stretch.axis;
   const double reach_m = std::max(left_kerb_m(stretch.section), right_kerb_m(stretch.section)) + kWidestStrip_m +
                          surroundings.widest_half_m;
@@ -146,7 +170,11 @@ Room room_beside(const Surroundings& surroundings, const map::Track& stretch) {
          boxes_about(surroundings.line_grid, box_of(std::array{axis[i], axis[i + 1]}).widened(reach_m))) {
       const MappedLine& line = surroundings.lines[n];
       if (!limits_strips(line) || line.of.osm == stretch.id.osm || !runs_beside(line, along)) continue;
-      measured.limit_both(line, part_between(line, axis[i], along, axis[i + 1], along), axis[i], left, left);
+      // a wide line reaches beyond its axis, and over the ends of the stretch
+      const Vec2 before = i == 0 ? along * line.half_m : Vec2{},
+                 after = i + 2 == axis.size() ? along * line.half_m : Vec2{};
+      const Part within = part_between(line, axis[i] - before, along, axis[i + 1] + after, along);
+      measured.limit_both(line, within, axis[i], left, left, distance(axis[i], axis[i + 1]) < kTight_m);
       if (i + 2 < axis.size()) limit_at_bend(measured, line, axis[i], axis[i + 1], axis[i + 2]);
     }
   }

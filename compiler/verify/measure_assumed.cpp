@@ -72,9 +72,25 @@ struct PavementPlace {
   Vec2 on_axis, at;
 };
 
-bool meet_near(const Road& one, const Road& other, Vec2 p) {
+bool has_vertex(const Road& road, Vec2 p) { return std::ranges::find(road.axis, p) != road.axis.end(); }
+
+// True if two roads meet at a node, or one begins or ends near it on a third road that has it: roads are cut near
+// junctions.
+bool meet_at(const Mapped& mapped, const Road& other, Vec2 node) {
+  if (has_vertex(other, node)) return true;
+  for (const Vec2 end : {other.axis.front(), other.axis.back()}) {
+    if (distance(end, node) >= roads::kJunctionRadius_m) continue;
+    for (const std::uint32_t i : boxes_about(mapped.grid, node)) {
+      const Road& between = mapped.chunk.roads[mapped.segments[i].road];
+      if (has_vertex(between, node) && has_vertex(between, end)) return true;
+    }
+  }
+  return false;
+}
+
+bool meet_near(const Mapped& mapped, const Road& one, const Road& other, Vec2 p) {
   return std::ranges::any_of(one.axis, [&](Vec2 node) {
-    return distance(node, p) < roads::kJunctionRadius_m && std::ranges::find(other.axis, node) != other.axis.end();
+    return distance(node, p) < roads::kJunctionRadius_m && meet_at(mapped, other, node);
   });
 }
 
@@ -99,7 +115,7 @@ OsmId mapped_at(const Mapped& mapped, const PavementPlace& place) {
   for (const std::uint32_t i : boxes_about(mapped.grid, place.at)) {
     const Road& other = mapped.chunk.roads[mapped.segments[i].road];
     if (other.id.osm == place.road.id.osm || !is_on_way(place, other, mapped.segments[i].segment)) continue;
-    if (!meet_near(place.road, other, place.at)) return other.id.osm;
+    if (!meet_near(mapped, place.road, other, place.at)) return other.id.osm;
   }
   return {};
 }

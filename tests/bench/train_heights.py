@@ -245,7 +245,7 @@ def likeness(b, o):
 
 def guess(b, table, neighbours):
     """Quartiles of the storeys, blended."""
-    votes = [(table[0], TABLE / 4), (table[1], TABLE / 2), (table[2], TABLE / 4)] + [(o.storeys, likeness(b, o)) for o in neighbours]
+    votes = [(table[0], 0.3 * TABLE), (table[1], 0.4 * TABLE), (table[2], 0.3 * TABLE)] + [(o.storeys, likeness(b, o)) for o in neighbours]
     return [weighted_quantile(votes, q) for q in (0.25, 0.5, 0.75)]
 
 
