@@ -84,8 +84,8 @@ Range range_of(const MappedLine& line, const Part& part, const CornerSide& side)
   return range;
 }
 
-// What a line leaves beyond the kerb, by its distances from the axis: nothing if it crosses the kerb, and all if it
-// stays within the carriageway.
+// The room that a line leaves beyond the kerb, by its distances from the axis: none if it crosses the kerb, and all if
+// it stays within the carriageway.
 double room_before(const Range& range, double kerb_m, double half_m) {
   if (range.most_m + half_m <= kerb_m) return std::numeric_limits<double>::infinity();
   return std::max(0.0, range.least_m - half_m - kerb_m);

@@ -253,7 +253,7 @@ TaggedSection road_section(const LaneTags& tags, const LaneClass& lane_class) {
           .tagged_pavements = sides_where(tags, says_pavement),
           .tagged_verges = sides_where(tags, says_verge),
           // listed widths are those of the moving lanes alone
-          .tagged_parking = has_listed_widths(tags) ? kBothSides : sides_where(tags, says_parking),
+          .tagged_parking = has_listed_widths(tags) ? std::uint8_t{kBothSides} : sides_where(tags, says_parking),
           .is_transition = is_transition(tags)};
 }
 
