@@ -71,7 +71,7 @@ struct CompileSpec {
   std::vector<scene::TileKey> only;     ///< If not empty, only these tiles are compiled.
   std::uint64_t seed = 0;
   Assumptions assume = kAllAssumptions;  ///< The assumptions made where the map is silent.
-  std::optional<double> snow_line_m;    ///< Land above it is covered by snow.
+  std::optional<double> snow_line_m;     ///< Land above it is covered by snow.
   std::string rules_folder;        ///< A folder of rule files that replace shipped ones of the same name; "" for none.
   World world = World::kByOutput;  ///< 3D Tiles need the ellipsoid, other outputs the plane.
   std::string time;                ///< The time of the sky, ISO 8601; see sky::plan.

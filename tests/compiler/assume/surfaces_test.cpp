@@ -35,6 +35,15 @@ TEST(AssumeSurfaces, FootpathsThroughWoodsAreUnpavedAndThoseOfTownsPaved) {
   EXPECT_EQ(surface_of(way_in(LandCoverClass::kResidential, paved)), paved);
 }
 
+TEST(AssumeSurfaces, LandBeyondTheRadiusChangesNothing) {
+  map::Features features = way_in(LandCoverClass::kForest, LandCoverClass::kPavedFootPath);
+  map::AreaFeature town = features.areas.front();
+  town.id = {{OsmType::kWay, 51}, 0}, town.surface = LandCoverClass::kResidential;
+  town.polygon.outer = {{580, -200}, {900, -200}, {900, 200}, {580, 200}};
+  features.areas.push_back(town);
+  EXPECT_EQ(surface_of(features), LandCoverClass::kFootPath);
+}
+
 TEST(AssumeSurfaces, DrivewaysThroughFieldsAreUnpaved) {
   EXPECT_EQ(surface_of(way_in(LandCoverClass::kFarmland, LandCoverClass::kServiceRoad)), LandCoverClass::kUnpavedRoad);
 }

@@ -52,6 +52,18 @@ TEST(AssumeVerges, WallsNearTheKerbLeaveNoRoom) {
   EXPECT_EQ(to_string(with_verges(features).section), "s|d|gs -|-|--");
 }
 
+TEST(AssumeVerges, WhatLiesBeyondTheRadiusChangesNothing) {
+  map::Features features = suburb(map::CountryGroup::kNorthAmerica);
+  const std::string alone = to_string(with_verges(features).section);
+  // beyond the end of the street, as far from its other end
+  map::Footprint house;
+  house.id = {{OsmType::kWay, 60}, 0};
+  house.polygon.outer = {{580, -7}, {600, -7}, {600, 7}, {580, 7}};
+  features.footprints = {house};
+  features.areas.front().polygon.outer = {{-70, -70}, {270, -70}, {270, 70}, {-70, 70}};
+  EXPECT_EQ(to_string(with_verges(features).section), alone);
+}
+
 TEST(AssumeVerges, StreetsWithoutPavementsHaveNone) {
   map::Features features = suburb(map::CountryGroup::kNorthAmerica);
   features.tracks.front().section = {{{LaneKind::kDriving, map::LaneDirection::kBoth, 6}}, 3};
