@@ -9,6 +9,7 @@
 #include "compiler/map/extent/map_box.h"
 #include "compiler/map/feature_readers.h"
 #include "compiler/map/passageways.h"
+#include "compiler/map/things/locate_things.h"
 #include "compiler/map/unread.h"
 
 namespace citykiln::map {
@@ -65,6 +66,7 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   features.landforms = locate_landforms(context);
   features.waterways = with_culverts(std::move(features.waterways), features.landforms);
   features.points = locate_points(context);
+  if (options.things != nullptr) features.things = locate_things(context, *options.things, features);
   features.tree_rows = locate_tree_rows(context);
   features.power_lines = locate_power_lines(context);
   diagnose_unread(context, features);
@@ -72,7 +74,7 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
     (std::ranges::sort(kinds, {}, [](const auto& f) { return f.id; }), ...);
   };
   sort_by_id(features.tracks, features.footprints, features.areas, features.waterways, features.barriers,
-             features.landforms, features.points, features.tree_rows, features.power_lines);
+             features.landforms, features.points, features.things, features.tree_rows, features.power_lines);
   features.texts = element_texts(osm, features, options.keeps_tags);
   return features;
 }

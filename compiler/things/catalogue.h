@@ -1,0 +1,56 @@
+// The catalogue of things: the table's rows and their rule files. The shipped one is compiled into the program from
+// grammars/things; a folder given at run time adds to it.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compiler/buildings/rulebook.h"
+#include "compiler/contract/result.h"
+#include "compiler/map/things/thing_table.h"
+#include "compiler/things/recipe.h"
+#include "grammars/language/syntax.h"
+
+namespace citykiln::things {
+
+using buildings::RuleText;
+
+/// The name of the table's file.
+inline constexpr const char* kTableName = "things.txt";
+
+/// A row of the table and its rules.
+struct Kind {
+  map::ThingRow row;
+  grammars::Program rules;
+  bool draws = false;  ///< True if the rules draw random numbers.
+};
+
+/// The kinds by name.
+using Kinds = std::map<std::string, Kind, std::less<>>;
+
+struct Catalogue {
+  map::ThingTable table;
+  std::vector<RuleText> rules;  ///< All rule files, sorted by name.
+  Kinds kinds;
+};
+
+/// Returns the files of grammars/things, which are compiled into the program. Sorted by name.
+std::span<const RuleText> shipped_things();
+
+/// Reads a catalogue of shipped files and files that come before them: rows and rules of the same name replace the
+/// shipped ones.
+/// @param own     Files of a folder: a things.txt, rule files, or both.
+/// @param folder  The folder's name, for errors.
+/// Errors: those of the table and of the rules, a row without a rule file, a rule file without the rule Thing.
+Result<Catalogue> read_catalogue(std::span<const RuleText> own, const std::string& folder);
+
+/// Returns what a manifest stores of the catalogue for these things: the rows of their kinds, each under its name, and
+/// their rule files, imports included. Sorted by name.
+std::vector<RuleText> texts_for(const Catalogue& catalogue, std::span<const Thing> things);
+
+/// Parses the texts of a manifest. Leaves out kinds whose texts are missing or do not parse.
+Kinds parse_kinds(std::span<const RuleText> texts);
+
+}  // namespace citykiln::things
