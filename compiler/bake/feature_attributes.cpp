@@ -45,7 +45,7 @@ void add_plants(Table& table, const std::vector<Plant>& plants) {
   for (const Plant& plant : plants) table.add(plant.id.osm, name_of(plant.species_mix), plant.height_m);
 }
 
-std::string_view class_of(const ThingClasses& classes, const std::string& kind) {
+std::string_view class_of_thing(const ThingClasses& classes, const std::string& kind) {
   const auto found = classes.find(kind);
   return found == classes.end() ? std::string_view(kind) : std::string_view(found->second);
 }
@@ -69,7 +69,7 @@ std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::spa
   add_plants(table, chunk.trees), add_plants(table, chunk.tree_rows);
   for (const props::Lamp& lamp : chunk.lamps) table.add(lamp.id.osm, "StreetLamp", lamp.height_m);
   for (const things::Thing& thing : chunk.things)
-    table.add(thing.id.osm, class_of(classes, thing.form.kind), thing.form.height_m);
+    table.add(thing.id.osm, class_of_thing(classes, thing.form.kind), thing.form.height_m);
   add_covers(table, chunk.surfaces);
   add_texts(table, chunk.texts);
   return std::move(table.rows);

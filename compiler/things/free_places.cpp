@@ -19,6 +19,7 @@ constexpr int kDirectionsAround = 16, kBorderPoints = 8;
 }  // namespace
 
 bool is_barred(LandCoverClass surface) {
+  if (surface == LandCoverClass::kPedestrianStreet) return false;
   switch (map::values_of(surface).group) {
     case LandCoverGroup::kRoad:
     case LandCoverGroup::kRail:
@@ -26,8 +27,7 @@ bool is_barred(LandCoverClass surface) {
     case LandCoverGroup::kBuilding:
       return true;
     case LandCoverGroup::kPath:
-      return surface != LandCoverClass::kFootPath && surface != LandCoverClass::kPavedFootPath &&
-             surface != LandCoverClass::kPedestrianStreet;
+      return surface != LandCoverClass::kFootPath && surface != LandCoverClass::kPavedFootPath;
     default:
       return surface == LandCoverClass::kParkingLane;
   }

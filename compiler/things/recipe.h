@@ -18,7 +18,7 @@ namespace citykiln::things {
 struct Form {
   std::string kind;                               ///< The name of its row of the table.
   double width_m = 1, depth_m = 1, height_m = 1;  ///< Multiples of 2^-10, > 0.
-  std::string value{}, material{}, text{};        ///< As in map::ThingFeature.
+  std::string value{}, material{}, text{};        ///< See map::ThingFeature.
   std::optional<map::Srgb> colour{};
   std::uint16_t capacity = 0;
   map::CountryGroup country{};

@@ -37,7 +37,7 @@ void word(auto& io, WordList& list, std::string& value) {
   value = list.words[number];
 }
 
-/// 0 for no colour, else 1 + its 24 bits.
+/// Reads or writes a colour: 0 for none, else 1 + its 24 bits.
 void thing_colour(auto& io, std::optional<map::Srgb>& colour) {
   std::uint32_t number = colour ? 1 + ((*colour)[0] << 16 | (*colour)[1] << 8 | (*colour)[2]) : 0;
   io.number("thing colour", number);

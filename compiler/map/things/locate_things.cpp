@@ -112,7 +112,7 @@ ThingFeature thing_of(const ReadContext& context, const FoundThing& found, const
   return thing;
 }
 
-// What is on a bridge or in a tunnel has no ground to stand on yet.
+// A thing on a bridge or in a tunnel has no ground to stand on yet.
 std::optional<Code> reason_without_thing(const ReadContext& context, const FoundThing& found, const ThingWay& way) {
   const std::string& key = found.match.row->tags.front().front().key;
   if (const auto reason = reason_without(context, found.node->tags, key)) return reason;

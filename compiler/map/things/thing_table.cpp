@@ -106,7 +106,7 @@ Result<double> metres_of(std::string_view column, std::string_view text) {
   return wrong_column(column, "metres, such as 0.5", text);
 }
 
-Result<ThingRow> row_of(const std::vector<std::string_view>& words) {
+Result<ThingRow> thing_row_of(const std::vector<std::string_view>& words) {
   if (words.size() != kColumns.size())
     return Error{"", fmt::format("expected {} columns ({}), found {}", kColumns.size(), fmt::join(kColumns, ", "),
                                  words.size())};
@@ -150,7 +150,7 @@ Result<ThingTable> read_thing_table(std::string_view text, const std::string& fi
     const std::vector<std::string_view> words = words_of(line.substr(0, line.find('#')));
     if (words.empty()) continue;
     const std::string place = fmt::format("{}:{}", file, number);
-    Result<ThingRow> row = row_of(words);
+    Result<ThingRow> row = thing_row_of(words);
     if (!row) return Error{place, row.error().message};
     if (std::ranges::find(table, row->name, &ThingRow::name) != table.end())
       return Error{place, fmt::format("the name \"{}\" is used twice", row->name)};

@@ -13,7 +13,7 @@
 
 namespace citykiln::map {
 
-/// What a thing stands on, and where it may stand.
+/// The support of a thing, and where it may stand.
 enum class Stand : std::uint8_t {
   kGround,    ///< On the ground, beside carriageways.
   kPole,      ///< On a pole of its own, beside carriageways.

@@ -16,14 +16,14 @@ ground::LandCoverPolygon rectangle(std::int64_t id, Vec2 low, Vec2 high, LandCov
 }
 
 // A street from y = -3 to 3 with a pavement up to 5 and a building from 8 on.
-std::vector<ground::LandCoverPolygon> street() {
+std::vector<ground::LandCoverPolygon> kerbed_street() {
   return {rectangle(1, {-50, -3}, {50, 3}, LandCoverClass::kResidentialRoad),
           rectangle(2, {-50, 3}, {50, 5}, LandCoverClass::kPavement),
           rectangle(3, {-50, 8}, {50, 20}, LandCoverClass::kBuilding)};
 }
 
 TEST(FreePlaces, CarriagewaysWallsAndWaterAreNotFree) {
-  const auto cover = street();
+  const auto cover = kerbed_street();
   FreePlaces places(cover);
   EXPECT_FALSE(places.is_free({0, 0}, 0));
   EXPECT_TRUE(places.is_free({0, 4}, 0.5));
@@ -33,7 +33,7 @@ TEST(FreePlaces, CarriagewaysWallsAndWaterAreNotFree) {
 }
 
 TEST(FreePlaces, AThingIsMovedByAtMost3Metres) {
-  const auto cover = street();
+  const auto cover = kerbed_street();
   FreePlaces places(cover);
   EXPECT_EQ(places.nearest_free({0, 4}, 0.5), (Vec2{0, 4})) << "free already";
   const std::optional<Vec2> moved = places.nearest_free({0, 2}, 0.5);
@@ -44,7 +44,7 @@ TEST(FreePlaces, AThingIsMovedByAtMost3Metres) {
 }
 
 TEST(FreePlaces, ANodeOfARoadGoesAcrossItsAxisToTheKerb) {
-  const auto cover = street();
+  const auto cover = kerbed_street();
   FreePlaces places(cover);
   const std::optional<Vec2> left = places.first_free({0, 0}, {0, 1}, 0.25),
                             right = places.first_free({0, 0}, {0, -1}, 0);
@@ -54,7 +54,7 @@ TEST(FreePlaces, ANodeOfARoadGoesAcrossItsAxisToTheKerb) {
 }
 
 TEST(FreePlaces, AWallFacesOutOfItsBuilding) {
-  const auto cover = street();
+  const auto cover = kerbed_street();
   FreePlaces places(cover);
   const std::optional<WallPlace> wall = places.nearest_wall({3, 6});
   ASSERT_TRUE(wall);
