@@ -30,20 +30,11 @@ Result<grammars::Program> program_of(const map::ThingRow& row, std::span<const R
   return program;
 }
 
-// A wrong positive costs meshes that are equal.
-bool may_draw(const grammars::Program& program, std::span<const RuleText> texts) {
-  return std::ranges::any_of(program.files, [&](const std::string& file) {
-    const RuleText* text = text_named(texts, file);
-    return text != nullptr &&
-           (text->text.find("rand(") != std::string::npos || text->text.find('%') != std::string::npos);
-  });
-}
-
 Result<Kind> kind_of(const map::ThingRow& row, std::span<const RuleText> texts) {
   Result<grammars::Program> program = program_of(row, texts);
   if (!program) return program.error();
-  const bool draws = may_draw(*program, texts);
-  return Kind{row, std::move(*program), draws};
+  UsedValues used = used_values(*program, kStart);
+  return Kind{row, std::move(*program), std::move(used)};
 }
 
 Result<map::ThingTable> table_in(std::span<const RuleText> files, const std::string& place) {

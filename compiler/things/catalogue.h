@@ -11,6 +11,7 @@
 #include "compiler/contract/result.h"
 #include "compiler/map/things/thing_table.h"
 #include "compiler/things/recipe.h"
+#include "compiler/things/used_values.h"
 #include "grammars/language/syntax.h"
 
 namespace citykiln::things {
@@ -24,7 +25,7 @@ inline constexpr const char* kTableName = "things.txt";
 struct Kind {
   map::ThingRow row;
   grammars::Program rules;
-  bool draws = false;  ///< True if the rules draw random numbers.
+  UsedValues used;  ///< What the rules read.
 };
 
 /// The kinds by name.

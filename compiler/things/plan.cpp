@@ -41,19 +41,17 @@ std::optional<Vec2> place_of(const map::ThingFeature& thing, const map::ThingRow
   return is_on_axis ? beside_way(thing, row.clear_m, places) : places.nearest_free(thing.at, row.clear_m);
 }
 
-bool reads(const grammars::Program& rules, std::string_view attribute) {
-  return rules.attribute_of.contains(attribute);
-}
+bool reads(const Kind& kind, std::string_view attribute) { return kind.used.attributes.contains(attribute); }
 
 Form form_of(const map::ThingFeature& thing, const Kind& kind, std::uint64_t seed) {
   Form form{.kind = thing.kind, .width_m = thing.width_m, .depth_m = thing.depth_m, .height_m = thing.height_m};
-  if (reads(kind.rules, "kind")) form.value = thing.value;
-  if (reads(kind.rules, "material")) form.material = thing.material;
-  if (reads(kind.rules, "text")) form.text = thing.text;
-  if (reads(kind.rules, "colour")) form.colour = thing.colour;
-  if (reads(kind.rules, "capacity")) form.capacity = thing.capacity;
-  if (reads(kind.rules, "country")) form.country = thing.country;
-  if (kind.draws)
+  if (reads(kind, "kind")) form.value = thing.value;
+  if (reads(kind, "material")) form.material = thing.material;
+  if (reads(kind, "text")) form.text = thing.text;
+  if (reads(kind, "colour")) form.colour = thing.colour;
+  if (reads(kind, "capacity")) form.capacity = thing.capacity;
+  if (reads(kind, "country")) form.country = thing.country;
+  if (kind.used.draws)
     form.variant = static_cast<std::uint8_t>(RandomSequence(seed, stable_id(thing.id), "variant").below(kVariants, 0));
   return form;
 }
