@@ -48,6 +48,9 @@ struct Shape {
   std::vector<Face> faces;
   Scope parent_scope;  ///< The scope of the parent, for center().
   std::string asset;   ///< The instance of i("…") that fills the scope instead of faces; "" for none.
+  /// The Hausdorff distance of the faces from the exact body, for the faces of a round body or a part of one; else 0.
+  double deviation_m = 0;
+  bool is_detail = false;  ///< The next successor is a detail (leave_out_details.h).
   SiblingIndex in_split, in_comp;
   // indices into Tables; 0 is the default
   std::uint32_t appearance = 0;
@@ -64,6 +67,7 @@ inline Shape inherited_from(const Shape& from) {
           .faces = {},
           .parent_scope = from.parent_scope,
           .asset = from.asset,
+          .deviation_m = from.deviation_m,
           .in_split = from.in_split,
           .in_comp = from.in_comp,
           .appearance = from.appearance,
