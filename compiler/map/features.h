@@ -213,7 +213,7 @@ struct PointFeature {
 /// The way that a thing's node belongs to.
 struct ThingWay {
   ObjectId id;  ///< OsmType::kNone: none.
-  Vec2 along;   ///< The way's direction at the node, length 1.
+  Vec2 along;   ///< Its direction there, or a power line's, or across a fence; length 1.
   LandCoverClass surface{};
   DrivingSide side{};
   Passage passage = Passage::kGround;

@@ -66,9 +66,9 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   features.landforms = locate_landforms(context);
   features.waterways = with_culverts(std::move(features.waterways), features.landforms);
   features.points = locate_points(context);
-  if (options.things != nullptr) features.things = locate_things(context, *options.things, features);
   features.tree_rows = locate_tree_rows(context);
   features.power_lines = locate_power_lines(context);
+  if (options.things != nullptr) features.things = locate_things(context, *options.things, features);
   diagnose_unread(context, features);
   const auto sort_by_id = [](auto&... kinds) {
     (std::ranges::sort(kinds, {}, [](const auto& f) { return f.id; }), ...);

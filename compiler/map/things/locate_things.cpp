@@ -69,6 +69,18 @@ std::map<std::int64_t, ThingWay> ways_of_nodes(const std::vector<FoundThing>& fo
   return ways;
 }
 
+// The direction of a power line at each of its points, and across walls and fences that of a way through them.
+std::map<Vec2, Vec2> directions_of_lines(const Features& features) {
+  std::map<Vec2, Vec2> directions;
+  for (const PowerLine& line : features.power_lines)
+    for (std::size_t i = 0; i < line.axis.size(); ++i)
+      directions.emplace(line.axis[i], direction_at_vertex(line.axis, i));
+  for (const Barrier& barrier : features.barriers)
+    for (std::size_t i = 0; i < barrier.axis.size(); ++i)
+      directions.emplace(barrier.axis[i], left_of(direction_at_vertex(barrier.axis, i)));
+  return directions;
+}
+
 double tagged_or_default_m(const ReadContext& context, OsmId id, source::Range tags, const TaggedLength& length) {
   std::optional<double> tagged;
   if (!length.key.empty()) tagged = tagged_length_m(context, id, tags, length.key, kLeastThing_m, kTallestThing_m);
@@ -138,16 +150,20 @@ std::string digits_of(std::string_view maxspeed, std::string_view traffic_sign) 
 std::vector<ThingFeature> locate_things(const ReadContext& context, const ThingTable& table, const Features& features) {
   const std::vector<FoundThing> found = find_things(context, table, features);
   const std::map<std::int64_t, ThingWay> ways = ways_of_nodes(found, features);
+  const std::map<Vec2, Vec2> lines = directions_of_lines(features);
   std::vector<ThingFeature> things;
   Account account;
   for (const FoundThing& each : found) {
     const OsmId id{OsmType::kNode, each.node->id};
+    const Vec2 at = context.plane.snapped_forward(each.node->at);
     account.in += context.report.counts(id);
-    if (!context.extent.contains(context.plane.snapped_forward(each.node->at))) {
+    if (!context.extent.contains(at)) {
       context.report.drop(account, Code::kOutsideBounds, id);
       continue;
     }
-    const ThingWay& way = ways.at(each.node->id);
+    ThingWay way = ways.at(each.node->id);
+    if (const auto line = lines.find(at); way.id.osm.type == OsmType::kNone && line != lines.end())
+      way.along = line->second;
     if (const auto reason = reason_without_thing(context, each, way)) {
       context.report.drop(account, *reason, id);
       continue;

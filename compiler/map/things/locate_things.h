@@ -13,7 +13,7 @@ namespace citykiln::map {
 /// and rails that they belong to. A tag that cannot be read is diagnosed kBadTagValue. Dropped: kOutsideBounds, and
 /// what standing.h says. Ledger "map/thing". O(nodes · rows + points of tracks).
 ///
-/// @param features  Their tracks and points are used.
+/// @param features  Their tracks, points, barriers and power lines are used.
 ///
 /// Source: wiki.openstreetmap.org, Key:direction: "forward" is for traffic along the way.
 std::vector<ThingFeature> locate_things(const ReadContext& context, const ThingTable& table, const Features& features);

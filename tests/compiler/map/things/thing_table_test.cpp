@@ -16,6 +16,7 @@ constexpr std::string_view kTable = R"(
 bench   amenity=bench                               bench 1.8x0.6x0.8     ground street 0.5 size Bench  # a comment
 post    barrier=bollard|barrier=block               post  0.2x0.2xheight:0.9 in_way along 0 1.5 Bollard
 shelter amenity=shelter&shelter_type=bus&covered!=no shelter 3x1.5x2.4    ground platform 1 size Shelter
+speed   traffic_sign=maxspeed*|traffic_sign=*274*   sign 0.6x0.1x2.7          pole  along 0   size  Sign
 any     tourism=*                                   board 1x0.1x2         wall  any   0   size  Board
 )";
 
@@ -41,7 +42,7 @@ std::string error_of(const std::string& row) {
 
 TEST(ThingTable, ColumnsAreRead) {
   const ThingTable rows = table();
-  ASSERT_EQ(rows.size(), 4u);
+  ASSERT_EQ(rows.size(), 5u);
   EXPECT_EQ(rows[0].rule, "bench");
   EXPECT_EQ(rows[0].depth.default_m, 0.6);
   EXPECT_EQ(rows[0].clear_m, 0.5);
@@ -51,7 +52,7 @@ TEST(ThingTable, ColumnsAreRead) {
   EXPECT_EQ(rows[1].stand, Stand::kInWay);
   EXPECT_EQ(rows[1].detail_m, 1.5);
   EXPECT_EQ(rows[2].facing, Facing::kPlatform);
-  EXPECT_EQ(rows[3].class_name, "Board");
+  EXPECT_EQ(rows[4].class_name, "Board");
 }
 
 TEST(ThingTable, TheFirstRowThatFitsCounts) {
@@ -62,6 +63,9 @@ TEST(ThingTable, TheFirstRowThatFitsCounts) {
   EXPECT_EQ(name_of({{"amenity", "shelter"}, {"shelter_type", "bus"}}), "shelter:shelter");
   EXPECT_EQ(name_of({{"amenity", "shelter"}, {"shelter_type", "bus"}, {"covered", "no"}}), "");
   EXPECT_EQ(name_of({{"tourism", "artwork"}}), "any:artwork");
+  EXPECT_EQ(name_of({{"traffic_sign", "maxspeed:30"}}), "speed:maxspeed:30");
+  EXPECT_EQ(name_of({{"traffic_sign", "DE:274-50"}}), "speed:DE:274-50");
+  EXPECT_EQ(name_of({{"traffic_sign", "DE:205"}}), "");
   EXPECT_EQ(name_of({{"tourism", "no"}}), "");
 }
 
@@ -87,7 +91,7 @@ TEST(ThingTable, ABadRowIsOneLineWithFileAndLine) {
 TEST(ThingTable, OwnRowsComeFirstAndReplaceThoseOfTheirName) {
   const ThingTable own = *read_thing_table("post a=b x 1x1x1 ground any 0 size P", "own");
   const ThingTable all = merged(own, table());
-  ASSERT_EQ(all.size(), 4u);
+  ASSERT_EQ(all.size(), 5u);
   EXPECT_EQ(all[0].rule, "x");
   EXPECT_EQ(all[1].name, "bench");
 }
