@@ -96,9 +96,12 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   timer.enter("props");
   recipes.props = props::plan(features, report);
   timer.enter("things");
-  if (!features.things.empty())
-    recipes.things =
-        things::plan(features, recipes.roads, thing_obstacles(recipes), catalogue->kinds, spec.seed, report);
+  Result<things::Kinds> kinds = things::Kinds{};
+  if (!features.things.empty()) {
+    kinds = things::kinds_of(*catalogue, things::kind_names(features));
+    if (!kinds) return kinds.error();
+    recipes.things = things::plan(features, recipes.roads, thing_obstacles(recipes), *kinds, spec.seed, report);
+  }
 
   // plan the land around the extent, describe the sky and the sources
   timer.enter("surroundings");
@@ -112,7 +115,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   if (!rules) return rules.error();
   header->rules = std::move(*rules);
   header->species = plants::species_texts_for(recipes.plants, has_hedges(recipes.props));
-  header->things = things::texts_for(*catalogue, recipes.things);
+  header->things = things::texts_for(*catalogue, *kinds, recipes.things);
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
   map::remove_diagnoses_outside(*osm, plane, features.extent, report);
   map::Places places = map::places_of(*osm, report);

@@ -77,6 +77,8 @@ Result<Done> draw_things_sheet(const std::string& folder, const std::string& pat
   spec.things_folder = folder;
   const Result<things::Catalogue> catalogue = read_things(spec);
   if (!catalogue) return catalogue.error();
+  const Result<things::Kinds> kinds = things::kinds_of(*catalogue);
+  if (!kinds) return kinds.error();
   const Result<sky::Sky> sky = sky::plan({11, 48}, "2026-06-21T09:30");
   if (!sky) return sky.error();
   constexpr int kAcross = static_cast<int>(kSheetTolerances_m.size());
@@ -91,7 +93,7 @@ Result<Done> draw_things_sheet(const std::string& folder, const std::string& pat
     const things::Form form = default_form(row);
     lines[static_cast<std::size_t>(i / kThingsInRow)] += " " + row.name;
     for (int k = 0; k < kAcross; ++k) {
-      const bake::BakedTile tile = tile_of_thing(form, catalogue->kinds.at(row.name), kSheetTolerances_m[k]);
+      const bake::BakedTile tile = tile_of_thing(form, kinds->at(row.name), kSheetTolerances_m[k]);
       put_picture(preview::render(std::span(&tile, 1), *sky, camera_before(form), options),
                   kThingPixels * (i % kThingsInRow * kAcross + k), kThingPixels * (i / kThingsInRow), sheet);
     }

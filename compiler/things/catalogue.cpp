@@ -51,25 +51,34 @@ Result<Catalogue> read_catalogue(std::span<const RuleText> own, const std::strin
   if (!rows) return rows.error();
   const Result<map::ThingTable> shipped = table_in(shipped_things(), kTableName);
   if (!shipped) return shipped.error();
-  Catalogue catalogue{map::merged(std::move(*rows), *shipped), {}, {}};
+  Catalogue catalogue{map::merged(std::move(*rows), *shipped), {}};
   std::ranges::copy_if(own, std::back_inserter(catalogue.rules), is_rule_file);
   for (const RuleText& rule : shipped_things())
     if (is_rule_file(rule) && text_named(own, rule.name) == nullptr) catalogue.rules.push_back(rule);
   std::ranges::sort(catalogue.rules, {}, &RuleText::name);
-  for (const map::ThingRow& row : catalogue.table) {
-    Result<Kind> kind = kind_of(row, catalogue.rules);
-    if (!kind)
-      return Error{kind.error().where, fmt::format("{} (for the thing \"{}\")", kind.error().message, row.name)};
-    catalogue.kinds.emplace(row.name, std::move(*kind));
-  }
+  if (own.empty()) return catalogue;
+  const Result<Kinds> kinds = kinds_of(catalogue);
+  if (!kinds) return kinds.error();
   return catalogue;
 }
 
-std::vector<RuleText> texts_for(const Catalogue& catalogue, std::span<const Thing> things) {
+Result<Kinds> kinds_of(const Catalogue& catalogue, const std::set<std::string>& names) {
+  Kinds kinds;
+  for (const map::ThingRow& row : catalogue.table) {
+    if (!names.empty() && !names.contains(row.name)) continue;
+    Result<Kind> kind = kind_of(row, catalogue.rules);
+    if (!kind)
+      return Error{kind.error().where, fmt::format("{} (for the thing \"{}\")", kind.error().message, row.name)};
+    kinds.emplace(row.name, std::move(*kind));
+  }
+  return kinds;
+}
+
+std::vector<RuleText> texts_for(const Catalogue& catalogue, const Kinds& kinds, std::span<const Thing> things) {
   std::set<std::string_view> used, files;
   for (const Thing& thing : things) used.insert(thing.form.kind);
   std::vector<RuleText> texts;
-  for (const auto& [name, kind] : catalogue.kinds) {
+  for (const auto& [name, kind] : kinds) {
     if (!used.contains(name)) continue;
     texts.push_back({name, kind.row.line});
     files.insert(kind.rules.files.begin(), kind.rules.files.end());

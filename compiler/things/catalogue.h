@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,10 +32,10 @@ struct Kind {
 /// The kinds by name.
 using Kinds = std::map<std::string, Kind, std::less<>>;
 
+/// The table and all rule files. Rules are parsed by kinds_of().
 struct Catalogue {
   map::ThingTable table;
-  std::vector<RuleText> rules;  ///< All rule files, sorted by name.
-  Kinds kinds;
+  std::vector<RuleText> rules;  ///< Sorted by name.
 };
 
 /// Returns the files of grammars/things, which are compiled into the program. Sorted by name.
@@ -44,12 +45,18 @@ std::span<const RuleText> shipped_things();
 /// shipped ones.
 /// @param own     Files of a folder: a things.txt, rule files, or both.
 /// @param folder  The folder's name, for errors.
-/// Errors: those of the table and of the rules, a row without a rule file, a rule file without the rule Thing.
+/// Errors: those of the table; with files of a folder also those of kinds_of() for all kinds.
 Result<Catalogue> read_catalogue(std::span<const RuleText> own, const std::string& folder);
+
+/// Parses the rules of kinds.
+/// @param names  The kinds; empty: all of the table.
+/// Errors: those of the rules, a row without a rule file, a rule file without the rule Thing.
+Result<Kinds> kinds_of(const Catalogue& catalogue, const std::set<std::string>& names = {});
 
 /// Returns what a manifest stores of the catalogue for these things: the rows of their kinds, each under its name, and
 /// their rule files, imports included. Sorted by name.
-std::vector<RuleText> texts_for(const Catalogue& catalogue, std::span<const Thing> things);
+/// @param kinds  Those of the things.
+std::vector<RuleText> texts_for(const Catalogue& catalogue, const Kinds& kinds, std::span<const Thing> things);
 
 /// Parses the texts of a manifest. Leaves out kinds whose texts are missing or do not parse.
 Kinds parse_kinds(std::span<const RuleText> texts);

@@ -67,6 +67,12 @@ std::optional<Stance> stance_of(const map::ThingFeature& thing, const map::Thing
 
 }  // namespace
 
+std::set<std::string> kind_names(const map::Features& features) {
+  std::set<std::string> names;
+  for (const map::ThingFeature& thing : features.things) names.insert(thing.kind);
+  return names;
+}
+
 std::vector<Thing> plan(const map::Features& features, std::span<const roads::Road> roads,
                         std::span<const ground::LandCoverPolygon> cover, const Kinds& kinds, std::uint64_t seed,
                         Report& report) {

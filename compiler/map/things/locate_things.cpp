@@ -18,14 +18,39 @@ struct FoundThing {
   MatchedThing match;
 };
 
+// The numbers of the rows that may fit an element with a key.
+using RowsOfKeys = std::map<std::string_view, std::vector<std::size_t>>;
+
+RowsOfKeys rows_of_keys(const ThingTable& table) {
+  RowsOfKeys rows;
+  for (std::size_t row = 0; row < table.size(); ++row)
+    for (const std::vector<TagTest>& all : table[row].tags) rows[all.front().key].push_back(row);
+  return rows;
+}
+
+MatchedThing match_node(const ReadContext& context, const source::Node& node, const ThingTable& table,
+                        const RowsOfKeys& rows) {
+  std::vector<std::size_t> candidates;
+  for (const source::Tag& tag : context.osm.tags_of(node.tags))
+    if (const auto found = rows.find(context.osm.strings[tag.key]); found != rows.end())
+      candidates.insert(candidates.end(), found->second.begin(), found->second.end());
+  std::ranges::sort(candidates);
+  for (const std::size_t row : candidates) {
+    const auto value = matched_value(table[row], [&](std::string_view key) { return context.tag(node.tags, key); });
+    if (value) return {&table[row], *value};
+  }
+  return {};
+}
+
 std::vector<FoundThing> find_things(const ReadContext& context, const ThingTable& table, const Features& features) {
   std::vector<OsmId> read;
   for (const PointFeature& point : features.points)
     if (point.kind == PointKind::kTree || point.kind == PointKind::kStreetLamp) read.push_back(point.id.osm);
   std::ranges::sort(read);
+  const RowsOfKeys rows = rows_of_keys(table);
   std::vector<FoundThing> found;
   for (const source::Node& node : context.osm.nodes) {
-    const MatchedThing fit = match(table, [&](std::string_view key) { return context.tag(node.tags, key); });
+    const MatchedThing fit = match_node(context, node, table, rows);
     if (fit.row != nullptr && !std::ranges::binary_search(read, OsmId{OsmType::kNode, node.id}))
       found.push_back({&node, fit});
   }

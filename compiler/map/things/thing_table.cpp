@@ -57,6 +57,7 @@ Result<std::vector<std::vector<TagTest>>> tags_of_column(std::string_view text) 
       if (!test) return test.error();
       all.push_back(std::move(*test));
     }
+    if (!all.front().is_equal) return wrong_column("tags", "key=value before key!=value", part);
   }
   return any;
 }
@@ -176,11 +177,17 @@ ThingTable merged(ThingTable own, const ThingTable& shipped) {
   return own;
 }
 
+std::optional<std::string_view> matched_value(const ThingRow& row,
+                                              const std::function<std::string_view(std::string_view)>& value_of) {
+  for (const std::vector<TagTest>& all : row.tags)
+    if (std::ranges::all_of(all, [&](const TagTest& test) { return is_true(test, value_of(test.key)); }))
+      return value_of(all.front().key);
+  return std::nullopt;
+}
+
 MatchedThing match(const ThingTable& table, const std::function<std::string_view(std::string_view)>& value_of) {
   for (const ThingRow& row : table)
-    for (const std::vector<TagTest>& all : row.tags)
-      if (std::ranges::all_of(all, [&](const TagTest& test) { return is_true(test, value_of(test.key)); }))
-        return {&row, value_of(all.front().key)};
+    if (const auto value = matched_value(row, value_of)) return {&row, *value};
   return {};
 }
 
