@@ -44,7 +44,7 @@ Vec2 random_direction(const map::ThingFeature& thing, std::uint64_t seed) {
 
 }  // namespace
 
-Vec2 direction_of(std::uint16_t direction) { return citykiln::direction_of(direction / double{kDirections}); }
+Vec2 unit_vector(std::uint16_t direction) { return citykiln::direction_of(direction / double{kDirections}); }
 
 std::uint16_t nearest_direction(Vec2 v) {
   if (v == Vec2{}) return 0;
@@ -53,9 +53,9 @@ std::uint16_t nearest_direction(Vec2 v) {
   std::uint16_t least = 0, end = kDirections / 2;
   while (end - least > 1) {
     const auto middle = static_cast<std::uint16_t>((least + end) / 2);
-    (cross(direction_of(middle), upper) >= 0 ? least : end) = middle;
+    (cross(unit_vector(middle), upper) >= 0 ? least : end) = middle;
   }
-  const bool is_end_nearer = dot(direction_of(end), upper) > dot(direction_of(least), upper);
+  const bool is_end_nearer = dot(unit_vector(end), upper) > dot(unit_vector(least), upper);
   return static_cast<std::uint16_t>(((is_end_nearer ? end : least) + (is_below ? kDirections / 2 : 0)) % kDirections);
 }
 

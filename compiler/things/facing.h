@@ -12,7 +12,7 @@
 namespace citykiln::things {
 
 /// Returns the unit vector of a recipe's direction.
-Vec2 direction_of(std::uint16_t direction);
+Vec2 unit_vector(std::uint16_t direction);
 /// Returns the direction nearest to a vector; 0 for the zero vector. No trigonometric function is used, so every CPU
 /// gives the same number.
 std::uint16_t nearest_direction(Vec2 v);

@@ -87,7 +87,7 @@ GeneratedThing generate(const Form& form, const Kind& kind, std::uint64_t seed, 
 }
 
 Placement place(const Thing& thing, const ground::GradedTerrain& ground) {
-  const Vec2 facing = direction_of(thing.direction), right{-facing.y, facing.x};
+  const Vec2 facing = unit_vector(thing.direction), right{-facing.y, facing.x};
   double z_m = land_m(ground, thing.at);
   for (const double x : {-0.5, 0.5})
     for (const double y : {-0.5, 0.5})

@@ -13,7 +13,10 @@ using namespace grammars;
 class ValueFinder {
  public:
   explicit ValueFinder(const Program& program)
-      : program_(program), functions_(program.functions.size()), rules_(program.rules.size()) {}
+      : program_(program),
+        attributes_(program.attributes.size()),
+        functions_(program.functions.size()),
+        rules_(program.rules.size()) {}
 
   void visit_rule(std::uint32_t rule) {
     if (rules_[rule]) return;
@@ -31,8 +34,11 @@ class ValueFinder {
   }
 
   void visit_attribute(std::uint32_t attribute) {
+    if (attributes_[attribute]) return;
+    attributes_[attribute] = true;
     const Attribute& read = program_.attributes[attribute];
-    if (found.attributes.insert(read.name).second) visit(read.value);
+    if (!read.is_const) found.attributes.insert(read.name);
+    visit(read.value);
   }
 
   void visit(const Expression& expression) {
@@ -69,7 +75,7 @@ class ValueFinder {
   }
 
   const Program& program_;
-  std::vector<bool> functions_, rules_;
+  std::vector<bool> attributes_, functions_, rules_;
 };
 
 }  // namespace

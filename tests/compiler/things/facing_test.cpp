@@ -24,9 +24,9 @@ TEST(Facing, TheNearestDirectionIsWithinHalfAStep) {
     const Vec2 v = citykiln::direction_of(i / 5000.0);
     const std::uint16_t direction = nearest_direction(v * (0.1 + i));
     ASSERT_LT(direction, kDirections);
-    EXPECT_LT(distance(direction_of(direction), v), 3.15 / kDirections) << i;
+    EXPECT_LT(distance(unit_vector(direction), v), 3.15 / kDirections) << i;
   }
-  for (std::uint16_t d = 0; d < kDirections; ++d) EXPECT_EQ(nearest_direction(direction_of(d)), d);
+  for (std::uint16_t d = 0; d < kDirections; ++d) EXPECT_EQ(nearest_direction(unit_vector(d)), d);
   EXPECT_EQ(nearest_direction({}), 0);
 }
 
