@@ -11,8 +11,8 @@ namespace {
 // Scope::corners(): bits 1, 2 and 4 of an index select the far side along x, y and z.
 constexpr int kCube[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
 
-// The deviation of round bodies at tolerance 0: a fiftieth of the radius, within these limits. So they have twelve sides
-// up to a radius of half a metre, and no more sides than at a tolerance of 2 cm.
+// The deviation of round bodies at tolerance 0: a fiftieth of the radius, within these limits. So they have twelve
+// sides up to a radius of half a metre, and no more sides than at a tolerance of 2 cm.
 constexpr double kFinest_m = 0.001, kFinestOfLarge_m = 0.01, kFinestShare = 0.02;
 // The share of the tolerance that round bodies take, so that rules for their faces have the rest.
 constexpr double kRoundShare = 0.5;

@@ -48,8 +48,7 @@ TEST(RoundBody, RoundBodiesAreClosedPlanarAndTurnOutwards) {
 
 TEST(RoundBody, TheDeviationIsAllowedAndFewerSidesDoNotReachIt) {
   for (const double most_m : {0.001, 0.01, 0.05, 0.2}) {
-    for (const RoundBody& body : bodies_in(box_of(2, 2, 2), {.most_m = most_m}))
-      EXPECT_LE(body.deviation_m, most_m);
+    for (const RoundBody& body : bodies_in(box_of(2, 2, 2), {.most_m = most_m})) EXPECT_LE(body.deviation_m, most_m);
     EXPECT_EQ(cylinder_in(box_of(2, 2, 2), 2, 1, {.most_m = most_m}).faces.size(), sides_for(1, most_m) + 2u);
   }
   EXPECT_GT(sides_for(1, 0.001), sides_for(1, 0.01));
