@@ -326,6 +326,7 @@ void spawn_pieces(Execution& execution, std::vector<Piece> pieces, Displacement 
     execution.child_count += piece.left_out;
     set_node(piece.shape, create_node(execution, "piece"));
     OpenChild child = open_child(execution, piece.shape, before, group);
+    child.may_be_left_out = false;  // pieces of one surface would leave holes in it
     const NodeTrace result =
         piece.body == nullptr ? NodeTrace{} : run_piece(execution, std::move(piece.shape), *piece.body);
     close_child(execution, std::move(child), result);

@@ -1,5 +1,5 @@
-// Levels of detail of bodies that are put together: leaves out children of a node that lie within the tolerance of
-// larger children, in rules with details().
+// Levels of detail of bodies that are put together: leaves out successors of a rule that lie within the tolerance of
+// larger ones, in rules with details(). Pieces of a split or comp stay, since they would leave holes in a surface.
 #pragma once
 
 #include "grammars/derivation/execution.h"
