@@ -132,7 +132,7 @@ Shape lot(const Polygon& footprint, double height_m, std::size_t front, StableId
 /// Guarantees: deterministic on any machine. A random number depends only on the seed, the id of its shape, its purpose
 /// and its index. The Hausdorff distance between the union of all terminals and the union of the terminals at tolerance
 /// 0 is at most error_m <= tolerance_m; an asset counts as its scope. Round bodies are within half the tolerance of
-/// exact ones, at tolerance 0 within 1 mm, which error_m includes.
+/// exact ones, at tolerance 0 within 1 cm, which error_m includes.
 /// Bad input: a statement that cannot be carried out makes a warning and has no effect. A shape at a limit becomes a
 /// terminal. The stack stays under 2 MB.
 /// Cost: the cost of deriving all detail, at any tolerance, less the savings of `memoise` and `prune_early`.

@@ -62,7 +62,9 @@ double distance_to_siblings_m(std::size_t vanished, std::span<const ChildTrace> 
     // the distance to the result is at least own.to_later_m
     if (sibling.vanished || sibling.own.to_later_m >= best_m) continue;
     const double enough_m = best_m - sibling.own.to_later_m;
-    best_m = std::min(best_m, farthest_from_ring_m(children[vanished].vertices, sibling.vertices, sibling.filled, enough_m) + sibling.own.to_later_m);
+    best_m =
+        std::min(best_m, farthest_from_ring_m(children[vanished].vertices, sibling.vertices, sibling.filled, enough_m) +
+                             sibling.own.to_later_m);
   }
   return best_m;
 }

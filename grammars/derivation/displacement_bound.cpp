@@ -459,7 +459,8 @@ std::optional<Displacement> bound_within_tolerance(Execution& execution, const B
   if (!body.divides || (options.keep_appearances && body.changes_appearance) || !is_flat(execution.shape))
     return std::nullopt;
   const DisplacementBound bound = displacement_bound(execution, ranges_of(execution), body);
-  if (!bound.survives || bound.moved.largest_m() + execution.shape.deviation_m > options.tolerance_m) return std::nullopt;
+  if (!bound.survives || bound.moved.largest_m() + execution.shape.deviation_m > options.tolerance_m)
+    return std::nullopt;
   return bound.moved;
 }
 

@@ -21,7 +21,7 @@ struct OpenChild {
   ChildTrace trace;            ///< `vertices`: all points of its surface, those of the first ring first.
   std::size_t first_ring = 0;  ///< The number of points of the first ring.
   std::size_t first_terminal = 0;
-  bool is_detail = false;
+  bool may_be_left_out = false;
 };
 
 OpenChild open_child(const Execution& parent, const Shape& shape, Displacement before, std::uint32_t group) {
@@ -34,16 +34,15 @@ OpenChild open_child(const Execution& parent, const Shape& shape, Displacement b
                     .vertices = measures(parent) ? surface_points(shape) : Ring3{}},
           .first_ring = has_faces ? shape.faces.front().outer.size() : 0,
           .first_terminal = parent.run.out.terminals.size(),
-          .is_detail = shape.is_detail};
+          .may_be_left_out = shape.leaves_out_details};
 }
 
 void close_child(Execution& execution, OpenChild child, const NodeTrace& result) {
   execution.vanished &= result.vanished;
   execution.seen.add(result.seen);
   execution.left_out_m = std::max(execution.left_out_m, result.left_out_m);
-  if (child.is_detail && execution.run.measures())
-    execution.details.push_back(
-        {{child.first_terminal, execution.run.out.terminals.size()}, result.left_out_m});
+  if (child.may_be_left_out && execution.run.measures() && !result.vanished)
+    execution.details.push_back({{child.first_terminal, execution.run.out.terminals.size()}, result.left_out_m});
   if (!measures(execution)) return;
   ChildTrace& trace = child.trace;
   trace.own = result.moved;
@@ -113,7 +112,6 @@ NodeTrace name_piece(Execution& execution, Shape&& shape, const Statement& succe
   ++execution.run.out.shapes;
   Shape child = last ? std::move(execution.shape) : execution.shape;
   set_node(child, node);
-  child.is_detail = execution.shape.is_detail = false;
   const NodeTrace result =
       derive_successor(execution, statement, std::move(child), std::move(arguments), execution.depth + 1);
   close_child(execution, std::move(open), result);
@@ -328,6 +326,7 @@ void spawn_pieces(Execution& execution, std::vector<Piece> pieces, Displacement 
     execution.child_count += piece.left_out;
     set_node(piece.shape, create_node(execution, "piece"));
     OpenChild child = open_child(execution, piece.shape, before, group);
+    child.may_be_left_out = false;  // pieces of one surface would leave holes in it
     const NodeTrace result =
         piece.body == nullptr ? NodeTrace{} : run_piece(execution, std::move(piece.shape), *piece.body);
     close_child(execution, std::move(child), result);

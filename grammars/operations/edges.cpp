@@ -12,7 +12,7 @@ namespace citykiln::grammars {
 namespace {
 
 /// An edge of the faces, in the direction in which the first face with it runs.
-struct FaceEdge {
+struct SharedEdge {
   Vec3 from, to, normal;
   int faces = 0;  ///< The number of faces with this edge.
 };
@@ -20,8 +20,8 @@ struct FaceEdge {
 constexpr const char* kEdgeWords = " all vertical horizontal aslant border inside top bottom ";
 constexpr double kNearlyLevel = 0.01;
 
-void add_edges(const Ring3& ring, Vec3 normal, std::vector<FaceEdge>& edges,
-               std::map<std::pair<Vec3, Vec3>, std::size_t>& known) {
+void add_shared_edges(const Ring3& ring, Vec3 normal, std::vector<SharedEdge>& edges,
+                      std::map<std::pair<Vec3, Vec3>, std::size_t>& known) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec3 a = ring[i], b = ring[(i + 1) % ring.size()];
     if (length(b - a) <= kSmallest_m) continue;
@@ -31,28 +31,28 @@ void add_edges(const Ring3& ring, Vec3 normal, std::vector<FaceEdge>& edges,
   }
 }
 
-std::vector<FaceEdge> edges_of(std::span<const Face> faces) {
-  std::vector<FaceEdge> edges;
+std::vector<SharedEdge> edges_of(std::span<const Face> faces) {
+  std::vector<SharedEdge> edges;
   std::map<std::pair<Vec3, Vec3>, std::size_t> known;
   for (const Face& face : faces) {
     const Vec3 normal = normal_of(face);
-    add_edges(face.outer, normal, edges, known);
-    for (const Ring3& hole : face.holes) add_edges(hole, normal, edges, known);
+    add_shared_edges(face.outer, normal, edges, known);
+    for (const Ring3& hole : face.holes) add_shared_edges(hole, normal, edges, known);
   }
   return edges;
 }
 
 /// The lowest and the highest z of the faces.
-std::pair<double, double> heights_of(std::span<const FaceEdge> edges) {
+std::pair<double, double> lowest_and_highest(std::span<const SharedEdge> edges) {
   double low_m = HUGE_VAL, high_m = -HUGE_VAL;
-  for (const FaceEdge& edge : edges) {
+  for (const SharedEdge& edge : edges) {
     low_m = std::min({low_m, edge.from.z, edge.to.z});
     high_m = std::max({high_m, edge.from.z, edge.to.z});
   }
   return {low_m, high_m};
 }
 
-bool selects_edge(std::string_view word, const FaceEdge& edge, std::pair<double, double> heights_m) {
+bool selects_shared_edge(std::string_view word, const SharedEdge& edge, std::pair<double, double> heights_m) {
   const double rise = std::abs(unit(edge.to - edge.from).z);
   if (word == "all") return true;
   if (word == "vertical") return rise > 1 - kNearlyLevel;
@@ -64,15 +64,15 @@ bool selects_edge(std::string_view word, const FaceEdge& edge, std::pair<double,
   return word == "top" && heights_m.second - std::min(edge.from.z, edge.to.z) < kSmallest_m;
 }
 
-int selector_of_edge(const std::vector<Key>& keys, const FaceEdge& edge, std::size_t index,
+int selector_of_edge(const std::vector<Key>& keys, const SharedEdge& edge, std::size_t index,
                      std::pair<double, double> heights_m) {
   for (std::size_t k = 0; k < keys.size(); ++k)
-    if (keys[k].index ? *keys[k].index == index : selects_edge(keys[k].word, edge, heights_m))
+    if (keys[k].index ? *keys[k].index == index : selects_shared_edge(keys[k].word, edge, heights_m))
       return static_cast<int>(k);
   return -1;
 }
 
-Shape edge_shape(const Shape& from, FaceEdge edge) {
+Shape edge_shape(const Shape& from, SharedEdge edge) {
   Shape shape = inherited_from(from);
   shape.parent_scope = from.scope;
   if (std::abs(unit(edge.to - edge.from).z) > 1 - kNearlyLevel && edge.to.z < edge.from.z)
@@ -100,14 +100,13 @@ double farthest_from_edges_m(std::span<const Face> faces) {
 void comp_edges(Execution& execution, const Statement& statement) {
   const std::vector<Key> keys = keys_of(execution, statement, kEdgeWords);
   const Shape& from = execution.shape;
-  const std::vector<FaceEdge> edges = edges_of(from.faces);
-  const auto heights_m = heights_of(edges);
+  const std::vector<SharedEdge> edges = edges_of(from.faces);
+  const auto heights_m = lowest_and_highest(edges);
   std::vector<std::vector<Piece>> by_selector(keys.size() + 1);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const int selector = selector_of_edge(keys, edges[i], i, heights_m);
     const auto k = selector < 0 ? keys.size() : static_cast<std::size_t>(selector);
-    by_selector[k].push_back(
-        {edge_shape(from, edges[i]), selector < 0 ? nullptr : &statement.selectors[k].body});
+    by_selector[k].push_back({edge_shape(from, edges[i]), selector < 0 ? nullptr : &statement.selectors[k].body});
   }
   std::vector<Piece> pieces;
   for (std::vector<Piece>& selected : by_selector) {

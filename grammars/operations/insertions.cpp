@@ -11,8 +11,9 @@ namespace {
 // Scope::corners(): bits 1, 2 and 4 of an index select the far side along x, y and z.
 constexpr int kCube[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
 
-// At tolerance 0 round bodies are as fine as this.
-constexpr double kFinest_m = 0.001;
+// The deviation of round bodies at tolerance 0: a fiftieth of the radius, within these limits. So they have twelve
+// sides up to a radius of half a metre, and no more sides than at a tolerance of 2 cm.
+constexpr double kFinest_m = 0.001, kFinestOfLarge_m = 0.01, kFinestShare = 0.02;
 // The share of the tolerance that round bodies take, so that rules for their faces have the rest.
 constexpr double kRoundShare = 0.5;
 
@@ -23,6 +24,14 @@ void replace_faces(Execution& execution, std::vector<Face> faces, std::string as
   execution.shape.deviation_m = deviation_m;
   execution.moved = execution.moved + any_displacement(before, surface_points(execution.shape)) +
                     Displacement{deviation_m, deviation_m};
+}
+
+double allowed_deviation_m(const Execution& execution, int axis) {
+  const double tolerance_m = execution.run.options.tolerance_m;
+  if (tolerance_m > 0) return kRoundShare * tolerance_m;
+  const auto& size_m = execution.shape.scope.size_m;
+  const double radius_m = std::max(size_m[(axis + 1) % 3], size_m[(axis + 2) % 3]) / 2;
+  return std::clamp(kFinestShare * radius_m, kFinest_m, kFinestOfLarge_m);
 }
 
 /// The axis and the sides of a round body, and the argument after them.
@@ -41,13 +50,12 @@ RoundArguments round_arguments(Execution& execution, Arguments arguments) {
   if (!word.empty()) arguments = arguments.subspan(1);
   const double sides = std::clamp(number_or(arguments, 0, 0), 0.0, 1.0 * RoundSides::kMost);
   round.sides.given = static_cast<int>(sides);
-  const double tolerance_m = execution.run.options.tolerance_m;
-  round.sides.most_m = tolerance_m > 0 ? kRoundShare * tolerance_m : kFinest_m;
   if (!word.empty()) round.third = number_or(arguments, 1, 0);
   if (word.empty() && arguments.size() == 3) {
     const double across_m = 2 * std::max(number_or(arguments, 1, 0), 0.0);
     execution.shape.scope.size_m = {across_m, std::max(number_or(arguments, 2, 0), 0.0), across_m};
   }
+  round.sides.most_m = allowed_deviation_m(execution, round.axis);
   return round;
 }
 

@@ -1,4 +1,4 @@
-// Operations that return values to the caller or tell the derivation about a shape: report, print, detail.
+// Operations that return values to the caller or tell the derivation about a shape: report, print, details.
 #include "grammars/operations/operations.h"
 
 namespace citykiln::grammars {
@@ -11,7 +11,7 @@ void op_report(Execution& execution, const Statement&, Arguments arguments) {
   run.report_nodes.push_back(execution.shape.node);
 }
 
-void op_detail(Execution& execution, const Statement&, Arguments) { execution.shape.is_detail = true; }
+void op_details(Execution& execution, const Statement&, Arguments) { execution.shape.leaves_out_details = true; }
 
 void op_print(Execution& execution, const Statement&, Arguments arguments) {
   execution.run.depends_on(0);

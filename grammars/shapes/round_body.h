@@ -1,5 +1,5 @@
-// Round bodies as closed polyhedra: cylinders, cones, spheres and domes that fill a scope, with the distance between the
-// polyhedron and the exact body.
+// Round bodies as closed polyhedra: cylinders, cones, spheres and domes that fill a scope, with the distance between
+// the polyhedron and the exact body.
 //
 //      ___
 //    /     \      The corners of the polygon lie outside of the circle by as much as the middles of its sides lie
@@ -21,8 +21,8 @@ struct RoundBody {
 
 /// The way in which a round body is divided into faces.
 struct RoundSides {
-  int given = 0;              ///< The number of sides; 0: as many as the allowed deviation needs.
-  double most_m = 0;          ///< The allowed deviation, where `given` is 0.
+  int given = 0;      ///< The number of sides; 0: as many as the allowed deviation needs.
+  double most_m = 0;  ///< The allowed deviation, where `given` is 0.
   static constexpr int kLeast = 3, kMost = 256;
 };
 

@@ -50,7 +50,7 @@ struct Shape {
   std::string asset;   ///< The instance of i("…") that fills the scope instead of faces; "" for none.
   /// The Hausdorff distance of the faces from the exact body, for the faces of a round body or a part of one; else 0.
   double deviation_m = 0;
-  bool is_detail = false;  ///< The next successor is a detail (leave_out_details.h).
+  bool leaves_out_details = false;  ///< Successors that are near to others may be left out (leave_out_details.h).
   SiblingIndex in_split, in_comp;
   // indices into Tables; 0 is the default
   std::uint32_t appearance = 0;
@@ -68,6 +68,7 @@ inline Shape inherited_from(const Shape& from) {
           .parent_scope = from.parent_scope,
           .asset = from.asset,
           .deviation_m = from.deviation_m,
+          .leaves_out_details = from.leaves_out_details,
           .in_split = from.in_split,
           .in_comp = from.in_comp,
           .appearance = from.appearance,

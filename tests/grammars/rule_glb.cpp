@@ -135,7 +135,7 @@ void colour_by_names(Derivation& derivation) {
 }
 
 // The box of a thing, with x to the right, y away from the front and z up.
-Shape thing_box(Order& order) {
+Shape thing_start(Order& order) {
   Shape box;
   box.id = StableId{static_cast<std::uint64_t>(order.number("id", 7))};
   Scope& scope = box.scope;
@@ -159,7 +159,7 @@ DeriveOptions thing_options(const Order& order, const Scope& scope, double toler
 }
 
 Derivation derived_thing(const Program& program, Order& order, double tolerance_m) {
-  const Shape box = thing_box(order);
+  const Shape box = thing_start(order);
   return derive(program, box, thing_options(order, box.scope, tolerance_m));
 }
 
@@ -180,8 +180,8 @@ bool add_building(bake::PrimitiveMap& merged, Order order, double tolerance_m) {
       read_rules(file.filename().string(), [&](const std::string& name) { return text_in(file.parent_path() / name); });
   if (!program) return std::fprintf(stderr, "%s\n", to_string(program.error()).c_str()), false;
   const bool is_lot = !order.text("lot", "").empty(), shows_names = !order.text("names", "").empty();
-  Derivation derivation = is_thing ? derived_thing(*program, order, tolerance_m)
-                                   : derived_building(*program, order, is_lot, tolerance_m);
+  Derivation derivation =
+      is_thing ? derived_thing(*program, order, tolerance_m) : derived_building(*program, order, is_lot, tolerance_m);
   for (const Warning& warning : derivation.warnings)
     std::fprintf(stderr, "%s\n", warning_line(*program, warning).c_str());
   for (const LimitHit& hit : derivation.limits) std::fprintf(stderr, "%s\n", limit_line(*program, hit).c_str());
