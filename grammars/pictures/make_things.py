@@ -17,11 +17,13 @@ SHOWN = {"speed_sign": "text=50", "full_turnstile": "kind=turnstile", "traffic_s
 def rows(wanted):
     """Name, rule and size of each row, the lowest first."""
     found = []
-    for line in (THINGS / "rows.txt").read_text().splitlines():
-        cells = [cell.strip() for cell in line.split("|")]
-        if line.startswith("#") or len(cells) < 8 or wanted and cells[0] not in wanted:
+    for line in (THINGS / "things.txt").read_text().splitlines():
+        cells = line.split("#")[0].split()
+        if not cells or wanted and cells[0] not in wanted:
             continue
-        found.append((cells[0], cells[2], [float(size) for size in cells[3].split("x")]))
+        # a length may come from a tag: height:0.9
+        lengths = re.split(r"(?<=\d)x", cells[3])
+        found.append((cells[0], cells[2], [float(length.rsplit(":", 1)[-1]) for length in lengths]))
     return sorted(found, key=lambda row: max(row[2][0], row[2][2]))
 
 
