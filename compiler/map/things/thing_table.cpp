@@ -134,7 +134,7 @@ Result<ThingRow> thing_row_of(const std::vector<std::string_view>& words) {
 }
 
 // "maxspeed*" fits values that begin with "maxspeed", "*274*" those that contain "274".
-bool fits(std::string_view pattern, std::string_view value) {
+bool fits_value(std::string_view pattern, std::string_view value) {
   const bool is_begin_open = pattern.starts_with('*'), is_end_open = pattern.ends_with('*');
   if (is_begin_open) pattern.remove_prefix(1);
   if (is_end_open && !pattern.empty()) pattern.remove_suffix(1);
@@ -147,7 +147,7 @@ bool is_true(const TagTest& test, std::string_view value) {
   if (test.value == "*") return test.is_equal == (!value.empty() && value != "no");
   // one of several values, such as "bench;waste_basket"
   for (const std::string_view one : split(value, ';'))
-    if (!one.empty() && fits(test.value, one)) return test.is_equal;
+    if (!one.empty() && fits_value(test.value, one)) return test.is_equal;
   return !test.is_equal;
 }
 
