@@ -111,4 +111,15 @@ Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
   return buildings::rules_for(buildings::styles_of(buildings), available);
 }
 
+Result<things::Catalogue> read_things(const CompileSpec& spec) {
+  std::vector<buildings::RuleText> own;
+  for (const char* ending : {".cga", ".txt"}) {
+    if (spec.things_folder.empty()) break;
+    Result<std::vector<source::TextFile>> files = source::read_texts(spec.things_folder, ending);
+    if (!files) return files.error();
+    for (source::TextFile& file : *files) own.push_back({std::move(file.name), std::move(file.text)});
+  }
+  return things::read_catalogue(own, spec.things_folder);
+}
+
 }  // namespace citykiln

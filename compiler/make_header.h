@@ -10,10 +10,11 @@
 #include "compiler/scene/assemble.h"
 #include "compiler/scene/scene.h"
 #include "compiler/spec.h"
+#include "compiler/things/catalogue.h"
 
 namespace citykiln {
 
-/// The properties of the whole scene, without rules and species.
+/// The properties of the whole scene, without rules, species and things.
 /// @param recipes  Its heights and land cover are used: the land around the extent goes on from them.
 /// Errors: heightmaps or cloud files that cannot be read, a time without a sky, tiles in spec.only that the map lacks.
 Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& extent,
@@ -23,5 +24,9 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
 /// name.
 Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
                                                    const std::vector<buildings::Building>& buildings);
+
+/// Returns the shipped things, with those of the spec's folder. Errors: those of things::read_catalogue(); the folder
+/// cannot be read.
+Result<things::Catalogue> read_things(const CompileSpec& spec);
 
 }  // namespace citykiln

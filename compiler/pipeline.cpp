@@ -23,6 +23,7 @@
 #include "compiler/structures/plan_piers.h"
 #include "compiler/structures/risers.h"
 #include "compiler/structures/within_extent.h"
+#include "compiler/things/plan.h"
 #include "compiler/whole_map.h"
 
 namespace citykiln {
@@ -36,6 +37,11 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   Report report;
   scene::Recipes recipes;
 
+  const Result<things::Catalogue> catalogue = read_things(spec);
+  if (!catalogue) return catalogue.error();
+  map::Options reading = spec.map;
+  reading.things = &catalogue->table;
+
   // read the map, project it to the plane and classify its elements
   timer.enter("read map");
   const Result<source::OsmData> osm = source::read_osm(extract, spec.threads, report, owns);
@@ -44,7 +50,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   const Result<source::LonLatBox> box = survey ? survey->extent : choose_worthwhile_extent(spec, *osm, report);
   if (!box) return box.error();
   const map::Plane plane(survey ? survey->header.origin : spec.map.origin.value_or(map::default_origin(*box)));
-  map::Features features = map::locate(*osm, plane, *box, spec.map, report);
+  map::Features features = map::locate(*osm, plane, *box, reading, report);
   if (!survey && is_empty(features)) return Error{spec.map_path, "contains nothing to compile in this area"};
 
   // resample the heightmaps
@@ -89,6 +95,13 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   recipes.plants = plants::plan(features, recipes.surfaces, recipes.roads, recipes.heights, report);
   timer.enter("props");
   recipes.props = props::plan(features, report);
+  timer.enter("things");
+  Result<things::Kinds> kinds = things::Kinds{};
+  if (!features.things.empty()) {
+    kinds = things::kinds_of(*catalogue, things::kind_names(features));
+    if (!kinds) return kinds.error();
+    recipes.things = things::plan(features, recipes.roads, thing_obstacles(recipes), *kinds, spec.seed, report);
+  }
 
   // plan the land around the extent, describe the sky and the sources
   timer.enter("surroundings");
@@ -102,6 +115,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   if (!rules) return rules.error();
   header->rules = std::move(*rules);
   header->species = plants::species_texts_for(recipes.plants, has_hedges(recipes.props));
+  header->things = things::texts_for(*catalogue, *kinds, recipes.things);
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
   map::remove_diagnoses_outside(*osm, plane, features.extent, report);
   map::Places places = map::places_of(*osm, report);

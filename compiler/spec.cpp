@@ -381,6 +381,10 @@ constexpr Setting kSettings[] = {
      set_snow_line},
     {"rules", "FOLDER", "folder of rule files (.cga) that replace shipped files of the same name", false,
      set_text<&CompileSpec::rules_folder>},
+    {"things", "FOLDER",
+     "folder with a table of things, things.txt, and rule files (.cga), which add to the shipped ones or replace those "
+     "of the same name",
+     false, set_text<&CompileSpec::things_folder>},
     {"tags", "", "keep all tags of the map's elements, in the manifest and as a property of each feature in .glb files",
      false, set_tags},
     {"threads", "N", "number of threads; 0 uses all processors (default: {})", false,

@@ -27,7 +27,7 @@ scene::CoverRecipes cover_recipes_of(const scene::Recipes& recipes) {
 
 bool is_empty(const map::Features& features) {
   return features.tracks.empty() && features.footprints.empty() && features.areas.empty() &&
-         features.waterways.empty() && features.barriers.empty() && features.points.empty();
+         features.waterways.empty() && features.barriers.empty() && features.points.empty() && features.things.empty();
 }
 
 Result<source::LonLatBox> choose_worthwhile_extent(const CompileSpec& spec, const source::OsmData& osm,
@@ -78,6 +78,13 @@ std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recip
   scene::CoverRecipes cover = cover_recipes_of(recipes);
   for (const map::Footprint& footprint : features.footprints)
     cover.footprints.push_back(scene::footprint_surface(footprint.id, footprint.polygon));
+  return scene::coarse_land_cover(cover);
+}
+
+std::vector<ground::LandCoverPolygon> thing_obstacles(const scene::Recipes& recipes) {
+  scene::CoverRecipes cover = cover_recipes_of(recipes);
+  for (const buildings::Building& building : recipes.buildings)
+    if (building.stands_on_ground) cover.footprints.push_back(scene::footprint_surface(building));
   return scene::coarse_land_cover(cover);
 }
 

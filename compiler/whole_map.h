@@ -43,4 +43,7 @@ ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2&
 /// The land cover of the whole map, in which piers look for free ground. It includes the footprints of building parts.
 std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recipes, const map::Features& features);
 
+/// The land cover of the whole map in which things look for free places: with the buildings that stand on the ground.
+std::vector<ground::LandCoverPolygon> thing_obstacles(const scene::Recipes& recipes);
+
 }  // namespace citykiln

@@ -11,9 +11,8 @@
 #include "compiler/contract/detail_tolerances.h"
 
 namespace citykiln::bake {
-namespace {
+namespace {}  // namespace
 
-// The instances of a mesh, without its primitives. @param size_m  The size of the mesh at a scale of 1.
 InstancedMesh instances_of(const Baking& baking, const std::string& name, const std::vector<Placement>& placements,
                            double size_m) {
   InstancedMesh instanced{.name = name, .primitives = {}};
@@ -28,6 +27,8 @@ InstancedMesh instances_of(const Baking& baking, const std::string& name, const 
   }
   return instanced;
 }
+
+namespace {
 
 // "oak_3".
 std::string name_of(plants::Prototype prototype) {
@@ -97,12 +98,13 @@ plants::Prototype merged_variant(plants::Prototype prototype, double tolerance_m
 }
 
 Placed placed_in(const Baking& baking, const SharedByLevels& shared) {
-  Placed placed{shared.trees, shared.lamps};
+  Placed placed{shared.trees, shared.lamps, shared.things};
   if (has_detail(Detail::kGrassBlades, baking.tolerance_m))
     for (const auto& [prototype, placements] : shared.blades) placed.trees[prototype] = placements;
   if (!baking.part) return placed;
   for (auto& [prototype, placements] : placed.trees)
     std::erase_if(placements, [&](const Placement& p) { return !baking.holds(bounds_of(p)); });
+  std::erase_if(placed.things, [&](const PlacedThing& thing) { return !baking.holds(bounds_of(thing)); });
   placed.lamps = {};
   for (std::size_t i = 0; i < shared.lamps.standing.size(); ++i) {
     const props::StreetLamp& lamp = shared.lamps.standing[i];
@@ -125,12 +127,13 @@ void add_features_of(Baking& baking, const Placed& placed) {
   for (const auto& [prototype, placements] : placed.trees)
     for (const Placement& p : placements) baking.features.insert(p.feature);
   for (const props::StreetLamp& lamp : placed.lamps.standing) baking.features.insert(lamp.feature);
+  for (const PlacedThing& thing : placed.things) baking.features.insert(thing.placement.feature);
 }
 
 void bake_trees(Baking& baking, const Placed& placed, const PrototypeCache& prototypes, std::size_t most_instances) {
   plants::PlacedPlants trees = placed.trees;
-  const std::size_t lamps = placed.lamps.standing.size();
-  bake_stands(baking, take_stands(trees, baking.tolerance_m, most_instances - std::min(lamps, most_instances)),
+  const std::size_t others = placed.lamps.standing.size() + placed.things.size();
+  bake_stands(baking, take_stands(trees, baking.tolerance_m, most_instances - std::min(others, most_instances)),
               prototypes);
   for (const auto& [prototype, placements] : merged_variants(trees, baking.tolerance_m)) {
     if (placements.empty()) continue;

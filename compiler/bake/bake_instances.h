@@ -11,13 +11,19 @@
 
 namespace citykiln::bake {
 
-/// The plants and lamps of a tile, or of the baked part of it.
+/// The plants, lamps and things of a tile, or of the baked part of it.
 struct Placed {
   plants::PlacedPlants trees;
   Lamps lamps;
+  std::vector<PlacedThing> things{};
 };
 
-/// Returns the plants and lamps that belong to the baked part.
+/// Returns the instances of a mesh, without its primitives.
+/// @param size_m  The size of the mesh at a scale of 1.
+InstancedMesh instances_of(const Baking& baking, const std::string& name, const std::vector<Placement>& placements,
+                           double size_m);
+
+/// Returns the plants, lamps and things that belong to the baked part.
 /// @param common  Placed objects of the whole tile.
 Placed placed_in(const Baking& baking, const SharedByLevels& common);
 
@@ -25,15 +31,15 @@ Placed placed_in(const Baking& baking, const SharedByLevels& common);
 /// of a tile for a viewpoint have none, since each tree there has the tolerance of its distance.
 void bake_canopy(Baking& baking, const TileLevel& level, Placed& placed);
 
-/// Adds the features (map elements) of plants and lamps to the tile's features. Call it before the features are sorted
-/// and numbered, and the bake functions below after that.
+/// Adds the features (map elements) of plants, lamps and things to the tile's features. Call it before the features are
+/// sorted and numbered, and the bake functions below after that.
 void add_features_of(Baking& baking, const Placed& placed);
 
 /// The variant whose mesh replaces that of a prototype at a tolerance (plants::variants_at).
 plants::Prototype merged_variant(plants::Prototype prototype, double tolerance_m);
 
-/// Adds plants as instances of cached prototypes, with variants merged at the tolerance. If plants and lamps together
-/// are more than `most_instances`, the plants of some map elements become single meshes (stands.h).
+/// Adds plants as instances of cached prototypes, with variants merged at the tolerance. If plants, lamps and things
+/// together are more than `most_instances`, the plants of some map elements become single meshes (stands.h).
 void bake_trees(Baking& baking, const Placed& placed, const PrototypeCache& prototypes, std::size_t most_instances);
 
 /// The bounds of a tree pit on the ground.

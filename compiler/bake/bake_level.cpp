@@ -7,6 +7,7 @@
 #include "compiler/bake/bake_ground.h"
 #include "compiler/bake/bake_instances.h"
 #include "compiler/bake/bake_structures.h"
+#include "compiler/bake/bake_things.h"
 #include "compiler/bake/baking.h"
 #include "compiler/bake/clip_to_extent.h"
 #include "compiler/bake/image_uvs.h"
@@ -89,9 +90,10 @@ BakedTile bake_level(const LevelRequest& request, TileLevel& level, const Protot
   add_features_of(baking, placed);
 
   tile.features.assign(baking.features.begin(), baking.features.end());
-  if (!cell) tile.attributes = attributes_of(chunk, tile.features);
+  if (!cell) tile.attributes = attributes_of(chunk, tile.features, prototypes.thing_classes());
   merge_meshes(baking);
   bake_lamps(baking, placed.lamps, graded, report);
+  bake_things(baking, placed.things, prototypes, report);
   bake_trees(baking, placed, prototypes, most_instances);
   snap_image_uvs(tile, cell && level.markings ? level.markings->atlas : tile.marking_atlas);
   if (!cell) tile.textures = textures_shown(tile, baking.texel_m(), prototypes.textures());

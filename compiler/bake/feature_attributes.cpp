@@ -45,6 +45,11 @@ void add_plants(Table& table, const std::vector<Plant>& plants) {
   for (const Plant& plant : plants) table.add(plant.id.osm, name_of(plant.species_mix), plant.height_m);
 }
 
+std::string_view class_of_thing(const ThingClasses& classes, const std::string& kind) {
+  const auto found = classes.find(kind);
+  return found == classes.end() ? std::string_view(kind) : std::string_view(found->second);
+}
+
 void add_texts(Table& table, std::span<const map::ElementText> texts) {
   for (std::size_t i = 0; i < table.features.size(); ++i) {
     const map::ElementText* text = map::find_text(texts, table.features[i]);
@@ -54,7 +59,8 @@ void add_texts(Table& table, std::span<const map::ElementText> texts) {
 
 }  // namespace
 
-std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::span<const OsmId> features) {
+std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::span<const OsmId> features,
+                                             const ThingClasses& classes) {
   Table table{features, std::vector<FeatureAttributes>(features.size())};
   add_buildings(table, chunk.buildings);
   add_roads(table, chunk.bridges), add_roads(table, chunk.tunnels), add_roads(table, chunk.roads);
@@ -62,6 +68,8 @@ std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::spa
   for (const props::Barrier& b : chunk.barriers) table.add(b.id.osm, map::name_of(b.kind), b.height_m);
   add_plants(table, chunk.trees), add_plants(table, chunk.tree_rows);
   for (const props::Lamp& lamp : chunk.lamps) table.add(lamp.id.osm, "StreetLamp", lamp.height_m);
+  for (const things::Thing& thing : chunk.things)
+    table.add(thing.id.osm, class_of_thing(classes, thing.form.kind), thing.form.height_m);
   add_covers(table, chunk.surfaces);
   add_texts(table, chunk.texts);
   return std::move(table.rows);

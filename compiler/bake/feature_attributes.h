@@ -2,6 +2,7 @@
 // up.
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,18 +15,24 @@ namespace citykiln::bake {
 /// The attributes of one feature. Texts are valid UTF-8.
 struct FeatureAttributes {
   std::string kind{};  ///< The class of a building ("Apartments"), road or land ("ResidentialRoad", "Park"), plant
-                       ///< ("oak"), or prop ("Fence"). Empty for the none feature.
+                       ///< ("oak"), prop ("Fence") or thing ("Bench"). Empty for the none feature.
   std::string name{};  ///< Empty: none.
-  float height_m = 0;  ///< From foot to top of buildings, barriers, lamps and single plants; 0: none or unknown.
-  std::string tags{};  ///< The map's tags as a JSON object; empty unless the scene keeps them.
+  float height_m =
+      0;  ///< From foot to top of buildings, barriers, lamps, things and single plants; 0: none or unknown.
+  std::string tags{};                    ///< The map's tags as a JSON object; empty unless the scene keeps them.
   Assumptions assumed = kNoAssumptions;  ///< The assumptions of all its recipes.
   bool operator==(const FeatureAttributes&) const = default;
 };
 
+/// The classes of things by kind: "bench" is a "Bench".
+using ThingClasses = std::map<std::string, std::string, std::less<>>;
+
 /// Returns the attributes of each feature. An element with several recipes has the greatest height, all their
 /// assumptions, and the class of the first one in this order: building, bridge or tunnel, road, watercourse, barrier,
-/// plant, lamp, land. O(n log n) in the recipes.
+/// plant, lamp, thing, land. O(n log n) in the recipes.
 /// @param features  Sorted.
-std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::span<const OsmId> features);
+/// @param classes   The classes of things by kind; a kind without one is its own class.
+std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::span<const OsmId> features,
+                                             const ThingClasses& classes = {});
 
 }  // namespace citykiln::bake

@@ -4,6 +4,7 @@
 
 #include "compiler/bake/image_uvs.h"
 #include "compiler/bake/merge.h"
+#include "compiler/things/generate.h"
 
 namespace citykiln::bake {
 
@@ -61,6 +62,23 @@ const BakedPrototype& PrototypeCache::prototype(plants::Prototype prototype, dou
     if (plant.shows_leaf_atlas) slot.baked.cutout = leaves().cutout;
     snap_image_uvs(slot.baked.primitives, *slot.baked.cutout);
     slot.baked.error_per_m = plant.error_per_m;
+    for (Primitive& primitive : slot.baked.primitives) bytes_ += trimmed_bytes_of(primitive);
+  });
+  return slot.baked;
+}
+
+PrototypeCache::ThingSlot& PrototypeCache::thing_slot(const things::Form& form, double tolerance_m) const {
+  const std::lock_guard lock(mutex_);
+  return thing_slots_[{form, tolerance_m}];
+}
+
+const BakedThing& PrototypeCache::thing(const things::Form& form, double tolerance_m) const {
+  ThingSlot& slot = thing_slot(form, tolerance_m);
+  std::call_once(slot.once, [&] {
+    const auto kind = kinds_.find(form.kind);
+    if (kind == kinds_.end()) return;
+    things::GeneratedThing thing = things::generate(form, kind->second, seed_, is_night_, tolerance_m);
+    slot.baked = {instanced_primitives(thing.meshes, Layer::kProps), thing.error_m, thing.rule_errors};
     for (Primitive& primitive : slot.baked.primitives) bytes_ += trimmed_bytes_of(primitive);
   });
   return slot.baked;

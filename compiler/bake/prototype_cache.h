@@ -14,6 +14,7 @@
 #include "compiler/materials/texture_cache.h"
 #include "compiler/plants/prototypes/grown_plant_cache.h"
 #include "compiler/plants/prototypes/prototype_mesh.h"
+#include "compiler/things/catalogue.h"
 
 namespace citykiln::bake {
 
@@ -29,6 +30,13 @@ struct BakedPrototype {
   double error_per_m = 0;         ///< Error of a plant per metre of its height.
 };
 
+/// The mesh of a form of things at a tolerance.
+struct BakedThing {
+  std::vector<Primitive> primitives;  ///< Empty if the thing is below the tolerance, or its rules are missing.
+  double error_m = 0;
+  std::uint64_t rule_errors = 0;
+};
+
 /// The grown plants that a cache keeps for making further meshes.
 enum class KeptPlants {
   kAll,    ///< All: 2 MB each.
@@ -36,7 +44,8 @@ enum class KeptPlants {
 };
 
 /// A thread-safe cache of meshes. Its const functions change only the cache: a mesh is a function of the header's
-/// species and of the arguments of prototype(). Memory: at a tolerance of 0.02 m some 2 MB per mesh.
+/// species, things and sky, and of the arguments of prototype() or thing(). Memory: at a tolerance of 0.02 m some 2 MB
+/// per mesh.
 class PrototypeCache {
  public:
   explicit PrototypeCache(const scene::Header& header, KeptPlants kept = KeptPlants::kAll)
@@ -44,12 +53,23 @@ class PrototypeCache {
         month_(month_of(header)),
         grown_plants_(header.species, month_),
         textures_(header.seed),
-        rulebook_(buildings::parse_rulebook(header.rules)) {}
+        rulebook_(buildings::parse_rulebook(header.rules)),
+        seed_(header.seed),
+        is_night_(scene::night_of(header).has_value()),
+        kinds_(things::parse_kinds(header.things)) {
+    for (const auto& [name, kind] : kinds_) thing_classes_.emplace(name, kind.row.class_name);
+  }
 
   /// The mesh of a prototype, within the tolerance when it is scaled to `height_m`. The reference is valid as long as
   /// the cache.
   /// @param height_m, tolerance_m  > 0.
   const BakedPrototype& prototype(plants::Prototype prototype, double height_m, double tolerance_m) const;
+
+  /// The mesh of a form of things, within the tolerance. The reference is valid as long as the cache.
+  const BakedThing& thing(const things::Form& form, double tolerance_m) const;
+
+  /// The classes of the header's things.
+  const ThingClasses& thing_classes() const { return thing_classes_; }
 
   const materials::TextureCache& textures() const { return textures_; }
 
@@ -67,12 +87,18 @@ class PrototypeCache {
     BakedPrototype baked;
   };
 
+  struct ThingSlot {
+    std::once_flag once;
+    BakedThing baked;
+  };
+
   struct Leaves {
     plants::LeafAtlas atlas;
     impostor::SharedCutout cutout;
   };
 
   Slot& slot(const Key& key) const;
+  ThingSlot& thing_slot(const things::Form& form, double tolerance_m) const;
   const Leaves& leaves() const;
 
   KeptPlants kept_;
@@ -82,8 +108,13 @@ class PrototypeCache {
   mutable Leaves leaves_;
   materials::TextureCache textures_;
   buildings::Rulebook rulebook_;
+  std::uint64_t seed_;
+  bool is_night_;
+  things::Kinds kinds_;
+  ThingClasses thing_classes_;
   mutable std::mutex mutex_;
   mutable std::map<Key, Slot> slots_;
+  mutable std::map<std::pair<things::Form, double>, ThingSlot> thing_slots_;
   mutable std::atomic<std::size_t> bytes_ = 0;
 };
 

@@ -10,6 +10,7 @@
 #include "compiler/bake/ground/ground_cells.h"
 #include "compiler/bake/ground/ground_meshes.h"
 #include "compiler/bake/place_lamps.h"
+#include "compiler/bake/place_things.h"
 #include "compiler/bake/view_levels.h"
 #include "compiler/buildings/generate.h"
 #include "compiler/plants/generate.h"
@@ -32,6 +33,7 @@ struct SharedByLevels {
   Report tree_report{};  ///< Account and diagnoses of placing plants.
   std::vector<props::TreePit> pits{};
   Lamps lamps{};
+  std::vector<PlacedThing> things{};
   std::vector<structures::Stairs> stairs{};
   std::vector<plants::Canopy> canopies{};  ///< Surfaces over closed woods: one for each level with
                                            ///< Detail::kWoodCanopies, in the order of levels.

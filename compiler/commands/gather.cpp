@@ -66,7 +66,7 @@ void add_texts(const std::vector<Text>& more, std::vector<Text>& texts) {
   std::ranges::sort(texts, {}, &Text::name);
 }
 
-/// Error: a region whose header differs from the others' in more than rules and species.
+/// Error: a region whose header differs from the others' in more than rules, species and things.
 Result<Done> add_scene(const std::string& folder, const PlannedRegion& region, Gathered& all) {
   Result<scene::Scene> scene = exporters::read_manifest(folder + "/" + exporters::kManifestName, {});
   if (!scene) return scene.error();
@@ -76,8 +76,10 @@ Result<Done> add_scene(const std::string& folder, const PlannedRegion& region, G
   if (all.scene.chunks.empty()) {
     all.scene.header = header;
   } else {
-    add_texts(header.rules, all.scene.header.rules), add_texts(header.species, all.scene.header.species);
-    header.rules = all.scene.header.rules, header.species = all.scene.header.species;
+    scene::Header& whole = all.scene.header;
+    add_texts(header.rules, whole.rules), add_texts(header.species, whole.species);
+    add_texts(header.things, whole.things);
+    header.rules = whole.rules, header.species = whole.species, header.things = whole.things;
     if (!(header == all.scene.header)) return Error{folder, "was compiled from another survey; compile it again"};
   }
   std::ranges::move(scene->chunks, std::back_inserter(all.scene.chunks));

@@ -11,6 +11,7 @@
 #include "compiler/commands/layers/map_layers.h"
 #include "compiler/commands/layers/scene_layers.h"
 #include "compiler/commands/run_paths.h"
+#include "compiler/commands/things_sheet.h"
 #include "compiler/commands/verb.h"
 #include "compiler/contract/assumption_names.h"
 #include "compiler/map/locate.h"
@@ -32,10 +33,17 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 struct InspectRequest {
-  std::string path, layer, geojson_path;
+  std::string path, layer, geojson_path, sheet_path, things_folder;
 };
 
 // ---- descriptions ----
+
+/// The number of things of each kind.
+OrderedJson things_json(const scene::Chunk& chunk) {
+  std::map<std::string, int> counts;
+  for (const things::Thing& thing : chunk.things) ++counts[thing.form.kind];
+  return counts;
+}
 
 OrderedJson chunk_json(const scene::Chunk& chunk) {
   return {{"tile", to_string(chunk.tile)},
@@ -50,7 +58,8 @@ OrderedJson chunk_json(const scene::Chunk& chunk) {
           {"trees", chunk.trees.size()},
           {"woods", chunk.woods.size()},
           {"barriers", chunk.barriers.size()},
-          {"lamps", chunk.lamps.size()}};
+          {"lamps", chunk.lamps.size()},
+          {"things", things_json(chunk)}};
 }
 
 /// The numbers of elements of which something is assumed, by the name of the assumption.
@@ -205,6 +214,10 @@ Result<Done> write_findings(const InspectRequest& request) {
 }
 
 Result<Exit> run_inspect(const InspectRequest& asked, const Console& console) {
+  if (!asked.sheet_path.empty()) {
+    const Result<Done> done = draw_things_sheet(asked.things_folder, asked.sheet_path, console);
+    return done ? Result<Exit>(Exit::kDone) : done.error();
+  }
   if (asked.path.empty()) return Error{"", "no file is given; expected a .kiln, a .glb, a map or the folder of a run"};
   if (asked.layer.empty() != asked.geojson_path.empty())
     return Error{"", "--layer and --geojson must be given together"};
@@ -235,7 +248,10 @@ Result<Exit> run_inspect(const InspectRequest& asked, const Console& console) {
 Verb inspect_verb() {
   const auto request = std::make_shared<InspectRequest>();
   Verb verb{
-      "inspect", "prints the contents of a manifest, a .glb or a map, or writes a layer of it as GeoJSON", {}, {}};
+      "inspect",
+      "prints the contents of a manifest, a .glb or a map, or writes a layer of it as GeoJSON, or draws all things",
+      {},
+      {}};
   verb.options = {
       {"file", "FILE", "what to inspect: a .kiln, a .glb, a map or the folder of a run", false,
        store_text(request->path)},
@@ -244,8 +260,12 @@ Verb inspect_verb() {
        store_text(request->layer)},
       {"--geojson", "FILE", "GeoJSON file for the layer, in longitude and latitude, for example for QGIS", false,
        store_text(request->geojson_path)},
+      {"--sheet", "FILE.png", "draws a picture of all things (benches, bollards, ...) at 2, 10 and 50 cm", false,
+       store_text(request->sheet_path)},
+      {"--things", "FOLDER", "for --sheet: folder with a table of things and rule files, as for compile", false,
+       store_text(request->things_folder)},
   };
-  verb.examples = {"citykiln inspect out/town/scene.kiln",
+  verb.examples = {"citykiln inspect --sheet things.png", "citykiln inspect out/town/scene.kiln",
                    "citykiln inspect out/town/scene.kiln --layer buildings --geojson buildings.geojson"};
   verb.run = [request](const Console& console) { return run_inspect(*request, console); };
   return verb;

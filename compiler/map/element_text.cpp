@@ -23,7 +23,7 @@ std::vector<OsmId> elements_of(const Features& features) {
     (add_kind(kinds), ...);
   };
   add(features.tracks, features.footprints, features.areas, features.waterways, features.barriers, features.landforms,
-      features.points, features.tree_rows, features.power_lines);
+      features.points, features.things, features.tree_rows, features.power_lines);
   sort_unique(ids);
   return ids;
 }

@@ -196,22 +196,10 @@ struct Landform {
 enum class PointKind : std::uint8_t {
   kTree,  ///< A tree or shrub.
   kStreetLamp,
-  kBench,
-  kBollard,
-  kPost,
-  kFountain,
-  kHydrant,
-  kWasteBasket,
-  kMast,
-  kChimney,
-  kFlagpole,
   kShop,      ///< A shop, a place where something is served, an office, a workshop.
   kEntrance,  ///< A building's entrance.
   kAddress    ///< A house number.
 };
-
-/// The tag that a kind of points is read from, such as "amenity=bench"; "" for shops, entrances and addresses.
-std::string tag_of(PointKind kind);
 
 /// An object that is mapped as a point.
 struct PointFeature {
@@ -223,6 +211,35 @@ struct PointFeature {
   LampTags lamp_tags{};    ///< Tags of street lamps.
   /// The front of a shop, restaurant, office or workshop, also where it is an entrance or an address too.
   std::optional<FrontTags> front{};
+};
+
+/// The way that a thing's node belongs to.
+struct ThingWay {
+  ObjectId id;  ///< OsmType::kNone: none.
+  Vec2 along;   ///< Its direction there, or a power line's, or across a fence; length 1.
+  LandCoverClass surface{};
+  DrivingSide side{};
+  Passage passage = Passage::kGround;
+  bool is_oneway = false;
+  bool is_nearer_to_end = false;  ///< True if the end of the way is nearer to the node than its start.
+};
+
+/// A thing that is mapped as a point, by a row of the table of things (things/thing_table.h).
+struct ThingFeature {
+  ObjectId id;
+  Vec2 at;
+  std::string kind;   ///< The name of its row.
+  std::string value;  ///< The value of the tag that the row tests first.
+  double width_m = 0, depth_m = 0, height_m = 0;
+  std::optional<Srgb> colour{};
+  std::string material{};               ///< material=*, as it is tagged.
+  std::string text{};                   ///< Digits that it shows, such as those of maxspeed=*.
+  std::uint16_t capacity = 0;           ///< 0: untagged.
+  std::optional<double> bearing_deg{};  ///< direction=*, clockwise of north.
+  std::int8_t facing = 0;               ///< 1 if it is for traffic along its way, -1 against it, 0 unknown.
+  ThingWay way{};
+  CountryGroup country{};
+  bool is_in_way = false;  ///< True if it may stand in a carriageway, by its row.
 };
 
 /// A front that buildings are to have (buildings/fronts.h).
@@ -259,6 +276,7 @@ struct Features {
   std::vector<Barrier> barriers;
   std::vector<Landform> landforms;
   std::vector<PointFeature> points;
+  std::vector<ThingFeature> things{};
   /// Sorted by id, then by position. Set by assume_fronts(): without it no building has fronts.
   std::vector<FrontPoint> fronts{};
   std::vector<TreeRow> tree_rows;

@@ -9,6 +9,7 @@
 #include "compiler/map/extent/map_box.h"
 #include "compiler/map/feature_readers.h"
 #include "compiler/map/passageways.h"
+#include "compiler/map/things/locate_things.h"
 #include "compiler/map/unread.h"
 
 namespace citykiln::map {
@@ -67,12 +68,13 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   features.points = locate_points(context);
   features.tree_rows = locate_tree_rows(context);
   features.power_lines = locate_power_lines(context);
+  if (options.things != nullptr) features.things = locate_things(context, *options.things, features);
   diagnose_unread(context, features);
   const auto sort_by_id = [](auto&... kinds) {
     (std::ranges::sort(kinds, {}, [](const auto& f) { return f.id; }), ...);
   };
   sort_by_id(features.tracks, features.footprints, features.areas, features.waterways, features.barriers,
-             features.landforms, features.points, features.tree_rows, features.power_lines);
+             features.landforms, features.points, features.things, features.tree_rows, features.power_lines);
   features.texts = element_texts(osm, features, options.keeps_tags);
   return features;
 }

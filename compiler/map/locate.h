@@ -6,6 +6,7 @@
 #include "compiler/contract/report.h"
 #include "compiler/map/features.h"
 #include "compiler/map/plane/plane.h"
+#include "compiler/map/things/thing_table.h"
 #include "compiler/source/osm_data.h"
 
 namespace citykiln::map {
@@ -15,6 +16,7 @@ struct Options {
   std::optional<source::LonLatBox> bbox;    ///< The box to compile. Default: the map's own box (map_box.h).
   std::optional<LonLat> origin;             ///< Origin of the plane. Default: the box's centre, rounded to 0.01°.
   std::optional<DrivingSide> driving_side;  ///< Default: driving_side_at() the first node of each way.
+  const ThingTable* things = nullptr;       ///< The things that are read; null: none.
   bool keeps_tags = false;                  ///< True if Features::texts shall have all tags of each element.
 };
 
@@ -30,8 +32,8 @@ Box2 extent_of(const Plane& plane, const source::LonLatBox& box);
 /// Puts every element into the plane and reads its tags by the tables of the .inc files.
 ///
 /// Elements without a row in a table, outside the extent, or without length or area are dropped and diagnosed. Ledger
-/// "map/track", "map/footprint", "map/area", "map/coastline", "map/waterway", "map/barrier", "map/point", "map/tree
-/// row", "map/power". Cannot fail. O(n) in nodes, O(n log n) in coastlines.
+/// "map/track", "map/footprint", "map/area", "map/coastline", "map/waterway", "map/barrier", "map/point",
+/// "map/thing", "map/tree row", "map/power". Cannot fail. O(n) in nodes, O(n log n) in coastlines.
 Features locate(const source::OsmData& osm, const Plane& plane, const source::LonLatBox& box, const Options& options,
                 Report& report);
 

@@ -100,11 +100,6 @@ constexpr PowerRow kPowerLines[] = {{"line", 24}, {"minor_line", 8}};
 
 }  // namespace
 
-std::string tag_of(PointKind kind) {
-  const PointRow* row = std::ranges::find(kPoints, kind, &PointRow::kind);
-  return row == std::end(kPoints) ? "" : tag_text(row->key, row->value);
-}
-
 std::vector<Waterway> locate_waterways(const ReadContext& context) {
   std::vector<Waterway> waterways;
   for_each_with_key(context, "waterway", kWaterways,

@@ -83,7 +83,8 @@ OrderedJson counts_of(const scene::Scene& scene) {
           {"buildings", different(scene, &scene::Chunk::buildings)},
           {"trees", different(scene, &scene::Chunk::trees)},
           {"barriers", different(scene, &scene::Chunk::barriers)},
-          {"lamps", different(scene, &scene::Chunk::lamps)}};
+          {"lamps", different(scene, &scene::Chunk::lamps)},
+          {"things", different(scene, &scene::Chunk::things)}};
 }
 
 OrderedJson levels_of(std::span<const WrittenTile> tiles, const Outputs& outputs) {

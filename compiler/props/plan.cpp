@@ -45,10 +45,6 @@ Props plan(const map::Features& features, Report& report) {
       points.without_body += report.counts(point.id.osm);
       continue;
     }
-    if (point.kind != map::PointKind::kStreetLamp) {
-      report.drop(points, {Code::kNotModelled, point.id.osm, 0, {}, {}, map::tag_of(point.kind)});
-      continue;
-    }
     points.out += report.counts(point.id.osm);
     props.lamps.push_back({.id = point.id, .at = point.at, .height_m = point.height_m, .light = point.lamp_tags});
   }

@@ -18,8 +18,7 @@ struct Props {
 bool has_hedges(const Props& props);
 
 /// Returns the props of a map. Barriers are cut 4 m outside of the extent; their parts are numbered. Ledger
-/// "props/barrier", "props/point". Dropped: kOutsideBounds; kNotModelled, for kinds of points without a model. Cannot
-/// fail.
+/// "props/barrier", "props/point". Dropped: kOutsideBounds. Cannot fail.
 Props plan(const map::Features& features, Report& report);
 
 }  // namespace citykiln::props

@@ -29,10 +29,9 @@ struct Thing {
   double from_kerb_m = 0;
 };
 
-bool stands_beside(map::PointKind kind) {
-  using map::PointKind;
-  return kind == PointKind::kTree || kind == PointKind::kPost || kind == PointKind::kHydrant ||
-         kind == PointKind::kMast || kind == PointKind::kChimney || kind == PointKind::kFountain;
+// Nodes of a way are mapped on its axis, wherever they stand.
+bool stands_beside(const map::ThingFeature& thing) {
+  return !thing.is_in_way && thing.way.id.osm.type == OsmType::kNone;
 }
 
 std::vector<Vec2> places_along(const Polyline& axis) {
@@ -47,10 +46,10 @@ std::vector<Vec2> places_along(const Polyline& axis) {
 
 std::vector<Thing> things_of(const map::Features& features) {
   std::vector<Thing> things;
-  for (const map::PointFeature& point : features.points) {
-    const bool is_tree = point.kind == map::PointKind::kTree;
-    if (stands_beside(point.kind)) things.push_back({{point.at}, is_tree ? kTreeFromKerb_m : kThingFromKerb_m});
-  }
+  for (const map::PointFeature& point : features.points)
+    if (point.kind == map::PointKind::kTree) things.push_back({{point.at}, kTreeFromKerb_m});
+  for (const map::ThingFeature& thing : features.things)
+    if (stands_beside(thing)) things.push_back({{thing.at}, kThingFromKerb_m});
   for (const map::TreeRow& row : features.tree_rows) things.push_back({places_along(row.axis), kTreeFromKerb_m});
   // guard rails stand on the road
   for (const map::Barrier& barrier : features.barriers)

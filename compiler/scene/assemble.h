@@ -7,6 +7,7 @@
 #include "compiler/props/plan.h"
 #include "compiler/scene/scene.h"
 #include "compiler/structures/plan.h"
+#include "compiler/things/recipe.h"
 
 namespace citykiln::scene {
 
@@ -22,6 +23,7 @@ struct Recipes {
   std::vector<buildings::Building> buildings;
   plants::Plants plants;
   props::Props props;
+  std::vector<things::Thing> things;
   std::vector<map::ElementText> texts;  ///< Sorted by id.
 };
 

@@ -23,6 +23,7 @@
 #include "compiler/sky/recipe.h"
 #include "compiler/structures/recipe.h"
 #include "compiler/surroundings/recipe.h"
+#include "compiler/things/recipe.h"
 
 namespace citykiln::scene {
 
@@ -54,7 +55,9 @@ struct Header {
   std::optional<double> snow_line_m{};         ///< Land above this height, in the heightmaps' datum, is under snow.
   std::vector<buildings::RuleText> rules{};    ///< The rule files of the buildings' styles, sorted by name.
   std::vector<plants::SpeciesText> species{};  ///< The files of the plants' species, sorted by name.
-  surroundings::Surroundings around{};         ///< The land and sea beyond the extent; may be empty.
+  /// Rows of the table of things that the scene uses, each under its name, and their rule files. Sorted by name.
+  std::vector<buildings::RuleText> things{};
+  surroundings::Surroundings around{};  ///< The land and sea beyond the extent; may be empty.
   bool operator==(const Header&) const = default;
 };
 
@@ -90,6 +93,7 @@ struct Chunk {
   std::vector<plants::PowerLineCorridor> corridors;
   std::vector<props::Barrier> barriers;
   std::vector<props::Lamp> lamps;
+  std::vector<things::Thing> things{};
   std::vector<map::ElementText> texts{};  ///< Texts of the elements of these recipes; sorted by id.
   bool operator==(const Chunk&) const = default;
 };

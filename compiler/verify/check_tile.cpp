@@ -18,6 +18,7 @@
 #include "compiler/verify/measure_lakes.h"
 #include "compiler/verify/measure_road_faces.h"
 #include "compiler/verify/measure_standing.h"
+#include "compiler/verify/measure_things.h"
 #include "compiler/verify/measure_trunks.h"
 #include "compiler/verify/measure_ways.h"
 #include "compiler/verify/prepare_tile.h"
@@ -191,6 +192,17 @@ void check_trunks(TileUnderCheck& tile, const bake::BakedTile& level, const std:
                                   name});
 }
 
+void check_things(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
+  const StandingThings found = measure_things(level, tile.chunk, tile.cover);
+  tile.results().things.test_all(found.things, found.misplaced == 0,
+                                 {fmt::format("{}: {} of {} things, {} at {:.2f}, {:.2f}", name, found.misplaced,
+                                              found.things, to_string(found.first), found.at.x, found.at.y),
+                                  found.at,
+                                  {found.first},
+                                  static_cast<double>(found.misplaced),
+                                  name});
+}
+
 void add_assumed(const AssumedPlaces& found, const char* what, const std::string& name, Check& check) {
   check.test_all(found.places, found.misplaced == 0,
                  {fmt::format("{}: {} of {} {}, {} on {} at {:.2f}, {:.2f}", name, found.misplaced, found.places, what,
@@ -273,6 +285,7 @@ Result<Done> check_glb_level(TileUnderCheck& tile, bake::PreparedTile& prepared,
   check_ground(tile, *written, ground, file.name);
   check_heights(tile, *written, ground, file.name);
   check_trunks(tile, *written, file.name);
+  check_things(tile, *written, file.name);
   if (level == 0) check_buildings(tile, *written, ground, file.name), check_assumed(tile, *written, file.name);
   check_ways(tile, *written, file.name);
   tile.checked.borders.push_back(borders_of(*written, tile.box));

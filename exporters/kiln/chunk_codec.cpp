@@ -7,6 +7,7 @@
 #include "exporters/kiln/field_codecs.h"
 #include "exporters/kiln/road_codec.h"
 #include "exporters/kiln/text_codec.h"
+#include "exporters/kiln/thing_codec.h"
 
 // Writing and reading share their code: serialise() visits all fields of a chunk in order, and passes them to a Writer
 // or a Reader.
@@ -197,6 +198,7 @@ void serialise(Io& io, Chunk& c) {
   list(io, "barriers", c.barriers, 0, [&](auto& o) { serialise(io, o); });
   list(io, "lamps", c.lamps, 0, [&](auto& o) { serialise(io, o); });
   list(io, "landforms", c.landforms, 0, [&](auto& o) { serialise(io, o); });
+  things(io, c.things);
   texts(io, c.texts);
 }
 

@@ -105,7 +105,7 @@ flatbuffers::Offset<fbs::Index> index_of(flatbuffers::FlatBufferBuilder& builder
   return fbs::CreateIndexDirect(builder, &x.bytes(), &y.bytes(), &size.bytes(), &checksums);
 }
 
-// Rule files, or species files.
+// Rule files, species files, or texts of things.
 template <typename Text>
 std::vector<flatbuffers::Offset<fbs::Rule>> rules_of(flatbuffers::FlatBufferBuilder& builder,
                                                      const std::vector<Text>& texts) {
@@ -139,12 +139,13 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
   const auto index = index_of(builder, scene, frames);
   // NaN: there is none
   const double snow_line_m = h.snow_line_m.value_or(std::numeric_limits<double>::quiet_NaN());
-  const auto rules = rules_of(builder, h.rules), species = rules_of(builder, h.species);
+  const auto rules = rules_of(builder, h.rules), species = rules_of(builder, h.species),
+             things = rules_of(builder, h.things);
   const auto around = surroundings_of(builder, h.around);
   builder.Finish(fbs::CreateHeaderDirect(builder, kVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg, &extent,
                                          h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions, kLicence,
                                          index, dictionary.empty() ? nullptr : &dictionary, snow_line_m, &rules,
-                                         &species, around));
+                                         &species, around, things.empty() ? nullptr : &things));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -275,7 +276,9 @@ std::optional<surroundings::Surroundings> plain(const fbs::Surroundings& s) {
 Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const std::string& name) {
   const Error damaged = damaged_header(name);
   if (h.region_m() == nullptr || h.region_m()->size() != 4 || h.sky() == nullptr ||
-      size_of(h.sources()) + size_of(h.attributions()) + size_of(h.rules()) + size_of(h.species()) > raw_size)
+      size_of(h.sources()) + size_of(h.attributions()) + size_of(h.rules()) + size_of(h.species()) +
+              size_of(h.things()) >
+          raw_size)
     return damaged;
   scene::Header header;
   header.origin = {h.origin_lon_deg(), h.origin_lat_deg()};
@@ -294,6 +297,7 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   header.sources = strings_of(h.sources()), header.attributions = strings_of(h.attributions());
   header.rules = texts_of<buildings::RuleText>(h.rules());
   header.species = texts_of<plants::SpeciesText>(h.species());
+  header.things = texts_of<buildings::RuleText>(h.things());
   if (h.around() == nullptr) return header;
   std::optional<surroundings::Surroundings> around = plain(*h.around());
   if (!around) return damaged;

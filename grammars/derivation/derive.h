@@ -69,7 +69,9 @@ struct Terminal {
   std::string asset;  ///< The instance of i("…") that fills the scope; "" for none.
   Scope scope;
   bool simplified = false;       ///< The terminal replaces the detail of its rule, which is within the tolerance.
-  double error_m = 0;            ///< If simplified: an upper bound of the Hausdorff distance from the detailed surface.
+  /// An upper bound of the Hausdorff distance from the detailed surface, in which round bodies are exact; 0 if the
+  /// terminal is neither simplified nor part of a round body.
+  double error_m = 0;
   double detail_distance_m = 0;  ///< If simplified: no point of the detailed surface is farther than this from `faces`.
 };
 
@@ -110,7 +112,9 @@ struct Derivation {
   std::vector<LimitHit> limits;         ///< At most one of each kind.
   std::uint64_t shapes = 0, steps = 0;  ///< The counts that Limits bounds.
   std::uint64_t copied = 0;             ///< The number of shapes that were copied instead of derived.
-  double error_m = 0;  ///< The largest error of the terminals. It bounds the distance to the derivation at tolerance 0.
+  /// The largest error of the terminals and of details left out. It bounds the distance to the derivation at tolerance
+  /// 0 with exact round bodies.
+  double error_m = 0;
 };
 
 /// Returns the first shape of a derivation, for a footprint: a horizontal face at `height_m`, with scope x along an
@@ -127,7 +131,8 @@ Shape lot(const Polygon& footprint, double height_m, std::size_t front, StableId
 /// @param options  tolerance_m >= 0.
 /// Guarantees: deterministic on any machine. A random number depends only on the seed, the id of its shape, its purpose
 /// and its index. The Hausdorff distance between the union of all terminals and the union of the terminals at tolerance
-/// 0 is at most error_m <= tolerance_m; an asset counts as its scope.
+/// 0 is at most error_m <= tolerance_m; an asset counts as its scope. Round bodies are within half the tolerance of
+/// exact ones, at tolerance 0 within 1 cm, which error_m includes.
 /// Bad input: a statement that cannot be carried out makes a warning and has no effect. A shape at a limit becomes a
 /// terminal. The stack stays under 2 MB.
 /// Cost: the cost of deriving all detail, at any tolerance, less the savings of `memoise` and `prune_early`.

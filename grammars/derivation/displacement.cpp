@@ -50,18 +50,6 @@ double farthest_from_face_m(std::span<const Vec3> points, std::span<const Vec3> 
   return farthest_m(points, enough_m, [&](Vec3 p) { return distance_to_convex_m(p, ring, normal); });
 }
 
-// The largest distance of the points from the sibling; results of at least `enough_m` may be too small.
-double farthest_from_m(std::span<const Vec3> points, const ChildTrace& sibling, double enough_m) {
-  const std::size_t n = sibling.vertices.size();
-  double best_m = sibling.filled ? farthest_from_face_m(points, sibling.vertices, enough_m) : kUnbounded_m;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec3 a = sibling.vertices[i], b = sibling.vertices[(i + 1) % n];
-    const auto to_edge_m = [&](Vec3 p) { return distance_to_segment(a, b, p); };
-    best_m = std::min(best_m, farthest_m(points, std::min(best_m, enough_m), to_edge_m));
-  }
-  return best_m;
-}
-
 // A comp() of thousands of faces would otherwise compare millions of pairs.
 constexpr std::size_t kNearestSiblings = 256;
 
@@ -74,7 +62,9 @@ double distance_to_siblings_m(std::size_t vanished, std::span<const ChildTrace> 
     // the distance to the result is at least own.to_later_m
     if (sibling.vanished || sibling.own.to_later_m >= best_m) continue;
     const double enough_m = best_m - sibling.own.to_later_m;
-    best_m = std::min(best_m, farthest_from_m(children[vanished].vertices, sibling, enough_m) + sibling.own.to_later_m);
+    best_m =
+        std::min(best_m, farthest_from_ring_m(children[vanished].vertices, sibling.vertices, sibling.filled, enough_m) +
+                             sibling.own.to_later_m);
   }
   return best_m;
 }
@@ -102,6 +92,17 @@ Ring3 vertices_of(std::span<const Face> faces) {
   vertices.reserve(vertex_count(faces));
   for (const Face& face : faces) each_vertex(face, [&](Vec3 p) { vertices.push_back(p); });
   return vertices;
+}
+
+double farthest_from_ring_m(std::span<const Vec3> points, std::span<const Vec3> ring, bool filled, double enough_m) {
+  const std::size_t n = ring.size();
+  double best_m = filled ? farthest_from_face_m(points, ring, enough_m) : kUnbounded_m;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 a = ring[i], b = ring[(i + 1) % n];
+    const auto to_edge_m = [&](Vec3 p) { return distance_to_segment(a, b, p); };
+    best_m = std::min(best_m, farthest_m(points, std::min(best_m, enough_m), to_edge_m));
+  }
+  return best_m;
 }
 
 NodeTrace combine(std::span<const ChildTrace> children) {

@@ -36,6 +36,10 @@ Displacement any_displacement(std::span<const Vec3> from, std::span<const Vec3> 
 /// Returns the vertices of all rings of the faces.
 Ring3 vertices_of(std::span<const Face> faces);
 
+/// Returns the largest distance of the points from the face that the ring bounds, if it is convex and `filled`, or from
+/// one of the ring's edges. Results of at least `enough_m` may be too small.
+double farthest_from_ring_m(std::span<const Vec3> points, std::span<const Vec3> ring, bool filled, double enough_m);
+
 /// The displacements and extent of a child, from which combine() computes the parent's.
 struct ChildTrace {
   Displacement before;      ///< From the parent's surface to the shape from which the child was cut.
@@ -69,6 +73,7 @@ struct NodeTrace {
   bool vanished = true;  ///< The result has no surface.
   VisibleAppearances seen =
       {};  ///< With count kMany, `moved` is undefined: neither the node nor its ancestors are simplified.
+  double left_out_m = 0;  ///< The largest distance of a detail that was left out in the node (leave_out_details.h).
 };
 
 /// Returns the trace of a node from the traces of its children.

@@ -291,6 +291,7 @@ DisplacementBound better_end(BoundState& state, const Statement& comp, const cha
 }
 
 void bound_components(BoundState& state, const Statement& statement) {
+  if (statement.arguments.front().text == "e") return void(state.unbounded = true);
   DisplacementBound parts = worst_of(state, statement.selectors);
   if (!state.shape.is_prism) {
     parts.survives &= has_selector(statement, "all");
@@ -458,7 +459,8 @@ std::optional<Displacement> bound_within_tolerance(Execution& execution, const B
   if (!body.divides || (options.keep_appearances && body.changes_appearance) || !is_flat(execution.shape))
     return std::nullopt;
   const DisplacementBound bound = displacement_bound(execution, ranges_of(execution), body);
-  if (!bound.survives || bound.moved.largest_m() > options.tolerance_m) return std::nullopt;
+  if (!bound.survives || bound.moved.largest_m() + execution.shape.deviation_m > options.tolerance_m)
+    return std::nullopt;
   return bound.moved;
 }
 

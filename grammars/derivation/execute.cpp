@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "grammars/derivation/leave_out_details.h"
 #include "grammars/derivation/simplify.h"
 #include "grammars/language/operation_table.h"
 
@@ -19,6 +20,8 @@ bool measures(const Execution& execution) { return execution.run.measures() && !
 struct OpenChild {
   ChildTrace trace;            ///< `vertices`: all points of its surface, those of the first ring first.
   std::size_t first_ring = 0;  ///< The number of points of the first ring.
+  std::size_t first_terminal = 0;
+  bool may_be_left_out = false;
 };
 
 OpenChild open_child(const Execution& parent, const Shape& shape, Displacement before, std::uint32_t group) {
@@ -29,12 +32,17 @@ OpenChild open_child(const Execution& parent, const Shape& shape, Displacement b
                     .group = group,
                     .filled = has_faces && shape.faces.front().holes.empty(),
                     .vertices = measures(parent) ? surface_points(shape) : Ring3{}},
-          .first_ring = has_faces ? shape.faces.front().outer.size() : 0};
+          .first_ring = has_faces ? shape.faces.front().outer.size() : 0,
+          .first_terminal = parent.run.out.terminals.size(),
+          .may_be_left_out = shape.leaves_out_details};
 }
 
 void close_child(Execution& execution, OpenChild child, const NodeTrace& result) {
   execution.vanished &= result.vanished;
   execution.seen.add(result.seen);
+  execution.left_out_m = std::max(execution.left_out_m, result.left_out_m);
+  if (child.may_be_left_out && execution.run.measures() && !result.vanished)
+    execution.details.push_back({{child.first_terminal, execution.run.out.terminals.size()}, result.left_out_m});
   if (!measures(execution)) return;
   ChildTrace& trace = child.trace;
   trace.own = result.moved;
@@ -224,7 +232,7 @@ NodeTrace prune(Execution& execution, Displacement moved) {
   NodeTrace trace = end_as_terminal(run, std::move(execution.shape), execution.name, execution.path);
   Terminal& terminal = run.out.terminals.back();
   terminal.simplified = true;
-  terminal.error_m = moved.largest_m();
+  terminal.error_m += moved.largest_m();
   terminal.detail_distance_m = moved.to_earlier_m;
   trace.moved = moved;
   return trace;
@@ -237,7 +245,9 @@ NodeTrace run_node(Execution& execution, const Body& body) {
   const std::size_t first = execution.run.out.terminals.size();
   run_body(execution, body, true);
   end_pending(execution);
+  leave_out_details(execution, first);
   NodeTrace trace = trace_of(execution);
+  trace.left_out_m = execution.left_out_m;
   if (execution.start) simplify_node(execution, *execution.start, first, trace);
   end_recording(execution.run, body, recording, trace);
   return trace;
@@ -271,7 +281,7 @@ Ring3 surface_points(const Shape& shape) {
 }
 
 NodeTrace end_as_terminal(Run& run, Shape&& shape, const std::string& name, std::uint32_t path) {
-  if (shape.faces.empty() && shape.asset.empty()) return {};
+  if (!has_surface(shape.faces) && shape.asset.empty()) return {};
   run.origins.push_back({shape.node, shape.texture, 0});
   Terminal& terminal = run.out.terminals.emplace_back();
   terminal.name = name;
@@ -281,6 +291,7 @@ NodeTrace end_as_terminal(Run& run, Shape&& shape, const std::string& name, std:
   terminal.texture = run.tables.texture_at(shape.texture);
   terminal.asset = std::move(shape.asset);
   terminal.scope = shape.scope;
+  terminal.error_m = shape.deviation_m;
   return {{}, false, visible_appearance(run, terminal)};
 }
 
@@ -315,6 +326,7 @@ void spawn_pieces(Execution& execution, std::vector<Piece> pieces, Displacement 
     execution.child_count += piece.left_out;
     set_node(piece.shape, create_node(execution, "piece"));
     OpenChild child = open_child(execution, piece.shape, before, group);
+    child.may_be_left_out = false;  // pieces of one surface would leave holes in it
     const NodeTrace result =
         piece.body == nullptr ? NodeTrace{} : run_piece(execution, std::move(piece.shape), *piece.body);
     close_child(execution, std::move(child), result);

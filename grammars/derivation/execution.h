@@ -12,6 +12,12 @@
 
 namespace citykiln::grammars {
 
+/// A child that may be left out (details()), and its terminals.
+struct DetailChild {
+  IndexRange terminals;
+  double left_out_m = 0;  ///< NodeTrace::left_out_m of the child.
+};
+
 /// A node while it is derived.
 struct Execution {
   Run& run;
@@ -31,8 +37,10 @@ struct Execution {
   bool vanished = true;  ///< No child has a surface until now.
   /// The number of groups of children: children that were cut from one shape (ChildTrace::group).
   std::uint32_t groups = 0;
-  std::uint64_t child_count = 0;  ///< The ordinal of the next child.
-  bool pending = true;            ///< `shape` has not been passed to a rule or a terminal yet.
+  std::uint64_t child_count = 0;          ///< The ordinal of the next child.
+  std::vector<DetailChild> details = {};  ///< Filled only if displacements are measured.
+  double left_out_m = 0;                  ///< NodeTrace::left_out_m until now.
+  bool pending = true;                    ///< `shape` has not been passed to a rule or a terminal yet.
 };
 
 /// A part cut from the current shape, and the body to apply to it.

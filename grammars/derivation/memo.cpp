@@ -65,6 +65,7 @@ MemoKey memo_key(const Execution& execution, const Body& body) {
   if (body.depends_on_street) add_street(key, shape.faces.front());
   add(key, Vec3{scope.size_m[0], scope.size_m[1], scope.size_m[2]});
   add(key, Vec3{scope.axis[0].z, scope.axis[1].z, scope.axis[2].z});
+  key.add(whole(shape.deviation_m), shape.leaves_out_details, 0);
   add_inherited(key, shape);
   for (const Value& value : execution.slots) add(key, value);
   return key;

@@ -115,8 +115,8 @@ double width_m(const Terminal& terminal) {
 
 bool may_be_simplified(const Run& run, const NodeTrace& trace, const Shape& start) {
   if (trace.vanished || trace.seen.are_many()) return false;
-  if (start.faces.empty() || !start.asset.empty()) return false;
-  return trace.moved.largest_m() <= run.options.tolerance_m;
+  if (!has_surface(start.faces) || !start.asset.empty()) return false;
+  return trace.moved.largest_m() + start.deviation_m <= run.options.tolerance_m;
 }
 
 }  // namespace
@@ -148,7 +148,7 @@ void simplify_node(const Execution& execution, const Shape& start, std::size_t f
                        .asset = {},
                        .scope = start.scope,
                        .simplified = true,
-                       .error_m = trace.moved.largest_m(),
+                       .error_m = trace.moved.largest_m() + start.deviation_m,
                        .detail_distance_m = trace.moved.to_earlier_m});
   run.origins.push_back({start.node, replaced.texture, run.tables.add(std::move(replaced.areas_m2))});
   trace.seen = visible_appearance(run, terminals.back());

@@ -13,8 +13,9 @@
 
 namespace citykiln::grammars {
 
-/// The selectors { … } after an operation: none, sizes (as in split), or parts (as in comp).
-enum class SelectorKind : std::uint8_t { kNone, kSizes, kParts };
+/// The selectors { … } after an operation: none, sizes (as in split), parts (as in comp), or one body without a key (as
+/// in scatter).
+enum class SelectorKind : std::uint8_t { kNone, kSizes, kParts, kBody };
 
 /// The part of the current shape that an operation changes. After any change the shape must be passed to a rule, or
 /// becomes a terminal.

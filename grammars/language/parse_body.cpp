@@ -1,3 +1,4 @@
+#include "grammars/language/operation_table.h"
 #include "grammars/language/parser.h"
 
 namespace citykiln::grammars {
@@ -43,6 +44,21 @@ std::vector<Selector> parse_selectors(Parser& parser) {
   return selectors;
 }
 
+// { body } without a key.
+std::vector<Selector> parse_body_selector(Parser& parser) {
+  const Nesting nesting(parser);
+  std::vector<Selector> selectors(1);
+  selectors.front().position = parser.take().position;
+  selectors.front().body = parse_body(parser);
+  parser.expect("}", "that ends the operations");
+  return selectors;
+}
+
+bool takes_body(const std::string& name) {
+  const int row = operation_of(name);
+  return row >= 0 && operation_table()[static_cast<std::size_t>(row)].selectors == SelectorKind::kBody;
+}
+
 Statement parse_bracket(Parser& parser) {
   Statement statement;
   statement.position = parser.peek().position;
@@ -69,7 +85,8 @@ Statement parse_call(Parser& parser) {
   statement.has_arguments = parser.sees("(") && !begins_chance(parser);
   if (statement.has_arguments) statement.arguments = parse_arguments(parser);
   statement.has_selectors = statement.has_arguments && parser.sees("{");
-  if (statement.has_selectors) statement.selectors = parse_selectors(parser);
+  if (statement.has_selectors)
+    statement.selectors = takes_body(statement.name) ? parse_body_selector(parser) : parse_selectors(parser);
   if (statement.has_selectors) statement.repeated = parser.accept("*");
   // The dot of "Wall." marks a terminal.
   if (!statement.has_selectors) parser.accept(".");

@@ -1,7 +1,8 @@
-// comp(f): one shape for each face.
+// comp: one shape for each face, comp(f), or for each edge, comp(e).
 #include <cmath>
 
 #include "grammars/derivation/evaluate.h"
+#include "grammars/operations/edges.h"
 #include "grammars/operations/face_parts.h"
 #include "grammars/operations/operations.h"
 
@@ -66,7 +67,8 @@ constexpr const char* kWords =
 
 }  // namespace
 
-void op_comp(Execution& execution, const Statement& statement, Arguments) {
+void op_comp(Execution& execution, const Statement& statement, Arguments arguments) {
+  if (word_of(arguments[0]) == "e") return comp_edges(execution, statement);
   const std::vector<Key> keys = keys_of(execution, statement, kWords);
   std::vector<PartOf> parts;
   parts.reserve(execution.shape.faces.size());

@@ -96,6 +96,7 @@ void op_size(Execution& execution, const Statement&, Arguments arguments) {
     for (int i = 0; i < 3; ++i) moved = moved + before.axis[i] * (dot(before.axis[i], p - before.origin) * factor[i]);
     return moved;
   });
+  execution.shape.deviation_m *= std::max({1.0, factor[0], factor[1], factor[2]});
   add_asset_displacement(execution, before);
 }
 

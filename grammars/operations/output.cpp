@@ -1,4 +1,4 @@
-// Operations that return values to the caller: report, print.
+// Operations that return values to the caller or tell the derivation about a shape: report, print, details.
 #include "grammars/operations/operations.h"
 
 namespace citykiln::grammars {
@@ -10,6 +10,8 @@ void op_report(Execution& execution, const Statement&, Arguments arguments) {
   run.out.reports.push_back({text_of(arguments[0].value), arguments[1].value, {}});
   run.report_nodes.push_back(execution.shape.node);
 }
+
+void op_details(Execution& execution, const Statement&, Arguments) { execution.shape.leaves_out_details = true; }
 
 void op_print(Execution& execution, const Statement&, Arguments arguments) {
   execution.run.depends_on(0);

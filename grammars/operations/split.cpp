@@ -54,8 +54,21 @@ struct Slicer {
   bool closed = false;
   std::vector<Face> rest;
 
+  /// Cuts the shape of an edge (comp(e)).
+  std::vector<Face> cut_edge(double at_m) {
+    Ring3& edge = rest.front().outer;
+    const double from_m = dot(along, edge[0]), to_m = dot(along, edge[1]);
+    const double share = to_m == from_m ? 0 : (start_m + at_m - from_m) / (to_m - from_m);
+    const Vec3 middle = edge[0] + (edge[1] - edge[0]) * std::clamp(share, 0.0, 1.0);
+    std::vector<Face> piece(1);
+    piece.front().outer = {edge[0], middle};
+    edge[0] = middle;
+    return piece;
+  }
+
   /// Cuts off and returns the part before at_m.
   std::vector<Face> cut(double at_m) {
+    if (rest.size() == 1 && rest.front().outer.size() == 2) return cut_edge(at_m);
     const CutPlane above{along, start_m + at_m}, below{along * -1.0, -(start_m + at_m)};
     if (!closed && rest.size() == 1) {
       std::vector<Face> one(1);
@@ -132,6 +145,7 @@ void op_split(Execution& execution, const Statement& statement, Arguments argume
   if (may_merge_narrow(run, execution.shape))
     division = merge_narrow_pieces(execution, std::move(division), span_of(leaves));
   if (may_merge_terminals(run, execution.shape)) division = merge_terminals(std::move(division), span_of(leaves));
+  run.merged_m = std::max(run.merged_m, division.error_m);
   run.out.error_m = std::max(run.out.error_m, division.error_m);
   Slicer slicer{along, dot(along, execution.shape.scope.origin), closed, execution.shape.faces};
   const bool adjust = arguments.size() < 2 || word_of(arguments[1]) == "adjust";

@@ -34,6 +34,13 @@ struct Face {
   bool operator==(const Face&) const = default;
 };
 
+/// True if a face has an area: shapes of edges and points (comp(e), scatter) have faces of two points and of one.
+inline bool has_surface(std::span<const Face> faces) {
+  for (const Face& face : faces)
+    if (face.outer.size() > 2) return true;
+  return false;
+}
+
 /// The plane of points p where dot(normal, p) = offset_m. `normal` has length 1.
 struct CutPlane {
   Vec3 normal;

@@ -48,6 +48,9 @@ struct Shape {
   std::vector<Face> faces;
   Scope parent_scope;  ///< The scope of the parent, for center().
   std::string asset;   ///< The instance of i("…") that fills the scope instead of faces; "" for none.
+  /// The Hausdorff distance of the faces from the exact body, for the faces of a round body or a part of one; else 0.
+  double deviation_m = 0;
+  bool leaves_out_details = false;  ///< Successors that are near to others may be left out (leave_out_details.h).
   SiblingIndex in_split, in_comp;
   // indices into Tables; 0 is the default
   std::uint32_t appearance = 0;
@@ -64,6 +67,8 @@ inline Shape inherited_from(const Shape& from) {
           .faces = {},
           .parent_scope = from.parent_scope,
           .asset = from.asset,
+          .deviation_m = from.deviation_m,
+          .leaves_out_details = from.leaves_out_details,
           .in_split = from.in_split,
           .in_comp = from.in_comp,
           .appearance = from.appearance,

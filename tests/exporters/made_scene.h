@@ -42,11 +42,28 @@ class SceneMaker {
     for (auto i = below(3); i > 0; --i)
       c.barriers.push_back({id(), line(), static_cast<map::BarrierKind>(below(6)), metres(3), metres(1)});
     for (auto i = below(3); i > 0; --i) c.lamps.push_back({id(), point(), metres(9), lamp_tags()});
+    for (auto i = below(5); i > 0; --i) c.things.push_back(thing());
     for (auto i = below(3); i > 0; --i)
       c.landforms.push_back({{id(), line(), surface(), metres(20), metres(20), profile(), metres(99), 0},
                              pick(ground::LandformKind::kCount)});
     c.texts = texts();
     return c;
+  }
+
+  things::Thing thing() {
+    things::Form form{.kind = below(2) == 0 ? "bench" : "sign",
+                      .width_m = metres(3) + kQuantum_m,
+                      .depth_m = metres(3) + kQuantum_m,
+                      .height_m = metres(9) + kQuantum_m,
+                      .value = below(2) == 0 ? "" : "bench;shelter",
+                      .material = below(2) == 0 ? "" : "wood",
+                      .text = below(2) == 0 ? "" : "50",
+                      .capacity = static_cast<std::uint16_t>(below(1000)),
+                      .country = pick(map::CountryGroup::kCount),
+                      .variant = static_cast<std::uint8_t>(below(things::kVariants))};
+    if (below(2) == 0)
+      form.colour = map::Srgb{static_cast<std::uint8_t>(below(256)), static_cast<std::uint8_t>(below(256)), 255};
+    return {id(), point(), static_cast<std::uint16_t>(below(things::kDirections)), below(2) == 0, form};
   }
 
   map::LampTags lamp_tags() {
@@ -71,6 +88,7 @@ class SceneMaker {
     if (h.seed % 2 == 0) h.snow_line_m = 2200.5;
     if (h.seed % 4 < 2) h.around = surroundings();
     h.rules = {{"house.cga", "Building --> Wall."}, {"parts/door.cga", "Door --> NIL\n"}};
+    if (h.seed % 3 < 2) h.things = {{"bench", "bench amenity=bench"}, {"bench.cga", "Thing --> Seat."}};
     h.species = {{"oak", "n: 1\naxiom: F\n"}, {"reed", ""}};
     h.sources = {"town.osm", "hills.tif"}, h.attributions = {"© OpenStreetMap contributors"};
     return {h, {chunk({-1, 0}, 0x1p-7), chunk({0, 0}, kQuantum_m)}};

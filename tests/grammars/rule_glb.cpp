@@ -3,7 +3,8 @@
 // Keys: x y w d (place and size of the footprint), h (to the eaves), plan (rectangle L court), roof, pitch (degrees),
 // over (eaves), street and party (edges, as 02), id; others are attributes of the rule: numbers, true, or text.
 // STYLE is the name of a file in grammars/rules, or a path. lot=1 begins with the footprint instead of a mass; names=1
-// colours terminals without a colour by their names.
+// colours terminals without a colour by their names. thing=1 begins with a box whose scope has z up, and STYLE is the
+// name of a file in grammars/things, or a path.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +16,7 @@
 #include "exporters/gltf/glb.h"
 #include "grammars/derivation/form_roofs.h"
 #include "grammars/language/read_rules.h"
+#include "grammars/shapes/round_body.h"
 #include "tests/grammars/made_mass.h"
 #include "tests/test_files.h"
 
@@ -132,18 +134,54 @@ void colour_by_names(Derivation& derivation) {
   }
 }
 
-bool add_building(bake::PrimitiveMap& merged, Order order, double tolerance_m) {
-  std::filesystem::path file = order.style;
-  if (!file.has_parent_path()) file = source_file("grammars/rules/" + order.style + ".cga");
-  const auto program =
-      read_rules(file.filename().string(), [&](const std::string& name) { return text_in(file.parent_path() / name); });
-  if (!program) return std::fprintf(stderr, "%s\n", to_string(program.error()).c_str()), false;
-  const bool is_lot = !order.text("lot", "").empty(), shows_names = !order.text("names", "").empty();
+// The box of a thing, with x to the right, y away from the front and z up.
+Shape thing_start(Order& order) {
+  Shape box;
+  box.id = StableId{static_cast<std::uint64_t>(order.number("id", 7))};
+  Scope& scope = box.scope;
+  scope.axis = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  scope.origin = {order.number("x", 0), order.number("y", 0), order.number("z", 0)};
+  scope.size_m = {order.number("w", 1), order.number("d", 1), order.number("h", 1)};
+  box.faces = cylinder_in(scope, 2, 1, {.given = 4}).faces;
+  box.parent_scope = scope;
+  return box;
+}
+
+DeriveOptions thing_options(const Order& order, const Scope& scope, double tolerance_m) {
+  DeriveOptions options;
+  options.tolerance_m = tolerance_m;
+  options.keep_appearances = true;
+  options.attributes["width"] = scope.size_m[0];
+  options.attributes["depth"] = scope.size_m[1];
+  options.attributes["height"] = scope.size_m[2];
+  for (const auto& [key, text] : order.words) options.attributes[key] = key == "text" ? Value(text) : value_in(text);
+  return options;
+}
+
+Derivation derived_thing(const Program& program, Order& order, double tolerance_m) {
+  const Shape box = thing_start(order);
+  return derive(program, box, thing_options(order, box.scope, tolerance_m));
+}
+
+Derivation derived_building(const Program& program, Order& order, bool is_lot, double tolerance_m) {
   const MadeMass made = mass_in(order);
   roofs::RoofForm became{};
   Shape start = mass_model_of(made, &became);
   if (is_lot) start = lot(made.footprint, 0, 0, made.id, made.street);
-  Derivation derivation = derive(*program, start, options_of(order, made, became, tolerance_m));
+  return derive(program, start, options_of(order, made, became, tolerance_m));
+}
+
+bool add_building(bake::PrimitiveMap& merged, Order order, double tolerance_m) {
+  std::filesystem::path file = order.style;
+  const bool is_thing = !order.text("thing", "").empty();
+  const std::string folder = is_thing ? "grammars/things/" : "grammars/rules/";
+  if (!file.has_parent_path()) file = source_file(folder + order.style + ".cga");
+  const auto program =
+      read_rules(file.filename().string(), [&](const std::string& name) { return text_in(file.parent_path() / name); });
+  if (!program) return std::fprintf(stderr, "%s\n", to_string(program.error()).c_str()), false;
+  const bool is_lot = !order.text("lot", "").empty(), shows_names = !order.text("names", "").empty();
+  Derivation derivation =
+      is_thing ? derived_thing(*program, order, tolerance_m) : derived_building(*program, order, is_lot, tolerance_m);
   for (const Warning& warning : derivation.warnings)
     std::fprintf(stderr, "%s\n", warning_line(*program, warning).c_str());
   for (const LimitHit& hit : derivation.limits) std::fprintf(stderr, "%s\n", limit_line(*program, hit).c_str());

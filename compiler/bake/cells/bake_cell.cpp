@@ -119,6 +119,9 @@ class Sorter {
       own->lamps.standing.push_back(lamp);
       raise(tile_.sizes[part_of(bounds)].lamps_m, lamp.kind, props::place(lamp, *shared.graded).scale);
     }
+    for (const PlacedThing& thing : shared.things)
+      if (SharedByLevels* own = place(shared, bounds_of(thing), in_plan(thing.placement.at)))
+        own->things.push_back(thing);
     for (const props::TreePit& pit : shared.pits) {
       const Bounds bounds = bounds_of_pit(pit, *shared.graded);
       if (SharedByLevels* own = place(shared, bounds, pit.at)) own->pits.push_back(pit);
@@ -222,6 +225,7 @@ std::size_t bytes_of(const CellObjects& objects) {
   for (const structures::Stairs& stairs : objects.placed->stairs)
     for (const Mesh* mesh : {&stairs.mesh, &stairs.rails})
       bytes += mesh->positions.capacity() * sizeof(Vec3) + mesh->triangles.capacity() * sizeof(Triangle);
+  bytes += objects.placed->things.capacity() * sizeof(PlacedThing);
   return bytes + sizeof(SharedByLevels) + objects.placed->lamps.standing.capacity() * sizeof(props::StreetLamp);
 }
 

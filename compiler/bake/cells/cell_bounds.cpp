@@ -43,6 +43,7 @@ class CellBoxes {
     for (const auto& barrier : chunk_.barriers) add(widened_bounds(bounds_of(barrier, chunk_.heights), kGraded_m));
     for (const auto* spans : {&chunk_.bridges, &chunk_.tunnels})
       for (const structures::Span& span : *spans) add(bounds_of(span));
+    for (const things::Thing& thing : chunk_.things) add_thing(thing);
     for (const roads::Road& road : chunk_.roads)
       if (road.surface == map::LandCoverClass::kSteps) add_steps(road);
     return std::move(bounds_);
@@ -104,6 +105,14 @@ class CellBoxes {
   void add(const Bounds& bounds) {
     const double tolerance_m = tolerance_m_of(view_.view, level_for(view_.view, bounds));
     grow(bounds_[cell_at(tile_, bounds.plan.centre())], widened_bounds(bounds, tolerance_m));
+  }
+
+  // The part of its tile's cell that a thing may reach into.
+  void add_thing(const things::Thing& thing) {
+    const Box2 box = Box2{thing.at, thing.at}.widened(length(Vec2{thing.form.width_m, thing.form.depth_m}) / 2);
+    Bounds bounds = ground_at(box);
+    bounds.low_m -= kGraded_m, bounds.high_m += kGraded_m + thing.form.height_m;
+    grow(bounds_[cell_at(tile_, thing.at)], bounds);
   }
 
   // The part of a road that has stairs in the tile, and its middle, are not known yet.

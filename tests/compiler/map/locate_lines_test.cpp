@@ -40,7 +40,7 @@ TEST(LocateLines, PointsAreReadWhereTheRegionIs) {
   const Features features = features_of(R"(
     n1 3:4 natural=tree height=11 leaf_type=needleleaved
     n2 5:4 highway=street_lamp
-    n3 6:4 amenity=bench
+    n3 6:4 amenity=cafe
     n4 9000:4 natural=tree
     n5 7:4 name=nothing
     n6 8:4 natural=tree height=-5)",

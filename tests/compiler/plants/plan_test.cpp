@@ -45,7 +45,7 @@ TEST(Plan, KeepsEveryTreeWithItsTags) {
   tree(4, 0, {});
   tree(5, 0, {PlantKind::kLime, {}, 0, 0.97});
   tree(6, 0, {PlantKind::kLime, {}, 0, 0, 2020});
-  features.points.push_back({{{OsmType::kNode, 9}, 0}, {3, 4}, map::PointKind::kBench});
+  features.points.push_back({{{OsmType::kNode, 9}, 0}, {3, 4}, map::PointKind::kStreetLamp});
   Report report;
   const Plants plants = planned(features, report);
   ASSERT_EQ(plants.trees.size(), 6u);

@@ -116,7 +116,6 @@ TEST(Plan, MakesLampsAndBarriersAndCountsTheRest) {
   f.barriers = {{{{OsmType::kWay, 9}, 0}, {{0, 0}, {1, 1}}, map::BarrierKind::kHedge, 1.5, 0.75},
                 {{{OsmType::kWay, 2}, 0}, {{0, 0}, {1, 1}}, map::BarrierKind::kWall, 1.5, 0.75}};
   f.points = {{{{OsmType::kNode, 1}, 0}, {1, 2}, map::PointKind::kTree},
-              {{{OsmType::kNode, 2}, 0}, {3, 4}, map::PointKind::kBench},
               {{{OsmType::kNode, 3}, 0}, {5, 4}, map::PointKind::kStreetLamp},
               {{{OsmType::kNode, 4}, 0}, {6, 4}, map::PointKind::kStreetLamp, 9},
               {{{OsmType::kNode, 5}, 0}, {7, 4}, map::PointKind::kShop}};
@@ -127,10 +126,8 @@ TEST(Plan, MakesLampsAndBarriersAndCountsTheRest) {
   ASSERT_EQ(props.lamps.size(), 2u);
   EXPECT_EQ(props.lamps[0].height_m, 0);
   EXPECT_EQ(props.lamps[1].height_m, 9);
-  EXPECT_EQ(report.ledger().at("props/point").in, 4u);
+  EXPECT_EQ(report.ledger().at("props/point").in, 3u);
   EXPECT_EQ(report.ledger().at("props/point").without_body, 1u);
-  EXPECT_EQ(report.diagnoses().front().tag, "amenity=bench");
-  EXPECT_EQ(report.counts()[Code::kNotModelled], 1u);
   EXPECT_TRUE(report.balances());
 }
 

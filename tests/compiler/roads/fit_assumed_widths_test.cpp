@@ -30,15 +30,17 @@ map::Track parked_street() {
   return track;
 }
 
-map::PointFeature thing(std::int64_t id, Vec2 at, map::PointKind kind = map::PointKind::kTree) {
+map::PointFeature thing(std::int64_t id, Vec2 at) {
   map::PointFeature point;
   point.id = {{OsmType::kNode, id}, 0};
-  point.at = at, point.kind = kind;
+  point.at = at, point.kind = map::PointKind::kTree;
   return point;
 }
 
-Road fitted(map::Track track, std::vector<map::PointFeature> points, std::vector<map::Barrier> barriers = {}) {
+Road fitted(map::Track track, std::vector<map::PointFeature> points, std::vector<map::Barrier> barriers = {},
+            std::vector<map::ThingFeature> things = {}) {
   map::Features features;
+  features.things = std::move(things);
   features.tracks = {std::move(track)};
   features.points = std::move(points), features.barriers = std::move(barriers);
   return road_of(fit_assumed_widths(features).front());
@@ -91,8 +93,8 @@ TEST(FitAssumedWidths, TheAxisStaysOnTheCarriageway) {
 }
 
 TEST(FitAssumedWidths, WallsAndHydrantsLimitTheWidthToo) {
-  const Road road =
-      fitted(two_lane_track(), {thing(1, {50, 2.6}, map::PointKind::kHydrant)}, {wall({{10, -2.6}, {90, -2.6}})});
+  const Road road = fitted(two_lane_track(), {}, {wall({{10, -2.6}, {90, -2.6}})},
+                           {{.id = {{OsmType::kNode, 1}, 0}, .at = {50, 2.6}, .kind = "hydrant", .value = ""}});
   EXPECT_LE(left_m(road), 2.6 - kThingFromKerb_m + 0x1p-9);
   EXPECT_LE(right_m(road), 2.6 - kThingFromKerb_m - 0.125 + 0x1p-9);
 }

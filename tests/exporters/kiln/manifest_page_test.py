@@ -146,11 +146,27 @@ class Chunk:
         self.barriers = self.all("barriers", self.barrier)
         self.lamps = self.all("lamps", lambda: (self.id(), self.point(), self.metres("lamp height"), self.several("lamp light", 5) if self.plain("lamp light") else None))
         self.landforms = self.all("landforms", lambda: (self.water(), self.plain("landform kind")))
+        self.words = [""]
+        self.thing_forms = self.all("thing forms", self.thing_form)
+        self.things = self.all("things", lambda: (self.id(), self.point(), self.thing_forms[self.plain("thing form")], self.plain("thing direction"), self.plain("thing traits")))
         self.names = [""]
         self.texts = self.all("texts", self.text)
 
     def plain(self, name):
         return self.streams[name].plain()
+
+    def thing_word(self):
+        number = self.plain("thing word")
+        if number == len(self.words):
+            size, stream = self.plain("thing word size"), self.streams["thing word bytes"]
+            self.words.append(stream.data[stream.at:stream.at + size].decode())
+            stream.at += size
+        return self.words[number]
+
+    def thing_form(self):
+        kind, size = self.thing_word(), [self.metres("thing size") for _ in range(3)]
+        words = [self.thing_word() for _ in range(3)]
+        return kind, size, words, [self.plain(f"thing {name}") for name in ("colour", "capacity", "country", "variant")]
 
     def several(self, name, count):
         return [self.plain(name) for _ in range(count)]
@@ -399,7 +415,7 @@ class Page(ProgramTest):
             for tile, chunk in chunks.items():
                 unread = [name for name, stream in chunk.streams.items() if stream.at != len(stream.data)]
                 self.assertEqual(unread, [], f"{case.name} {tile}")
-            for kind in ("bridges", "tunnels", "buildings", "trees", "barriers", "lamps"):
+            for kind in ("bridges", "tunnels", "buildings", "trees", "barriers", "lamps", "things"):
                 # a bridge or tunnel is in every chunk that it touches
                 read = len({thing[0] for chunk in chunks.values() for thing in getattr(chunk, kind)})
                 self.assertEqual(read, report["counts"][kind], f"{case.name}: {kind}")

@@ -1,0 +1,105 @@
+#include "compiler/commands/things_sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "compiler/bake/merge.h"
+#include "compiler/make_header.h"
+#include "compiler/sky/plan.h"
+#include "compiler/things/generate.h"
+#include "preview/render.h"
+
+namespace citykiln::commands {
+namespace {
+
+constexpr std::array kSheetTolerances_m = {0.02, 0.1, 0.5};
+constexpr int kThingPixels = 180, kThingsInRow = 4, kThingSamples = 24;
+
+// The form of a row without tags.
+things::Form default_form(const map::ThingRow& row) {
+  const std::string& value = row.tags.front().front().value;
+  return {.kind = row.name,
+          .width_m = row.width.default_m,
+          .depth_m = row.depth.default_m,
+          .height_m = row.height.default_m,
+          .value = value == "*" ? "" : value,
+          .text = "30"};
+}
+
+bake::Primitive paved_square(float half_m) {
+  bake::Primitive square{materials::Material::kPaving, {}, {}, {}, {}, {}};
+  for (const bake::Float3& p :
+       {bake::Float3{-half_m, -half_m, 0}, {half_m, -half_m, 0}, {half_m, half_m, 0}, {-half_m, half_m, 0}}) {
+    square.positions.push_back(p), square.normals.push_back({0, 0, 1});
+    square.colours.push_back(materials::kNoTint), square.features.push_back(0);
+  }
+  square.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return square;
+}
+
+bake::BakedTile tile_of_thing(const things::Form& form, const things::Kind& kind, double tolerance_m) {
+  const things::GeneratedThing thing = things::generate(form, kind, 0, false, tolerance_m);
+  bake::BakedTile tile;
+  tile.features = {OsmId{}};
+  tile.primitives = {paved_square(static_cast<float>(20 * std::max({form.width_m, form.depth_m, form.height_m})))};
+  if (!thing.meshes.empty())
+    tile.instanced.push_back({.name = form.kind,
+                              .primitives = bake::instanced_primitives(thing.meshes, bake::Layer::kProps),
+                              .translations = {{0, 0, 0}},
+                              .rotations = {{0, 0, 0, 1}},
+                              .scales = {1},
+                              .features = {0}});
+  tile.textures = bake::textures_shown(tile, tolerance_m, materials::TextureCache(1));
+  return tile;
+}
+
+// From in front of it, a little to the right.
+preview::Camera camera_before(const things::Form& form) {
+  const double size_m = length(Vec3{form.width_m, form.depth_m, form.height_m});
+  const Vec3 middle{0, 0, form.height_m / 2};
+  return {middle + unit(Vec3{0.5, -1, 0.25}) * (1.7 * size_m), middle, 38};
+}
+
+void put_picture(const preview::Image& from, int x0, int y0, preview::Image& to) {
+  for (int y = 0; y < from.height; ++y)
+    std::copy_n(from.rgb.begin() + 3L * y * from.width, 3 * from.width,
+                to.rgb.begin() + 3L * ((y0 + y) * to.width + x0));
+}
+
+}  // namespace
+
+Result<Done> draw_things_sheet(const std::string& folder, const std::string& path, const Console& console) {
+  CompileSpec spec;
+  spec.things_folder = folder;
+  const Result<things::Catalogue> catalogue = read_things(spec);
+  if (!catalogue) return catalogue.error();
+  const Result<things::Kinds> kinds = things::kinds_of(*catalogue);
+  if (!kinds) return kinds.error();
+  const Result<sky::Sky> sky = sky::plan({11, 48}, "2026-06-21T09:30");
+  if (!sky) return sky.error();
+  constexpr int kAcross = static_cast<int>(kSheetTolerances_m.size());
+  const int rows = (static_cast<int>(catalogue->table.size()) + kThingsInRow - 1) / kThingsInRow;
+  preview::Image sheet{kThingPixels * kThingsInRow * kAcross, kThingPixels * rows, {}};
+  sheet.rgb.resize(3UL * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height));
+  preview::Options options;
+  options.width = options.height = kThingPixels, options.samples = kThingSamples;
+  std::vector<std::string> lines(static_cast<std::size_t>(rows));
+  for (int i = 0; i < static_cast<int>(catalogue->table.size()); ++i) {
+    const map::ThingRow& row = catalogue->table[static_cast<std::size_t>(i)];
+    const things::Form form = default_form(row);
+    lines[static_cast<std::size_t>(i / kThingsInRow)] += " " + row.name;
+    for (int k = 0; k < kAcross; ++k) {
+      const bake::BakedTile tile = tile_of_thing(form, kinds->at(row.name), kSheetTolerances_m[k]);
+      put_picture(preview::render(std::span(&tile, 1), *sky, camera_before(form), options),
+                  kThingPixels * (i % kThingsInRow * kAcross + k), kThingPixels * (i / kThingsInRow), sheet);
+    }
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i) console.print_line(fmt::format("row {}:{}", i + 1, lines[i]));
+  return preview::write_image(sheet, path);
+}
+
+}  // namespace citykiln::commands

@@ -1,0 +1,203 @@
+#include "compiler/map/things/locate_things.h"
+
+#include <algorithm>
+#include <map>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/map/for_each_line.h"
+#include "compiler/map/tag_values.h"
+
+namespace citykiln::map {
+namespace {
+
+constexpr double kLeastThing_m = 0.05, kTallestThing_m = 400, kMostCapacity = 1000;
+
+// The rows that fit the nodes of an extract, by index.
+struct FoundThing {
+  const source::Node* node;
+  MatchedThing match;
+};
+
+// The numbers of the rows that may fit an element with a key.
+using RowsOfKeys = std::map<std::string_view, std::vector<std::size_t>>;
+
+RowsOfKeys rows_of_keys(const ThingTable& table) {
+  RowsOfKeys rows;
+  for (std::size_t row = 0; row < table.size(); ++row)
+    for (const std::vector<TagTest>& all : table[row].tags) rows[all.front().key].push_back(row);
+  return rows;
+}
+
+MatchedThing match_node(const ReadContext& context, const source::Node& node, const ThingTable& table,
+                        const RowsOfKeys& rows) {
+  std::vector<std::size_t> candidates;
+  for (const source::Tag& tag : context.osm.tags_of(node.tags))
+    if (const auto found = rows.find(context.osm.strings[tag.key]); found != rows.end())
+      candidates.insert(candidates.end(), found->second.begin(), found->second.end());
+  std::ranges::sort(candidates);
+  for (const std::size_t row : candidates) {
+    const auto value = matched_value(table[row], [&](std::string_view key) { return context.tag(node.tags, key); });
+    if (value) return {&table[row], *value};
+  }
+  return {};
+}
+
+std::vector<FoundThing> find_things(const ReadContext& context, const ThingTable& table, const Features& features) {
+  std::vector<OsmId> read;
+  for (const PointFeature& point : features.points)
+    if (point.kind == PointKind::kTree || point.kind == PointKind::kStreetLamp) read.push_back(point.id.osm);
+  std::ranges::sort(read);
+  const RowsOfKeys rows = rows_of_keys(table);
+  std::vector<FoundThing> found;
+  for (const source::Node& node : context.osm.nodes) {
+    const MatchedThing fit = match_node(context, node, table, rows);
+    if (fit.row != nullptr && !std::ranges::binary_search(read, OsmId{OsmType::kNode, node.id}))
+      found.push_back({&node, fit});
+  }
+  return found;
+}
+
+bool is_road_of_things(const Track& track) {
+  return values_of(track.surface).group == LandCoverGroup::kRoad || track.is_rail;
+}
+
+Vec2 direction_at_vertex(const Polyline& axis, std::size_t vertex) {
+  const Vec2 before = vertex > 0 ? unit(axis[vertex] - axis[vertex - 1]) : Vec2{},
+             after = vertex + 1 < axis.size() ? unit(axis[vertex + 1] - axis[vertex]) : Vec2{};
+  const Vec2 mean = unit(before + after);
+  return mean == Vec2{} ? (after == Vec2{} ? before : after) : mean;
+}
+
+ThingWay way_at(const Track& track, std::size_t vertex) {
+  const double length_to_m = length_m(Polyline(track.axis.begin(), track.axis.begin() + static_cast<long>(vertex) + 1));
+  return {.id = track.id,
+          .along = direction_at_vertex(track.axis, vertex),
+          .surface = track.surface,
+          .side = track.side,
+          .passage = track.passage,
+          .is_oneway = track.is_oneway,
+          .is_nearer_to_end = 2 * length_to_m > length_m(track.axis)};
+}
+
+// The way of each node: a road or railway, else a path; the first one by id.
+std::map<std::int64_t, ThingWay> ways_of_nodes(const std::vector<FoundThing>& found, const Features& features) {
+  std::map<std::int64_t, ThingWay> ways;
+  for (const FoundThing& thing : found) ways[thing.node->id] = {};
+  for (const bool is_road : {true, false})
+    for (const Track& track : features.tracks) {
+      if (is_road_of_things(track) != is_road) continue;
+      for (std::size_t vertex = 0; vertex < track.node_ids.size() && vertex < track.axis.size(); ++vertex) {
+        const auto way = ways.find(track.node_ids[vertex]);
+        if (way != ways.end() && way->second.id.osm.type == OsmType::kNone) way->second = way_at(track, vertex);
+      }
+    }
+  return ways;
+}
+
+// The direction of a power line at each of its points, and across walls and fences that of a way through them.
+std::map<Vec2, Vec2> directions_of_lines(const Features& features) {
+  std::map<Vec2, Vec2> directions;
+  for (const PowerLine& line : features.power_lines)
+    for (std::size_t i = 0; i < line.axis.size(); ++i)
+      directions.emplace(line.axis[i], direction_at_vertex(line.axis, i));
+  for (const Barrier& barrier : features.barriers)
+    for (std::size_t i = 0; i < barrier.axis.size(); ++i)
+      directions.emplace(barrier.axis[i], left_of(direction_at_vertex(barrier.axis, i)));
+  return directions;
+}
+
+double tagged_or_default_m(const ReadContext& context, OsmId id, source::Range tags, const TaggedLength& length) {
+  std::optional<double> tagged;
+  if (!length.key.empty()) tagged = tagged_length_m(context, id, tags, length.key, kLeastThing_m, kTallestThing_m);
+  return std::max(kQuantum_m, snapped(tagged.value_or(length.default_m)));
+}
+
+// forward and backward are for the traffic; other values are bearings.
+void read_direction(const ReadContext& context, OsmId id, source::Range tags, ThingFeature& thing) {
+  for (const std::string_view key : {"direction", "traffic_signals:direction", "traffic_sign:direction"}) {
+    const std::string_view value = context.tag(tags, key);
+    if (value.empty()) continue;
+    if (value == "forward" || value == "backward") {
+      thing.facing = value == "forward" ? std::int8_t{1} : std::int8_t{-1};
+    } else if (value != "both") {
+      thing.bearing_deg = parsed_text(context, id, key, value, bearing_deg_of);
+    }
+    return;
+  }
+}
+
+ThingFeature thing_of(const ReadContext& context, const FoundThing& found, const ThingWay& way) {
+  const OsmId id{OsmType::kNode, found.node->id};
+  const source::Range tags = found.node->tags;
+  const ThingRow& row = *found.match.row;
+  ThingFeature thing{.id = {id, 0},
+                     .at = context.plane.snapped_forward(found.node->at),
+                     .kind = row.name,
+                     .value = std::string(found.match.value),
+                     .width_m = tagged_or_default_m(context, id, tags, row.width),
+                     .depth_m = tagged_or_default_m(context, id, tags, row.depth),
+                     .height_m = tagged_or_default_m(context, id, tags, row.height)};
+  thing.colour = parsed_tag(context, id, tags, "colour", colour_of);
+  thing.material = in_lower_case(context.tag(tags, "material"));
+  thing.text = digits_of(context.tag(tags, "maxspeed"), context.tag(tags, "traffic_sign"));
+  thing.capacity = static_cast<std::uint16_t>(
+      number_within(context, id, "capacity", context.tag(tags, "capacity"), 0, kMostCapacity).value_or(0));
+  read_direction(context, id, tags, thing);
+  thing.way = way;
+  thing.country = country_group_at(LonLat{found.node->at.lon_deg(), found.node->at.lat_deg()});
+  thing.is_in_way = row.stand == Stand::kInWay || row.stand == Stand::kOverRoad;
+  return thing;
+}
+
+// A thing on a bridge or in a tunnel has no ground to stand on yet.
+std::optional<Code> reason_without_thing(const ReadContext& context, const FoundThing& found, const ThingWay& way) {
+  const std::string& key = found.match.row->tags.front().front().key;
+  if (const auto reason = reason_without(context, found.node->tags, key)) return reason;
+  if (way.id.osm.type == OsmType::kNone || way.passage == Passage::kGround) return std::nullopt;
+  return way.passage == Passage::kBridge ? Code::kAboveGround : Code::kUnderground;
+}
+
+}  // namespace
+
+std::string digits_of(std::string_view maxspeed, std::string_view traffic_sign) {
+  constexpr std::string_view kDigits = "0123456789";
+  constexpr std::size_t kMostDigits = 3;
+  std::string_view text = maxspeed;
+  if (text.empty()) {
+    const std::size_t at =
+        traffic_sign.find('[') != std::string_view::npos ? traffic_sign.find('[') : traffic_sign.rfind('-');
+    if (at != std::string_view::npos) text = traffic_sign.substr(at + 1);
+  }
+  const std::string_view digits = text.substr(0, std::min(text.find_first_not_of(kDigits), text.size()));
+  return std::string(digits.size() <= kMostDigits ? digits : "");
+}
+
+std::vector<ThingFeature> locate_things(const ReadContext& context, const ThingTable& table, const Features& features) {
+  const std::vector<FoundThing> found = find_things(context, table, features);
+  const std::map<std::int64_t, ThingWay> ways = ways_of_nodes(found, features);
+  const std::map<Vec2, Vec2> lines = directions_of_lines(features);
+  std::vector<ThingFeature> things;
+  Account account;
+  for (const FoundThing& each : found) {
+    const OsmId id{OsmType::kNode, each.node->id};
+    const Vec2 at = context.plane.snapped_forward(each.node->at);
+    account.in += context.report.counts(id);
+    if (!context.extent.contains(at)) {
+      context.report.drop(account, Code::kOutsideBounds, id);
+      continue;
+    }
+    ThingWay way = ways.at(each.node->id);
+    if (const auto line = lines.find(at); way.id.osm.type == OsmType::kNone && line != lines.end())
+      way.along = line->second;
+    if (const auto reason = reason_without_thing(context, each, way)) {
+      context.report.drop(account, *reason, id);
+      continue;
+    }
+    account.out += context.report.counts(id);
+    things.push_back(thing_of(context, each, way));
+  }
+  context.report.account("map", "thing") = account;
+  return things;
+}
+
+}  // namespace citykiln::map

@@ -1,0 +1,194 @@
+#include "compiler/map/things/thing_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "compiler/contract/parse.h"
+#include "compiler/contract/split.h"
+
+namespace citykiln::map {
+namespace {
+
+constexpr std::array<std::string_view, 9> kColumns = {"name",  "tags",   "rule",   "size", "stands",
+                                                      "faces", "clears", "detail", "class"};
+constexpr std::array<std::string_view, 5> kStandWords = {"ground", "pole", "wall", "over_road", "in_way"};
+constexpr std::array<std::string_view, 5> kFacingWords = {"tag", "street", "along", "platform", "any"};
+constexpr double kLargest_m = 500;
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (std::size_t at = 0; at < line.size();) {
+    const std::size_t begin = line.find_first_not_of(" \t\r", at);
+    if (begin == std::string_view::npos) break;
+    const std::size_t end = std::min(line.find_first_of(" \t\r", begin), line.size());
+    words.push_back(line.substr(begin, end - begin));
+    at = end;
+  }
+  return words;
+}
+
+Error wrong_column(std::string_view column, std::string_view expected, std::string_view found) {
+  return {"", fmt::format("{}: expected {}, found \"{}\"", column, expected, found)};
+}
+
+bool is_word(std::string_view text) {
+  return !text.empty() && std::ranges::all_of(text, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+Result<TagTest> test_of(std::string_view text) {
+  const std::size_t at = text.find('=');
+  const bool is_equal = at == std::string_view::npos || at == 0 || text[at - 1] != '!';
+  const std::size_t key_end = at != std::string_view::npos && !is_equal ? at - 1 : at;
+  if (at == std::string_view::npos || key_end == 0 || at + 1 == text.size())
+    return wrong_column("tags", "key=value, key!=value or key=*, several joined by & and |", text);
+  return TagTest{std::string(text.substr(0, key_end)), std::string(text.substr(at + 1)), is_equal};
+}
+
+Result<std::vector<std::vector<TagTest>>> tags_of_column(std::string_view text) {
+  std::vector<std::vector<TagTest>> any;
+  for (const std::string_view part : split(text, '|')) {
+    std::vector<TagTest>& all = any.emplace_back();
+    for (const std::string_view one : split(part, '&')) {
+      Result<TagTest> test = test_of(one);
+      if (!test) return test.error();
+      all.push_back(std::move(*test));
+    }
+    if (!all.front().is_equal) return wrong_column("tags", "key=value before key!=value", part);
+  }
+  return any;
+}
+
+std::optional<TaggedLength> length_of(std::string_view text) {
+  const std::size_t colon = text.rfind(':');
+  const bool has_key = colon != std::string_view::npos;
+  const auto default_m = number_in<double>(has_key ? text.substr(colon + 1) : text);
+  if (!default_m || !(*default_m > 0) || *default_m > kLargest_m || (has_key && colon == 0)) return std::nullopt;
+  return TaggedLength{std::string(has_key ? text.substr(0, colon) : ""), *default_m};
+}
+
+// Splits "1.6x0.5xheight:0.8" at each x after a digit.
+std::vector<std::string_view> lengths_in(std::string_view text) {
+  std::vector<std::string_view> parts;
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i < text.size(); ++i)
+    if (text[i] == 'x' && text[i - 1] >= '0' && text[i - 1] <= '9')
+      parts.push_back(text.substr(begin, i - begin)), begin = i + 1;
+  parts.push_back(text.substr(begin));
+  return parts;
+}
+
+Result<Done> read_size(std::string_view text, ThingRow& row) {
+  const std::vector<std::string_view> parts = lengths_in(text);
+  std::array<TaggedLength*, 3> lengths = {&row.width, &row.depth, &row.height};
+  bool is_good = parts.size() == lengths.size();
+  for (std::size_t i = 0; is_good && i < lengths.size(); ++i) {
+    const std::optional<TaggedLength> length = length_of(parts[i]);
+    is_good = length.has_value();
+    if (length) *lengths[i] = *length;
+  }
+  if (is_good) return Done{};
+  return wrong_column("size", "width x depth x height in metres, such as 1.6x0.5x0.8 or 0.3x0.3xheight:4", text);
+}
+
+template <typename Enum, std::size_t n>
+Result<Enum> enum_of(std::string_view column, const std::array<std::string_view, n>& words, std::string_view text) {
+  const auto found = std::ranges::find(words, text);
+  if (found == words.end()) return wrong_column(column, fmt::format("{}", fmt::join(words, ", ")), text);
+  return static_cast<Enum>(found - words.begin());
+}
+
+Result<double> metres_of(std::string_view column, std::string_view text) {
+  const auto metres = number_in<double>(text);
+  if (metres && *metres >= 0 && *metres <= kLargest_m) return *metres;
+  return wrong_column(column, "metres, such as 0.5", text);
+}
+
+Result<ThingRow> thing_row_of(const std::vector<std::string_view>& words) {
+  if (words.size() != kColumns.size())
+    return Error{"", fmt::format("expected {} columns ({}), found {}", kColumns.size(), fmt::join(kColumns, ", "),
+                                 words.size())};
+  ThingRow row{.name = std::string(words[0]), .rule = std::string(words[2]), .class_name = std::string(words[8])};
+  if (!is_word(row.name)) return wrong_column("name", "letters, digits and _", row.name);
+  if (!is_word(row.rule)) return wrong_column("rule", "the name of a rule file without .cga", row.rule);
+  if (!is_word(row.class_name)) return wrong_column("class", "letters, digits and _", row.class_name);
+  Result<std::vector<std::vector<TagTest>>> tags = tags_of_column(words[1]);
+  if (!tags) return tags.error();
+  row.tags = std::move(*tags);
+  if (const Result<Done> done = read_size(words[3], row); !done) return done.error();
+  const Result<Stand> stand = enum_of<Stand>("stands", kStandWords, words[4]);
+  if (!stand) return stand.error();
+  const Result<Facing> facing = enum_of<Facing>("faces", kFacingWords, words[5]);
+  if (!facing) return facing.error();
+  const Result<double> clear_m = metres_of("clears", words[6]);
+  if (!clear_m) return clear_m.error();
+  row.stand = *stand, row.facing = *facing, row.clear_m = *clear_m;
+  if (words[7] == "size") return row;
+  const Result<double> detail_m = metres_of("detail", words[7]);
+  if (!detail_m) return wrong_column("detail", "metres, such as 2.5, or size", words[7]);
+  row.detail_m = *detail_m;
+  return row;
+}
+
+// "maxspeed*" fits values that begin with "maxspeed", "*274*" those that contain "274".
+bool fits_value(std::string_view pattern, std::string_view value) {
+  const bool is_begin_open = pattern.starts_with('*'), is_end_open = pattern.ends_with('*');
+  if (is_begin_open) pattern.remove_prefix(1);
+  if (is_end_open && !pattern.empty()) pattern.remove_suffix(1);
+  if (is_begin_open && is_end_open) return value.find(pattern) != std::string_view::npos;
+  if (is_begin_open) return value.ends_with(pattern);
+  return is_end_open ? value.starts_with(pattern) : value == pattern;
+}
+
+bool is_true(const TagTest& test, std::string_view value) {
+  if (test.value == "*") return test.is_equal == (!value.empty() && value != "no");
+  // one of several values, such as "bench;waste_basket"
+  for (const std::string_view one : split(value, ';'))
+    if (!one.empty() && fits_value(test.value, one)) return test.is_equal;
+  return !test.is_equal;
+}
+
+}  // namespace
+
+Result<ThingTable> read_thing_table(std::string_view text, const std::string& file) {
+  ThingTable table;
+  std::size_t number = 0;
+  for (const std::string_view line : split(text, '\n')) {
+    ++number;
+    const std::vector<std::string_view> words = words_of(line.substr(0, line.find('#')));
+    if (words.empty()) continue;
+    const std::string place = fmt::format("{}:{}", file, number);
+    Result<ThingRow> row = thing_row_of(words);
+    if (!row) return Error{place, row.error().message};
+    if (std::ranges::find(table, row->name, &ThingRow::name) != table.end())
+      return Error{place, fmt::format("the name \"{}\" is used twice", row->name)};
+    row->line = fmt::format("{}", fmt::join(words, " "));
+    table.push_back(std::move(*row));
+  }
+  return table;
+}
+
+ThingTable merged(ThingTable own, const ThingTable& shipped) {
+  for (const ThingRow& row : shipped)
+    if (std::ranges::find(own, row.name, &ThingRow::name) == own.end()) own.push_back(row);
+  return own;
+}
+
+std::optional<std::string_view> matched_value(const ThingRow& row,
+                                              const std::function<std::string_view(std::string_view)>& value_of) {
+  for (const std::vector<TagTest>& all : row.tags)
+    if (std::ranges::all_of(all, [&](const TagTest& test) { return is_true(test, value_of(test.key)); }))
+      return value_of(all.front().key);
+  return std::nullopt;
+}
+
+MatchedThing match(const ThingTable& table, const std::function<std::string_view(std::string_view)>& value_of) {
+  for (const ThingRow& row : table)
+    if (const auto value = matched_value(row, value_of)) return {&row, *value};
+  return {};
+}
+
+}  // namespace citykiln::map

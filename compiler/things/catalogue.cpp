@@ -1,0 +1,103 @@
+#include "compiler/things/catalogue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "grammars/language/read_rules.h"
+
+namespace citykiln::things {
+namespace {
+
+constexpr const char* kStart = "Thing";
+
+const RuleText* text_named(std::span<const RuleText> texts, std::string_view name) {
+  const auto found = std::ranges::find(texts, name, &RuleText::name);
+  return found == texts.end() ? nullptr : &*found;
+}
+
+Result<grammars::Program> program_of(const map::ThingRow& row, std::span<const RuleText> texts) {
+  const auto load = [&](const std::string& file) -> Result<std::string> {
+    const RuleText* found = text_named(texts, file);
+    if (found == nullptr) return Error{file, "there is no such rule file"};
+    return found->text;
+  };
+  Result<grammars::Program> program = grammars::read_rules(row.rule + ".cga", load);
+  if (program && !program->rule_of.contains(kStart))
+    return Error{row.rule + ".cga", fmt::format("expected a rule \"{}\", found none", kStart)};
+  return program;
+}
+
+Result<Kind> kind_of(const map::ThingRow& row, std::span<const RuleText> texts) {
+  Result<grammars::Program> program = program_of(row, texts);
+  if (!program) return program.error();
+  UsedValues used = used_values(*program, kStart);
+  return Kind{row, std::move(*program), std::move(used)};
+}
+
+Result<map::ThingTable> table_in(std::span<const RuleText> files, const std::string& place) {
+  const RuleText* text = text_named(files, kTableName);
+  return text == nullptr ? map::ThingTable{} : map::read_thing_table(text->text, place);
+}
+
+bool is_rule_file(const RuleText& text) { return text.name.ends_with(".cga"); }
+
+}  // namespace
+
+Result<Catalogue> read_catalogue(std::span<const RuleText> own, const std::string& folder) {
+  Result<map::ThingTable> rows = table_in(own, folder.empty() ? kTableName : folder + "/" + kTableName);
+  if (!rows) return rows.error();
+  const Result<map::ThingTable> shipped = table_in(shipped_things(), kTableName);
+  if (!shipped) return shipped.error();
+  Catalogue catalogue{map::merged(std::move(*rows), *shipped), {}};
+  std::ranges::copy_if(own, std::back_inserter(catalogue.rules), is_rule_file);
+  for (const RuleText& rule : shipped_things())
+    if (is_rule_file(rule) && text_named(own, rule.name) == nullptr) catalogue.rules.push_back(rule);
+  std::ranges::sort(catalogue.rules, {}, &RuleText::name);
+  if (own.empty()) return catalogue;
+  const Result<Kinds> kinds = kinds_of(catalogue);
+  if (!kinds) return kinds.error();
+  return catalogue;
+}
+
+Result<Kinds> kinds_of(const Catalogue& catalogue, const std::set<std::string>& names) {
+  Kinds kinds;
+  for (const map::ThingRow& row : catalogue.table) {
+    if (!names.empty() && !names.contains(row.name)) continue;
+    Result<Kind> kind = kind_of(row, catalogue.rules);
+    if (!kind)
+      return Error{kind.error().where, fmt::format("{} (for the thing \"{}\")", kind.error().message, row.name)};
+    kinds.emplace(row.name, std::move(*kind));
+  }
+  return kinds;
+}
+
+std::vector<RuleText> texts_for(const Catalogue& catalogue, const Kinds& kinds, std::span<const Thing> things) {
+  std::set<std::string_view> used, files;
+  for (const Thing& thing : things) used.insert(thing.form.kind);
+  std::vector<RuleText> texts;
+  for (const auto& [name, kind] : kinds) {
+    if (!used.contains(name)) continue;
+    texts.push_back({name, kind.row.line});
+    files.insert(kind.rules.files.begin(), kind.rules.files.end());
+  }
+  for (const RuleText& rule : catalogue.rules)
+    if (files.contains(rule.name)) texts.push_back(rule);
+  std::ranges::sort(texts, {}, &RuleText::name);
+  return texts;
+}
+
+Kinds parse_kinds(std::span<const RuleText> texts) {
+  Kinds kinds;
+  for (const RuleText& text : texts) {
+    if (is_rule_file(text)) continue;
+    const Result<map::ThingTable> table = map::read_thing_table(text.text, text.name);
+    if (!table || table->size() != 1) continue;
+    if (Result<Kind> kind = kind_of(table->front(), texts)) kinds.emplace(text.name, std::move(*kind));
+  }
+  return kinds;
+}
+
+}  // namespace citykiln::things

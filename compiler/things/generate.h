@@ -1,0 +1,36 @@
+// Generates the mesh of a form of things, and places things on the ground.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "compiler/geometry/placement.h"
+#include "compiler/ground/grading/graded_terrain.h"
+#include "compiler/materials/material_mesh.h"
+#include "compiler/things/catalogue.h"
+#include "compiler/things/recipe.h"
+
+namespace citykiln::things {
+
+/// The meshes of a form and their distance from those of full detail.
+struct GeneratedThing {
+  std::vector<materials::MaterialMesh> meshes;
+  double error_m = 0;
+  std::uint64_t rule_errors = 0;  ///< Operations that could not be carried out, and limits that were hit.
+};
+
+/// Generates a form by the rule Thing of its kind: its base is around the origin, and it faces -y. The first shape is
+/// the box of its size, with x from left to right as seen from in front of it, y to the back and z up. A form that is
+/// as low as the tolerance, and whose row keeps it no longer, has no mesh, and its height is the error.
+///
+/// Guarantees: error_m <= tolerance_m; the same bytes on every CPU. Cost: that of the derivation.
+/// @param is_night  The rules' attribute `night`.
+GeneratedThing generate(const Form& form, const Kind& kind, std::uint64_t seed, bool is_night, double tolerance_m);
+
+/// True if a form has a mesh at a tolerance.
+bool is_shown(const Form& form, const map::ThingRow& row, double tolerance_m);
+
+/// Returns the placement of a thing on the ground: as high as the lowest corner of its base.
+Placement place(const Thing& thing, const ground::GradedTerrain& ground);
+
+}  // namespace citykiln::things

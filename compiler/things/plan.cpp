@@ -1,0 +1,106 @@
+#include "compiler/things/plan.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "compiler/contract/random_sequence.h"
+#include "compiler/geometry/snap.h"
+#include "compiler/things/facing.h"
+#include "compiler/things/free_places.h"
+
+namespace citykiln::things {
+namespace {
+
+// A thing on a wall stands off it by this much, so that their faces do not coincide.
+constexpr double kOffWall_m = 0.02;
+
+bool has_way(const map::ThingFeature& thing) { return thing.way.id.osm.type != OsmType::kNone; }
+
+// Where a thing stands, and the direction that it faces.
+struct Stance {
+  Vec2 at, facing;
+};
+
+// Nodes of a road stand on the side of the traffic that they are for, nodes of a path on its right.
+std::optional<Vec2> beside_way(const map::ThingFeature& thing, double radius_m, FreePlaces& places) {
+  const Vec2 left = left_of(traffic_of(thing));
+  const Vec2 out = thing.way.side == map::DrivingSide::kLeft ? left : left * -1.0;
+  if (const auto place = places.first_free(thing.at, out, radius_m)) return place;
+  return places.first_free(thing.at, out * -1.0, radius_m);
+}
+
+std::optional<Stance> on_wall(const map::ThingFeature& thing, FreePlaces& places) {
+  const std::optional<WallPlace> wall = places.nearest_wall(thing.at);
+  if (!wall) return std::nullopt;
+  return Stance{snapped(wall->at + wall->out * (thing.depth_m / 2 + kOffWall_m)), wall->out};
+}
+
+std::optional<Vec2> place_of(const map::ThingFeature& thing, const map::ThingRow& row, FreePlaces& places) {
+  if (thing.is_in_way) return thing.at;
+  const bool is_on_axis = has_way(thing) && !places.is_free(thing.at, 0);
+  return is_on_axis ? beside_way(thing, row.clear_m, places) : places.nearest_free(thing.at, row.clear_m);
+}
+
+bool reads(const Kind& kind, std::string_view attribute) { return kind.used.attributes.contains(attribute); }
+
+Form form_of(const map::ThingFeature& thing, const Kind& kind, std::uint64_t seed) {
+  Form form{.kind = thing.kind, .width_m = thing.width_m, .depth_m = thing.depth_m, .height_m = thing.height_m};
+  if (reads(kind, "kind")) form.value = thing.value;
+  if (reads(kind, "material")) form.material = thing.material;
+  if (reads(kind, "text")) form.text = thing.text;
+  if (reads(kind, "colour")) form.colour = thing.colour;
+  if (reads(kind, "capacity")) form.capacity = thing.capacity;
+  if (reads(kind, "country")) form.country = thing.country;
+  if (kind.used.draws)
+    form.variant = static_cast<std::uint8_t>(RandomSequence(seed, stable_id(thing.id), "variant").below(kVariants, 0));
+  return form;
+}
+
+std::optional<Stance> stance_of(const map::ThingFeature& thing, const map::ThingRow& row, const Axes& axes,
+                                FreePlaces& places, std::uint64_t seed) {
+  if (row.stand == map::Stand::kWall)
+    if (const auto stance = on_wall(thing, places)) return stance;
+  const std::optional<Vec2> at = place_of(thing, row, places);
+  if (!at) return std::nullopt;
+  return Stance{*at, facing_of(thing, row.facing, *at, axes, seed)};
+}
+
+}  // namespace
+
+std::set<std::string> kind_names(const map::Features& features) {
+  std::set<std::string> names;
+  for (const map::ThingFeature& thing : features.things) names.insert(thing.kind);
+  return names;
+}
+
+std::vector<Thing> plan(const map::Features& features, std::span<const roads::Road> roads,
+                        std::span<const ground::LandCoverPolygon> cover, const Kinds& kinds, std::uint64_t seed,
+                        Report& report) {
+  const Axes axes = axes_of(roads);
+  FreePlaces places(cover);
+  std::vector<Thing> things;
+  Account account;
+  for (const map::ThingFeature& thing : features.things) {
+    const auto kind = kinds.find(thing.kind);
+    if (kind == kinds.end()) continue;
+    const map::ThingRow& row = kind->second.row;
+    const bool counts = report.counts(thing.id.osm);
+    account.in += counts;
+    const std::optional<Stance> stance = stance_of(thing, row, axes, places, seed);
+    if (!stance) {
+      report.drop(account, {Code::kNoPlaceForThing, thing.id.osm, 0, {}, {}, row.name});
+      continue;
+    }
+    account.out += counts;
+    things.push_back({.id = thing.id,
+                      .at = stance->at,
+                      .direction = nearest_direction(stance->facing),
+                      .is_in_way = thing.is_in_way,
+                      .form = form_of(thing, kind->second, seed)});
+  }
+  std::ranges::sort(things, {}, &Thing::id);
+  report.account("things", "thing") = account;
+  return things;
+}
+
+}  // namespace citykiln::things

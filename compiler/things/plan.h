@@ -1,0 +1,28 @@
+// Plans things: finds a place and a direction for each mapped thing.
+#pragma once
+
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compiler/contract/report.h"
+#include "compiler/ground/recipe.h"
+#include "compiler/roads/recipe.h"
+#include "compiler/things/catalogue.h"
+#include "compiler/things/recipe.h"
+
+namespace citykiln::things {
+
+/// Returns the names of the kinds of a map's things.
+std::set<std::string> kind_names(const map::Features& features);
+
+/// Returns the things of a map, sorted by id. A thing that may not stand where it is mapped is moved to a free place
+/// (free_places.h), or dropped, kNoPlaceForThing. Ledger "things/thing". O(things · land cover near them).
+/// @param cover  The land cover of the whole map, with buildings.
+/// @param kinds  Those of the map's things; see kinds_of().
+std::vector<Thing> plan(const map::Features& features, std::span<const roads::Road> roads,
+                        std::span<const ground::LandCoverPolygon> cover, const Kinds& kinds, std::uint64_t seed,
+                        Report& report);
+
+}  // namespace citykiln::things

@@ -1,0 +1,26 @@
+// Finds things (benches, signs) that stand on a road, a railway, a building or water without being mapped there.
+#pragma once
+
+#include <cstdint>
+
+#include "compiler/bake/baked_tile.h"
+#include "compiler/ground/cover/land_cover_index.h"
+#include "compiler/scene/scene.h"
+
+namespace citykiln::verify {
+
+/// The things of a tile.
+struct StandingThings {
+  std::uint64_t things = 0;     ///< Number of things tested.
+  std::uint64_t misplaced = 0;  ///< Number of things on roads, railways, buildings or water.
+  Vec2 at;                      ///< The place of the first misplaced thing.
+  OsmId first{};
+};
+
+/// Tests the middle of every instance of a thing, except of those that are mapped in the way. Pedestrian streets may
+/// have things. O(instances).
+/// @param land_cover  Land cover of the tile.
+StandingThings measure_things(const bake::BakedTile& tile, const scene::Chunk& chunk,
+                              const ground::LandCoverIndex& land_cover);
+
+}  // namespace citykiln::verify

@@ -1,0 +1,92 @@
+#include "compiler/things/catalogue.h"
+
+#include <gtest/gtest.h>
+
+#include "compiler/things/generate.h"
+
+namespace citykiln::things {
+namespace {
+
+std::vector<RuleText> files(const std::string& row, const std::string& rules) {
+  return {{"clock.cga", rules}, {"things.txt", row}};
+}
+
+constexpr const char* kRow = "clock amenity=clock clock 0.5x0.5x4 pole any 0 size Clock";
+constexpr const char* kRules = "Thing --> split(z) { ~1 : Pole. | 0.5 : color(\"#ff0000\") Dial. }";
+
+std::string error_of(const std::vector<RuleText>& own) {
+  const Result<Catalogue> catalogue = read_catalogue(own, "own");
+  return catalogue ? "" : to_string(catalogue.error());
+}
+
+TEST(Catalogue, EveryShippedRowHasRulesThatMakeAMeshWithoutErrors) {
+  const Result<Catalogue> catalogue = read_catalogue({}, "");
+  ASSERT_TRUE(catalogue) << to_string(catalogue.error());
+  EXPECT_GE(catalogue->table.size(), 100u);
+  const Result<Kinds> kinds = kinds_of(*catalogue);
+  ASSERT_TRUE(kinds) << to_string(kinds.error());
+  for (const auto& [name, kind] : *kinds)
+    for (const double tolerance_m : {0.01, 0.1, 0.5}) {
+      const Form form{.kind = name,
+                      .width_m = kind.row.width.default_m,
+                      .depth_m = kind.row.depth.default_m,
+                      .height_m = kind.row.height.default_m,
+                      .value = kind.row.tags.front().front().value,
+                      .text = "50"};
+      const GeneratedThing thing = generate(form, kind, 1, false, tolerance_m);
+      EXPECT_EQ(thing.rule_errors, 0u) << name;
+      EXPECT_EQ(thing.meshes.empty(), !is_shown(form, kind.row, tolerance_m)) << name << " at " << tolerance_m;
+      EXPECT_LE(thing.error_m, tolerance_m) << name;
+    }
+}
+
+TEST(Catalogue, AFolderAddsRowsAndRules) {
+  const Result<Catalogue> catalogue = read_catalogue(files(kRow, kRules), "own");
+  ASSERT_TRUE(catalogue) << to_string(catalogue.error());
+  EXPECT_EQ(catalogue->table.front().name, "clock");
+  const Kinds kinds = *kinds_of(*catalogue);
+  EXPECT_EQ(kinds.at("clock").row.class_name, "Clock");
+  EXPECT_TRUE(kinds.contains("bench"));
+  EXPECT_EQ(kinds_of(*catalogue, {"bench"})->size(), 1u);
+}
+
+TEST(Catalogue, ABadFolderIsOneLine) {
+  EXPECT_EQ(error_of({{"things.txt", kRow}}), "clock.cga: there is no such rule file (for the thing \"clock\")");
+  EXPECT_EQ(error_of(files(kRow, "Lot --> Wall.")),
+            "clock.cga: expected a rule \"Thing\", found none (for the thing \"clock\")");
+  EXPECT_EQ(error_of(files("clock amenity", kRules)).substr(0, 17), "own/things.txt:1:");
+  EXPECT_EQ(error_of(files(kRow, "Thing --> split(")).substr(0, 12), "clock.cga:1:");
+}
+
+TEST(Catalogue, AManifestHasWhatItsThingsNeed) {
+  const Catalogue catalogue = *read_catalogue(files(kRow, kRules), "own");
+  Thing clock;
+  clock.form.kind = "clock";
+  const std::vector<RuleText> texts = texts_for(catalogue, *kinds_of(catalogue, {"clock"}), std::span(&clock, 1));
+  ASSERT_EQ(texts.size(), 2u);
+  EXPECT_EQ(texts[0], (RuleText{"clock", kRow}));
+  EXPECT_EQ(texts[1].name, "clock.cga");
+  const Kinds kinds = parse_kinds(texts);
+  ASSERT_EQ(kinds.size(), 1u);
+  EXPECT_EQ(kinds.at("clock").row.class_name, "Clock");
+}
+
+TEST(Generate, AThingIsTheBoxThatItsRulesDivide) {
+  const Catalogue catalogue = *read_catalogue(files(kRow, kRules), "own");
+  const Form form{.kind = "clock", .width_m = 0.5, .depth_m = 0.5, .height_m = 4};
+  const Kinds kinds = *kinds_of(catalogue, {"clock"});
+  const GeneratedThing thing = generate(form, kinds.at("clock"), 1, false, 0.01);
+  ASSERT_EQ(thing.meshes.size(), 2u);
+  Box2 box;
+  double top_m = 0, bottom_m = 9;
+  for (const materials::MaterialMesh& mesh : thing.meshes)
+    for (const Vec3 p : mesh.mesh.positions)
+      box.grow(in_plan(p)), top_m = std::max(top_m, p.z), bottom_m = std::min(bottom_m, p.z);
+  EXPECT_EQ(box.min, (Vec2{-0.25, -0.25}));
+  EXPECT_EQ(box.max, (Vec2{0.25, 0.25}));
+  EXPECT_EQ(top_m, 4);
+  EXPECT_EQ(bottom_m, 0);
+}
+
+}  // namespace
+}  // namespace citykiln::things
