@@ -14,14 +14,27 @@ THINGS = Path(__file__).resolve().parent.parent / "things"
 SHOWN = {"speed_sign": "text=50", "full_turnstile": "kind=turnstile", "traffic_sign": "kind=warning", "fire_hydrant": "country=central_europe"}
 
 
-def rows(wanted):
-    """Name, rule and size of each row, the lowest first."""
-    found = []
+def table():
+    """Name, rule and size of the rows of things.txt, or of rows.txt where there is no such table."""
+    if (THINGS / "things.txt").exists():
+        for line in (THINGS / "things.txt").read_text().splitlines():
+            cells = line.split("#")[0].split()
+            if len(cells) >= 4:
+                yield cells[0], cells[2], cells[3]
+        return
     for line in (THINGS / "rows.txt").read_text().splitlines():
         cells = [cell.strip() for cell in line.split("|")]
-        if line.startswith("#") or len(cells) < 8 or wanted and cells[0] not in wanted:
-            continue
-        found.append((cells[0], cells[2], [float(size) for size in cells[3].split("x")]))
+        if not line.startswith("#") and len(cells) >= 8:
+            yield cells[0], cells[2], cells[3]
+
+
+def rows(wanted):
+    """Name, rule and size in metres of each thing, the lowest first."""
+    found = []
+    for name, rule, size in table():
+        if not wanted or name in wanted:
+            # height:0.9 is 0.9 m where no tag says otherwise
+            found.append((name, rule, [float(length.split(":")[-1]) for length in size.split("x")]))
     return sorted(found, key=lambda row: max(row[2][0], row[2][2]))
 
 
