@@ -34,7 +34,7 @@ def rows(wanted):
     for name, rule, size in table():
         if not wanted or name in wanted:
             # height:0.9 is 0.9 m where no tag says otherwise
-            found.append((name, rule, [float(length.split(":")[-1]) for length in size.split("x")]))
+            found.append((name, rule, [float(m) for m in re.findall(r"[0-9.]+", size)]))
     return sorted(found, key=lambda row: max(row[2][0], row[2][2]))
 
 
