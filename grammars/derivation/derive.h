@@ -68,7 +68,7 @@ struct Terminal {
   std::optional<TextureProjection> texture;
   std::string asset;  ///< The instance of i("…") that fills the scope; "" for none.
   Scope scope;
-  bool simplified = false;       ///< The terminal replaces the detail of its rule, which is within the tolerance.
+  bool simplified = false;  ///< The terminal replaces the detail of its rule, which is within the tolerance.
   /// An upper bound of the Hausdorff distance from the detailed surface, in which round bodies are exact; 0 if the
   /// terminal is neither simplified nor part of a round body.
   double error_m = 0;
@@ -132,7 +132,7 @@ Shape lot(const Polygon& footprint, double height_m, std::size_t front, StableId
 /// Guarantees: deterministic on any machine. A random number depends only on the seed, the id of its shape, its purpose
 /// and its index. The Hausdorff distance between the union of all terminals and the union of the terminals at tolerance
 /// 0 is at most error_m <= tolerance_m; an asset counts as its scope. Round bodies are within half the tolerance of
-/// exact ones, at tolerance 0 within 1 cm, which error_m includes.
+/// exact ones, at tolerance 0 within 1 cm, which error_m includes; only s() after the body was inserted enlarges that.
 /// Bad input: a statement that cannot be carried out makes a warning and has no effect. A shape at a limit becomes a
 /// terminal. The stack stays under 2 MB.
 /// Cost: the cost of deriving all detail, at any tolerance, less the savings of `memoise` and `prune_early`.

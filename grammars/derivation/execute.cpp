@@ -152,6 +152,14 @@ void run_in_world(Execution& execution, const Statement& statement, Arguments ar
   execution.shape = is_start ? *execution.start : *before;
 }
 
+// True for the shape of an edge or a point, if the operation is about faces.
+bool lacks_surface(const Shape& shape, const OperationRow& row) {
+  constexpr const char* kOfFaces =
+      " extrude taper roofGable roofHip roofPyramid roofShed roofMansard comp setback offset shapeL shapeU shapeO "
+      "innerRectangle alignScopeToAxes alignScopeToGeometry reverseNormals ";
+  return !shape.faces.empty() && !has_surface(shape.faces) && is_among(row.name, kOfFaces);
+}
+
 [[gnu::noinline]] void run_operation(Execution& execution, const Statement& statement) {
   Run& run = execution.run;
   const OperationRow& row = operation_table()[statement.index];
@@ -161,6 +169,8 @@ void run_in_world(Execution& execution, const Statement& statement, Arguments ar
   if (!run.spend(1 + vertex_count(execution.shape.faces)))
     return run.hit(LimitKind::kSteps, execution.name, statement.position);
   execution.pending |= row.alters != Alters::kNothing;
+  if (lacks_surface(execution.shape, row))
+    return run.warn(statement.position, "the shape is an edge or a point; '" + statement.name + "' has no effect");
   if (row.alters == Alters::kSurface) return run_in_world(execution, statement, arguments);
   if (row.alters == Alters::kFrame || statement.has_selectors) remember_start(execution);
   operation_function(statement.index)(execution, statement, arguments);

@@ -62,6 +62,14 @@ Shape in_scope(const Shape& from, double u, double v, double w) {
   return point_shape(from, scope.to_space(u * scope.size_m[0], v * scope.size_m[1], w * scope.size_m[2]));
 }
 
+// Between the surface and points, whose box stands for them.
+Displacement displacement_to_points(const Shape& shape, std::span<const Piece> pieces) {
+  std::vector<Face> points;
+  for (const Piece& piece : pieces) points.push_back(piece.shape.faces.front());
+  const auto corners = scope_around(points, shape.scope.axis, shape.scope.origin).corners();
+  return pieces.empty() ? Displacement{} : any_displacement(surface_points(shape), corners);
+}
+
 }  // namespace
 
 void op_scatter(Execution& execution, const Statement& statement, Arguments arguments) {
@@ -82,8 +90,8 @@ void op_scatter(Execution& execution, const Statement& statement, Arguments argu
     shape.in_comp = {static_cast<double>(i), static_cast<double>(count)};
     pieces.push_back({std::move(shape), &statement.selectors.front().body});
   }
-  const double across_m = execution.shape.scope.diagonal_m();
-  spawn_pieces(execution, std::move(pieces), {across_m, across_m});
+  const Displacement moved = displacement_to_points(execution.shape, pieces);
+  spawn_pieces(execution, std::move(pieces), moved);
 }
 
 }  // namespace citykiln::grammars

@@ -152,12 +152,20 @@ struct RuleWriter {
       if (row.selectors != SelectorKind::kNone) rows.push_back(row);
     return operation_of_row(choices.of(rows));
   }
+  // Sides that follow the tolerance would change what is counted; solids_test.cpp tests those.
+  std::string round_primitive(const OperationRow& row) {
+    constexpr const char* kAxesAndSides[] = {"x, 3", "y, 4", "z, 5", "6", "x, 8"};
+    return std::string(row.name) + "(" + choices.of(kAxesAndSides) + ") ";
+  }
   std::string operation_of_row(const OperationRow& row) {
+    if (is_among(row.name, " primitiveCylinder primitiveCone primitiveSphere primitiveDome "))
+      return round_primitive(row);
     std::string made, signature = choices.of(words_in(row.signatures, '|'));
     for (const char letter : signature) made += (made.empty() ? "" : ", ") + argument(letter, row);
     made = std::string(row.name) + "(" + made + ")";
     if (row.selectors == SelectorKind::kSizes) made += sizes();
     if (row.selectors == SelectorKind::kParts) made += parts(row.name);
+    if (row.selectors == SelectorKind::kBody) made += " { " + piece() + " }";
     return made + " ";
   }
 
