@@ -8,10 +8,10 @@ namespace citykiln::things {
 namespace {
 
 std::vector<RuleText> files(const std::string& row, const std::string& rules) {
-  return {{"clock.cga", rules}, {"things.txt", row}};
+  return {{"sundial.cga", rules}, {"things.txt", row}};
 }
 
-constexpr const char* kRow = "clock amenity=clock clock 0.5x0.5x4 pole any 0 size Clock";
+constexpr const char* kRow = "sundial amenity=sundial sundial 0.5x0.5x4 pole any 0 size Sundial";
 constexpr const char* kRules = "Thing --> split(z) { ~1 : Pole. | 0.5 : color(\"#ff0000\") Dial. }";
 
 std::string error_of(const std::vector<RuleText>& own) {
@@ -43,39 +43,39 @@ TEST(Catalogue, EveryShippedRowHasRulesThatMakeAMeshWithoutErrors) {
 TEST(Catalogue, AFolderAddsRowsAndRules) {
   const Result<Catalogue> catalogue = read_catalogue(files(kRow, kRules), "own");
   ASSERT_TRUE(catalogue) << to_string(catalogue.error());
-  EXPECT_EQ(catalogue->table.front().name, "clock");
+  EXPECT_EQ(catalogue->table.front().name, "sundial");
   const Kinds kinds = *kinds_of(*catalogue);
-  EXPECT_EQ(kinds.at("clock").row.class_name, "Clock");
+  EXPECT_EQ(kinds.at("sundial").row.class_name, "Sundial");
   EXPECT_TRUE(kinds.contains("bench"));
   EXPECT_EQ(kinds_of(*catalogue, {"bench"})->size(), 1u);
 }
 
 TEST(Catalogue, ABadFolderIsOneLine) {
-  EXPECT_EQ(error_of({{"things.txt", kRow}}), "clock.cga: there is no such rule file (for the thing \"clock\")");
+  EXPECT_EQ(error_of({{"things.txt", kRow}}), "sundial.cga: there is no such rule file (for the thing \"sundial\")");
   EXPECT_EQ(error_of(files(kRow, "Lot --> Wall.")),
-            "clock.cga: expected a rule \"Thing\", found none (for the thing \"clock\")");
-  EXPECT_EQ(error_of(files("clock amenity", kRules)).substr(0, 17), "own/things.txt:1:");
-  EXPECT_EQ(error_of(files(kRow, "Thing --> split(")).substr(0, 12), "clock.cga:1:");
+            "sundial.cga: expected a rule \"Thing\", found none (for the thing \"sundial\")");
+  EXPECT_EQ(error_of(files("sundial amenity", kRules)).substr(0, 17), "own/things.txt:1:");
+  EXPECT_EQ(error_of(files(kRow, "Thing --> split(")).substr(0, 14), "sundial.cga:1:");
 }
 
 TEST(Catalogue, AManifestHasWhatItsThingsNeed) {
   const Catalogue catalogue = *read_catalogue(files(kRow, kRules), "own");
-  Thing clock;
-  clock.form.kind = "clock";
-  const std::vector<RuleText> texts = texts_for(catalogue, *kinds_of(catalogue, {"clock"}), std::span(&clock, 1));
+  Thing sundial;
+  sundial.form.kind = "sundial";
+  const std::vector<RuleText> texts = texts_for(catalogue, *kinds_of(catalogue, {"sundial"}), std::span(&sundial, 1));
   ASSERT_EQ(texts.size(), 2u);
-  EXPECT_EQ(texts[0], (RuleText{"clock", kRow}));
-  EXPECT_EQ(texts[1].name, "clock.cga");
+  EXPECT_EQ(texts[0], (RuleText{"sundial", kRow}));
+  EXPECT_EQ(texts[1].name, "sundial.cga");
   const Kinds kinds = parse_kinds(texts);
   ASSERT_EQ(kinds.size(), 1u);
-  EXPECT_EQ(kinds.at("clock").row.class_name, "Clock");
+  EXPECT_EQ(kinds.at("sundial").row.class_name, "Sundial");
 }
 
 TEST(Generate, AThingIsTheBoxThatItsRulesDivide) {
   const Catalogue catalogue = *read_catalogue(files(kRow, kRules), "own");
-  const Form form{.kind = "clock", .width_m = 0.5, .depth_m = 0.5, .height_m = 4};
-  const Kinds kinds = *kinds_of(catalogue, {"clock"});
-  const GeneratedThing thing = generate(form, kinds.at("clock"), 1, false, 0.01);
+  const Form form{.kind = "sundial", .width_m = 0.5, .depth_m = 0.5, .height_m = 4};
+  const Kinds kinds = *kinds_of(catalogue, {"sundial"});
+  const GeneratedThing thing = generate(form, kinds.at("sundial"), 1, false, 0.01);
   ASSERT_EQ(thing.meshes.size(), 2u);
   Box2 box;
   double top_m = 0, bottom_m = 9;
