@@ -105,7 +105,7 @@ TEST(RoundBody, ATriangleAcrossYStandsOnItsSide) {
   double low_m = 0;
   for (const Face& face : body.faces)
     if (normal_of(face).z < -0.99) low_m = face.outer[0].z;
-  EXPECT_EQ(low_m, 5);
+  EXPECT_NEAR(low_m, 5, 1e-12);
 }
 
 }  // namespace
