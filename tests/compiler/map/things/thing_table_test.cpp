@@ -122,7 +122,7 @@ TEST(LocateThings, NodesOfAWayKnowItAndItsDirection) {
   EXPECT_NEAR(bollard.way.along.x, 1, 1e-6);
   EXPECT_TRUE(bollard.is_in_way);
   EXPECT_EQ(bench.bearing_deg, 225);
-  EXPECT_EQ(bench.colour, (Srgb{255, 0, 0}));
+  EXPECT_EQ(bench.colour, (Srgb{0xb2, 0x32, 0x28}));
   EXPECT_EQ(bench.way.id.osm.type, OsmType::kNone);
   EXPECT_EQ(report.account("map", "thing").dropped.at(Code::kOutsideBounds), 1u);
   EXPECT_TRUE(report.balances());
