@@ -92,9 +92,9 @@ TEST(Solids, ScatterTakesOneBody) {
 }
 
 constexpr const char* kPlateWithBolt =
-    "Lot --> details() Plate Bolt\n"
-    "Plate --> s(2, 0.2, 2) primitiveCube() Plate.\n"
-    "Bolt --> t(1, 0.2, 1) s(0.05, 0.04, 0.05) primitiveCube() color(\"#ff0000\") Bolt.\n";
+    "Lot --> details() Base Fixing\n"
+    "Base --> s(2, 0.2, 2) primitiveCube() Plate.\n"
+    "Fixing --> t(1, 0.2, 1) s(0.05, 0.04, 0.05) primitiveCube() color(\"#ff0000\") Bolt.\n";
 
 TEST(Solids, ADetailIsLeftOutWithinTheTolerance) {
   EXPECT_EQ(count_named(at_tolerance(kPlateWithBolt, 0), "Bolt"), 1u);
@@ -106,16 +106,16 @@ TEST(Solids, ADetailIsLeftOutWithinTheTolerance) {
 
 TEST(Solids, AWideDetailOfAnotherColourStays) {
   const std::string rules =
-      "Lot --> details() Plate Stripe\nPlate --> s(2, 0.2, 2) primitiveCube() Plate.\n"
-      "Stripe --> t(0, 0.2, 0) s(2, 0.04, 1) primitiveCube() color(\"#ff0000\") Stripe.\n";
+      "Lot --> details() Base Band\nBase --> s(2, 0.2, 2) primitiveCube() Plate.\n"
+      "Band --> t(0, 0.2, 0) s(2, 0.04, 1) primitiveCube() color(\"#ff0000\") Stripe.\n";
   EXPECT_GE(count_named(at_tolerance(rules, 0.06), "Stripe"), 1u);
   EXPECT_EQ(count_named(at_tolerance(rules, 0.06, false), "Stripe"), 0u);
 }
 
 TEST(Solids, ADetailFarFromTheRestStays) {
   const std::string rules =
-      "Lot --> details() Plate Ball\nPlate --> s(2, 0.2, 2) primitiveCube() Plate.\n"
-      "Ball --> t(1, 3, 1) s(0.05, 0.05, 0.05) primitiveCube() Ball.\n";
+      "Lot --> details() Base Far\nBase --> s(2, 0.2, 2) primitiveCube() Plate.\n"
+      "Far --> t(1, 3, 1) s(0.05, 0.05, 0.05) primitiveCube() Ball.\n";
   EXPECT_GE(at_tolerance(rules, 0.5).terminals.size(), 2u);
 }
 
