@@ -26,7 +26,7 @@ inline constexpr const char* kTableName = "things.txt";
 struct Kind {
   map::ThingRow row;
   grammars::Program rules;
-  UsedValues used;  ///< What the rules read.
+  UsedValues used;  ///< The values that the rules read.
 };
 
 /// The kinds by name.
@@ -55,7 +55,7 @@ Result<Kinds> kinds_of(const Catalogue& catalogue, const std::set<std::string>& 
 
 /// Returns what a manifest stores of the catalogue for these things: the rows of their kinds, each under its name, and
 /// their rule files, imports included. Sorted by name.
-/// @param kinds  Those of the things.
+/// @param kinds  The kinds of the things.
 std::vector<RuleText> texts_for(const Catalogue& catalogue, const Kinds& kinds, std::span<const Thing> things);
 
 /// Parses the texts of a manifest. Leaves out kinds whose texts are missing or do not parse.

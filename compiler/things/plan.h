@@ -20,7 +20,7 @@ std::set<std::string> kind_names(const map::Features& features);
 /// Returns the things of a map, sorted by id. A thing that may not stand where it is mapped is moved to a free place
 /// (free_places.h), or dropped, kNoPlaceForThing. Ledger "things/thing". O(things · land cover near them).
 /// @param cover  The land cover of the whole map, with buildings.
-/// @param kinds  Those of the map's things; see kinds_of().
+/// @param kinds  The kinds of the map's things; see kinds_of().
 std::vector<Thing> plan(const map::Features& features, std::span<const roads::Road> roads,
                         std::span<const ground::LandCoverPolygon> cover, const Kinds& kinds, std::uint64_t seed,
                         Report& report);
