@@ -1,8 +1,7 @@
 // The map beside a stretch of road: houses, land use, paths, other roads and obstacles, on either side.
 //
 //      houses  [####]  [###]     [####]     counted within kFront_m of the axis
-//      path    ------------------------     runs beside the kerb, within kBesideKerb_m: a pavement mapped as its own
-//      way
+//      path    ------------------------     beside the kerb, within kBesideKerb_m: a pavement mapped as its own way
 //     =|=====|=====|=====|=====|=====|=>    samples every 8 m; rays square to the axis look at either side
 //      <-------------------------------     a one-way street the other way, within kOncoming_m: the other carriageway
 #pragma once

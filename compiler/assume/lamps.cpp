@@ -84,28 +84,16 @@ bool is_assumed_lit(const map::Track& stretch, const BothSides& sides) {
 std::vector<map::Track> assume_lamps(const map::Features& features, Report& report) {
   const Surroundings surroundings = index_surroundings(features);
   const CommonNodes common = common_nodes_of(features.tracks);
-  Account account;
-  std::vector<map::Track> tracks;
-  OsmId last{};
-  for (const map::Track& track : features.tracks) {
-    std::vector<map::Track> stretches{track};
+  const auto cut = [&](const map::Track& track) {
     // what leaves the ground stays whole: its heights follow from its ends
     const bool may_be_cut = may_be_lit(track) && !track.is_piece && track.passage == map::Passage::kGround;
-    if (may_be_cut) stretches = cut_way(track, kLongestWhole_m, kStretch_m, common);
-    for (map::Track& stretch : stretches) {
-      if (may_be_lit(stretch) && length_m(stretch.axis) <= kLongestWhole_m)
-        stretch.is_lit = is_assumed_lit(stretch, facts_beside(surroundings, stretch));
-      const bool is_new = stretch.is_lit && !track.is_lit;
-      if (is_new) stretch.assumed |= bit_of(Assumption::kLamps);
-      // the pieces of a way are one object
-      if (is_new && last != track.id.osm) report.count_assumed(Assumption::kLamps, track.id.osm), last = track.id.osm;
-      tracks.push_back(std::move(stretch));
-    }
-    if (report.counts(track.id.osm))
-      ++account.in, account.split += stretches.size() - 1, account.out += stretches.size();
-  }
-  report.account("assume", "lit_track") = account;
-  return tracks;
+    return may_be_cut ? cut_way(track, kLongestWhole_m, kStretch_m, common) : std::vector{track};
+  };
+  const auto change = [&](map::Track& stretch) {
+    if (!may_be_lit(stretch) || length_m(stretch.axis) > kLongestWhole_m) return false;
+    return stretch.is_lit = is_assumed_lit(stretch, facts_beside(surroundings, stretch));
+  };
+  return with_changed_stretches(features.tracks, Assumption::kLamps, "lit_track", cut, change, report);
 }
 
 }  // namespace citykiln::assume

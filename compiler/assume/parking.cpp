@@ -92,7 +92,6 @@ void add_parking(map::Track& track, std::uint8_t sides) {
     if (!lane.is_raised) lane.width_m -= rows * kParkedRow_m / lanes;
   if ((sides & map::kLeftSide) != 0) add_row(track, true);
   if ((sides & map::kRightSide) != 0) add_row(track, false);
-  track.assumed |= bit_of(Assumption::kParking);
 }
 
 }  // namespace
@@ -109,27 +108,17 @@ std::uint8_t assumed_parking(const map::Track& stretch, const BothSides& facts) 
 std::vector<map::Track> assume_parking(const map::Features& features, Report& report) {
   const Surroundings surroundings = index_surroundings(features);
   const CommonNodes common = common_nodes_of(features.tracks);
-  Account account;
-  std::vector<map::Track> tracks;
-  OsmId last{};
-  for (const map::Track& track : features.tracks) {
+  const auto cut = [&](const map::Track& track) {
     const bool may_be_cut = may_have_parking(track) && !track.is_piece;
-    std::vector<map::Track> stretches =
-        may_be_cut ? cut_way(track, kLongestWhole_m, kStretch_m, common) : std::vector{track};
-    for (map::Track& stretch : stretches) {
-      const bool is_short = may_have_parking(stretch) && length_m(stretch.axis) <= kLongestWhole_m;
-      const std::uint8_t sides = is_short ? assumed_parking(stretch, facts_beside(surroundings, stretch)) : 0;
-      if (sides != 0) add_parking(stretch, sides);
-      // the pieces of a way are one object
-      if (sides != 0 && last != track.id.osm)
-        report.count_assumed(Assumption::kParking, track.id.osm), last = track.id.osm;
-      tracks.push_back(std::move(stretch));
-    }
-    if (report.counts(track.id.osm))
-      ++account.in, account.split += stretches.size() - 1, account.out += stretches.size();
-  }
-  report.account("assume", "parked_track") = account;
-  return tracks;
+    return may_be_cut ? cut_way(track, kLongestWhole_m, kStretch_m, common) : std::vector{track};
+  };
+  const auto change = [&](map::Track& stretch) {
+    if (!may_have_parking(stretch) || length_m(stretch.axis) > kLongestWhole_m) return false;
+    const std::uint8_t sides = assumed_parking(stretch, facts_beside(surroundings, stretch));
+    if (sides != 0) add_parking(stretch, sides);
+    return sides != 0;
+  };
+  return with_changed_stretches(features.tracks, Assumption::kParking, "parked_track", cut, change, report);
 }
 
 }  // namespace citykiln::assume

@@ -36,28 +36,17 @@ map::LandCoverClass assumed_surface(map::LandCoverClass surface, LandUse land) {
 std::vector<map::Track> assume_surfaces(const map::Features& features, Report& report) {
   const Surroundings surroundings = index_surroundings(features);
   const CommonNodes common = common_nodes_of(features.tracks);
-  Account account;
-  std::vector<map::Track> tracks;
-  OsmId last{};
-  for (const map::Track& track : features.tracks) {
+  const auto cut = [&](const map::Track& track) {
     const bool may_be_cut = may_be_unpaved(track) && !track.is_piece;
-    std::vector<map::Track> stretches =
-        may_be_cut ? cut_way(track, kLongestWhole_m, kStretch_m, common) : std::vector{track};
-    for (map::Track& stretch : stretches) {
-      if (may_be_unpaved(stretch) && length_m(stretch.axis) <= kLongestWhole_m)
-        stretch.surface = assumed_surface(stretch.surface, land_use_along(surroundings, stretch.axis));
-      const bool is_new = stretch.surface != track.surface;
-      if (is_new) stretch.assumed |= bit_of(Assumption::kSurfaces);
-      // the pieces of a way are one object
-      if (is_new && last != track.id.osm)
-        report.count_assumed(Assumption::kSurfaces, track.id.osm), last = track.id.osm;
-      tracks.push_back(std::move(stretch));
-    }
-    if (report.counts(track.id.osm))
-      ++account.in, account.split += stretches.size() - 1, account.out += stretches.size();
-  }
-  report.account("assume", "surface_track") = account;
-  return tracks;
+    return may_be_cut ? cut_way(track, kLongestWhole_m, kStretch_m, common) : std::vector{track};
+  };
+  const auto change = [&](map::Track& stretch) {
+    if (!may_be_unpaved(stretch) || length_m(stretch.axis) > kLongestWhole_m) return false;
+    const map::LandCoverClass before = stretch.surface;
+    stretch.surface = assumed_surface(before, land_use_along(surroundings, stretch.axis));
+    return stretch.surface != before;
+  };
+  return with_changed_stretches(features.tracks, Assumption::kSurfaces, "surface_track", cut, change, report);
 }
 
 }  // namespace citykiln::assume

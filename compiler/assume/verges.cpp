@@ -58,7 +58,6 @@ bool add_verges(const Surroundings& surroundings, map::Track& stretch) {
     stretch.section = with_verge(std::move(stretch.section), side, width_m);
     is_any = true;
   }
-  if (is_any) stretch.assumed |= bit_of(Assumption::kVerges);
   return is_any;
 }
 
@@ -73,24 +72,12 @@ double assumed_verge_m(const map::Track& stretch, const SideFacts& side, double 
 std::vector<map::Track> assume_verges(const map::Features& features, Report& report) {
   const Surroundings surroundings = index_surroundings(features);
   const CommonNodes common = common_nodes_of(features.tracks);
-  Account account;
-  std::vector<map::Track> tracks;
-  OsmId last{};
-  for (const map::Track& track : features.tracks) {
+  const auto cut = [&](const map::Track& track) {
     const bool may_be_cut = may_have_verge(track) && !track.is_piece;
-    std::vector<map::Track> stretches =
-        may_be_cut ? cut_way(track, kLongestWhole_m, kStretch_m, common) : std::vector{track};
-    for (map::Track& stretch : stretches) {
-      const bool is_new = may_have_verge(stretch) && add_verges(surroundings, stretch);
-      // the pieces of a way are one object
-      if (is_new && last != track.id.osm) report.count_assumed(Assumption::kVerges, track.id.osm), last = track.id.osm;
-      tracks.push_back(std::move(stretch));
-    }
-    if (report.counts(track.id.osm))
-      ++account.in, account.split += stretches.size() - 1, account.out += stretches.size();
-  }
-  report.account("assume", "verge_track") = account;
-  return tracks;
+    return may_be_cut ? cut_way(track, kLongestWhole_m, kStretch_m, common) : std::vector{track};
+  };
+  const auto change = [&](map::Track& stretch) { return may_have_verge(stretch) && add_verges(surroundings, stretch); };
+  return with_changed_stretches(features.tracks, Assumption::kVerges, "verge_track", cut, change, report);
 }
 
 }  // namespace citykiln::assume

@@ -1,10 +1,9 @@
 // Assumes strips of grass between the kerb and the pavement of streets in residential land.
 //
 //     houses    [###]   [###]   [###]
-//     pavement  .....................     where a side has a pavement, tagged or assumed, and no tag says whether there
-//     is verge     """""""""""""""""""""     a verge; where the rows of verges.inc for class, land use and country have
-//     a
-//     ==============================>     width for it; and where the room beyond the kerb is wide enough for both
+//     pavement  .....................     where a side has a pavement, and no tag says whether there is a verge;
+//     verge     """""""""""""""""""""     where verges.inc has a width for class, land use and country;
+//     ==============================>     and where the room beyond the kerb is wide enough for both
 #pragma once
 
 #include <vector>
