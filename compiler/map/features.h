@@ -146,6 +146,12 @@ struct AreaFeature {
   PlantTags plant_tags{};
 };
 
+/// An area where sports are played.
+struct SportsArea {
+  ObjectId id;         ///< Of an AreaFeature.
+  std::string sports;  ///< sport=*: values separated by ";".
+};
+
 /// A river, stream, canal or ditch as a line.
 struct Waterway {
   ObjectId id;
@@ -240,6 +246,8 @@ struct ThingFeature {
   ThingWay way{};
   CountryGroup country{};
   bool is_in_way = false;  ///< True if it may stand in a carriageway, by its row.
+  /// Of equipment of a sports field (pitches/plan.h): the direction that it faces, length 1. It is not moved.
+  std::optional<Vec2> faces{};
 };
 
 /// A front that buildings are to have (buildings/fronts.h).
@@ -272,6 +280,7 @@ struct Features {
   std::vector<Track> tracks;
   std::vector<Footprint> footprints;
   std::vector<AreaFeature> areas;  ///< Includes the sea, closed around the extent.
+  std::vector<SportsArea> sports_areas{};
   std::vector<Waterway> waterways;
   std::vector<Barrier> barriers;
   std::vector<Landform> landforms;

@@ -93,6 +93,7 @@ Vec2 traffic_of(const map::ThingFeature& thing) {
 }
 
 Vec2 facing_of(const map::ThingFeature& thing, map::Facing facing, Vec2 p, const Axes& axes, std::uint64_t seed) {
+  if (thing.faces) return *thing.faces;
   if (thing.bearing_deg) return of_bearing(*thing.bearing_deg);
   const bool has_way = thing.way.along != Vec2{};
   if (has_way && (thing.facing != 0 || facing == map::Facing::kAlong)) return traffic_of(thing) * -1.0;
