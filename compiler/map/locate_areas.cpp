@@ -90,12 +90,12 @@ PlantTags growth_on(const ReadContext& context, const source::Area& area, LandCo
 }
 
 // The footprints of buildings with walls, and a grid to find them.
-struct FootprintIndex {
+struct PoolObstacles {
   const std::vector<Footprint>& footprints;
   BoxGrid grid;
 };
 
-FootprintIndex index_footprints(const std::vector<Footprint>& footprints) {
+PoolObstacles pool_obstacles_of(const std::vector<Footprint>& footprints) {
   constexpr double kBucket_m = 64;
   std::vector<Box2> boxes;
   for (const Footprint& footprint : footprints) boxes.push_back(box_of(footprint.polygon.outer));
@@ -103,7 +103,7 @@ FootprintIndex index_footprints(const std::vector<Footprint>& footprints) {
 }
 
 // True if the first polygon of an area lies in a footprint.
-bool is_in_building(const std::vector<LocatedPolygon>& polygons, const FootprintIndex& buildings) {
+bool is_pool_in_building(const std::vector<LocatedPolygon>& polygons, const PoolObstacles& buildings) {
   if (polygons.empty() || polygons.front().polygon.outer.empty() || buildings.footprints.empty()) return false;
   const Ring& ring = polygons.front().polygon.outer;
   return std::ranges::any_of(boxes_about(buildings.grid, ring.front()), [&](std::uint32_t i) {
@@ -116,7 +116,7 @@ bool is_in_building(const std::vector<LocatedPolygon>& polygons, const Footprint
 }  // namespace
 
 std::vector<AreaFeature> locate_areas(const ReadContext& context, const std::vector<Footprint>& footprints) {
-  const FootprintIndex buildings = index_footprints(footprints);
+  const PoolObstacles buildings = pool_obstacles_of(footprints);
   std::vector<AreaFeature> areas;
   Account account;
   for (const source::Area& area : context.osm.areas) {
@@ -129,7 +129,7 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context, const std::vec
       continue;
     }
     const std::vector<LocatedPolygon> polygons = located(context, area);
-    if (row->surface == LandCoverClass::kPool && is_in_building(polygons, buildings)) {
+    if (row->surface == LandCoverClass::kPool && is_pool_in_building(polygons, buildings)) {
       context.report.drop(account, Code::kInsideBuilding, area.from);
       continue;
     }

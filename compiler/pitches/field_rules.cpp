@@ -16,8 +16,14 @@ constexpr materials::TextureImage::Texel kWhiteLine = {228, 228, 224}, kBlueLine
 #define FIELD_CELL(...) __VA_ARGS__
 constexpr FieldRules kRows[] = {
 #define FIELD(name, sports, length, width, space, line, lines, equipment) \
-  {std::string_view(#name).substr(1), sports,        FIELD_CELL length, FIELD_CELL width, FIELD_CELL space, \
-   FIELD_CELL line,                   lines,         equipment},
+  {std::string_view(#name).substr(1),                                     \
+   sports,                                                                \
+   FIELD_CELL length,                                                     \
+   FIELD_CELL width,                                                      \
+   FIELD_CELL space,                                                      \
+   FIELD_CELL line,                                                       \
+   lines,                                                                 \
+   equipment},
 #include "compiler/pitches/fields.inc"
 #undef FIELD
 };

@@ -102,8 +102,10 @@ std::vector<Stretch> busy_stretches(const FieldPaint& paint, std::size_t own_lin
 
 Rectangle along_line(const FieldPaint& paint, Vec2 a, Vec2 b, Stretch stretch, bool is_plain) {
   const Vec2 along = unit(b - a);
-  return {a + along * ((stretch.from_m + stretch.to_m) / 2), along,
-          {stepped_up((stretch.to_m - stretch.from_m) / 2), stepped_up(paint.half_m)}, is_plain};
+  return {a + along * ((stretch.from_m + stretch.to_m) / 2),
+          along,
+          {stepped_up((stretch.to_m - stretch.from_m) / 2), stepped_up(paint.half_m)},
+          is_plain};
 }
 
 void add_parts(const FieldPaint& paint, Vec2 a, Vec2 b, Stretch stretch, bool is_plain,
@@ -119,7 +121,8 @@ void add_parts(const FieldPaint& paint, Vec2 a, Vec2 b, Stretch stretch, bool is
 void add_between(const FieldPaint& paint, const FieldLine& line, Vec2 a, Vec2 b, Stretch stretch,
                  std::vector<Rectangle>& rectangles) {
   if (line.dash_m == 0) return add_parts(paint, a, b, stretch, true, rectangles);
-  const double period_m = line.dash_m + line.gap_m, part_m = std::max(1.0, std::floor(kLongest_m / period_m)) * period_m;
+  const double period_m = line.dash_m + line.gap_m,
+               part_m = std::max(1.0, std::floor(kLongest_m / period_m)) * period_m;
   for (double from_m = stretch.from_m; from_m < stretch.to_m; from_m += part_m)
     add_parts(paint, a, b, {from_m, std::min(from_m + part_m, stretch.to_m)}, false, rectangles);
 }
@@ -207,8 +210,7 @@ std::vector<Polyline> parts_near(const Polyline& path, const Box2& near) {
 // A ring in a rectangle's frame as a mark of its layout, whose middle is that of the rectangle.
 void add_mark(const FieldPaint& paint, const Rectangle& rectangle, const Ring& ring, roads::Marks& marks) {
   roads::Mark mark{map::clip_ring(ring, rectangle.box()), paint.colour};
-  for (Vec2& p : mark.ring)
-    p = Vec2{rectangle.half.y, roads::kLayoutLength_m / 2} + Vec2{snapped(-p.y), snapped(p.x)};
+  for (Vec2& p : mark.ring) p = Vec2{rectangle.half.y, roads::kLayoutLength_m / 2} + Vec2{snapped(-p.y), snapped(p.x)};
   if (mark.ring.size() < 3) return;
   std::ranges::rotate(mark.ring, std::ranges::min_element(mark.ring));
   marks.push_back(std::move(mark));

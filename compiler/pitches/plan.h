@@ -24,9 +24,6 @@ inline constexpr double kInside = 0.94;
 /// Returns the fields of all areas with a sport, sorted by id.
 std::vector<Field> plan(const map::Features& features);
 
-/// The parts of ids of equipment begin here: things with such a part are derived from their area, not mapped.
-inline constexpr std::uint32_t kEquipmentPart = 0x4000;
-
 /// Returns the equipment of fields as things, sorted by id. Equipment without a row in the table is left out, and any
 /// within 5 m of a mapped thing of its kind.
 std::vector<map::ThingFeature> things_of(const std::vector<Field>& fields, const map::ThingTable& table,
