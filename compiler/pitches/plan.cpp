@@ -16,17 +16,17 @@ namespace {
 
 // A mapped thing of a kind replaces equipment within this distance.
 constexpr double kMapped_m = 5;
-// Places along each side of a field at which it is tested whether it lies in its area.
+// A field is divided into as many cells along each side, whose middles are tested.
 constexpr int kProbes = 9;
 
-// The share of a field's ground in an area. The outermost lines are tested a little inside.
+// The share of a field's ground in an area.
 double share_inside(const Field& field, const Polygon& area) {
   const FieldFrame frame = frame_of(field);
   const double length_m = distance(field.from, field.to);
   int inside = 0;
   for (int i = 0; i < kProbes; ++i)
     for (int j = 0; j < kProbes; ++j) {
-      const Vec2 share{0.98 * (i / (kProbes - 1.0) - 0.5), 0.98 * (j / (kProbes - 1.0) - 0.5)};
+      const Vec2 share{(i + 0.5) / kProbes - 0.5, (j + 0.5) / kProbes - 0.5};
       inside += contains(area, frame.in_plane({share.x * length_m, share.y * field.width_m}));
     }
   return inside / static_cast<double>(kProbes * kProbes);

@@ -79,6 +79,12 @@ TEST(PitchPlan, TheFirstSportOfWhichAFieldFitsCounts) {
   EXPECT_EQ(fields_of(kPitchId, pitch_of(28, 15), "gymnastics;basketball").at(0).kind, FieldKind::kBasketball);
 }
 
+TEST(PitchPlan, AnAreaThatIsNearlyARectangleHasAField) {
+  // way of Berlin-Reinickendorf: its longer sides differ in direction by half a degree, one has a bend
+  const Polygon area{{{0, 0}, {17.6, -21.7}, {56.4, 6.6}, {39, 29.2}, {36.6, 27.3}}, {}};
+  EXPECT_EQ(fields_of(kPitchId, area, "soccer").size(), 1u);
+}
+
 TEST(PitchPlan, AreasThatAreNoRectanglesHaveNoLines) {
   Polygon bent = pitch_of(100, 60);
   bent.outer = {{0, 0}, {100, 0}, {100, 20}, {20, 20}, {20, 80}, {0, 80}};
