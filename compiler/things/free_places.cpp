@@ -88,7 +88,7 @@ std::optional<Vec2> FreePlaces::first_free(Vec2 from, Vec2 direction, double rad
   return std::nullopt;
 }
 
-std::optional<WallPlace> FreePlaces::nearest_wall(Vec2 at) {
+std::optional<WallPlace> FreePlaces::nearest_wall(Vec2 at, double before_m) {
   std::optional<WallPlace> nearest;
   double nearest_m = kMaxWall_m;
   for (const ground::LandCoverPolygon& surface : block_at(at).surfaces) {
@@ -97,9 +97,10 @@ std::optional<WallPlace> FreePlaces::nearest_wall(Vec2 at) {
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()], on = nearest_point(a, b, at);
         if (a == b || distance(on, at) >= nearest_m) continue;
+        const Vec2 out = left_of(unit(b - a)) * -1.0;  // rings run with the building on their left
+        if (!is_free(snapped(on + out * before_m), 0)) continue;
         nearest_m = distance(on, at);
-        // rings run with the building on their left
-        nearest = WallPlace{on, left_of(unit(b - a)) * -1.0};
+        nearest = WallPlace{on, out};
       }
   }
   return nearest;

@@ -30,9 +30,10 @@ std::optional<Vec2> beside_way(const map::ThingFeature& thing, double radius_m, 
 }
 
 std::optional<Stance> on_wall(const map::ThingFeature& thing, FreePlaces& places) {
-  const std::optional<WallPlace> wall = places.nearest_wall(thing.at);
+  const double before_m = thing.depth_m / 2 + kOffWall_m;
+  const std::optional<WallPlace> wall = places.nearest_wall(thing.at, before_m);
   if (!wall) return std::nullopt;
-  return Stance{snapped(wall->at + wall->out * (thing.depth_m / 2 + kOffWall_m)), wall->out};
+  return Stance{snapped(wall->at + wall->out * before_m), wall->out};
 }
 
 std::optional<Vec2> place_of(const map::ThingFeature& thing, const map::ThingRow& row, FreePlaces& places) {
