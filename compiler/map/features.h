@@ -224,13 +224,14 @@ struct ThingWay {
   bool is_nearer_to_end = false;  ///< True if the end of the way is nearer to the node than its start.
 };
 
-/// A thing that is mapped as a point, by a row of the table of things (things/thing_table.h).
+/// A thing, by a row of the table of things (things/thing_table.h): a point, or a part of a line or an area.
 struct ThingFeature {
   ObjectId id;
   Vec2 at;
   std::string kind;   ///< The name of its row.
   std::string value;  ///< The value of the tag that the row tests first.
   double width_m = 0, depth_m = 0, height_m = 0;
+  std::optional<Vec2> along{};  ///< The direction of its width if its line or area says it; length 1.
   std::optional<Srgb> colour{};
   std::string material{};               ///< material=*, as it is tagged.
   std::string text{};                   ///< Digits that it shows, such as those of maxspeed=*.

@@ -92,7 +92,10 @@ Vec2 traffic_of(const map::ThingFeature& thing) {
   return is_along ? thing.way.along : thing.way.along * -1.0;
 }
 
-Vec2 facing_of(const map::ThingFeature& thing, map::Facing facing, Vec2 p, const Axes& axes, std::uint64_t seed) {
+namespace {
+
+Vec2 facing_without_outline(const map::ThingFeature& thing, map::Facing facing, Vec2 p, const Axes& axes,
+                            std::uint64_t seed) {
   if (thing.bearing_deg) return of_bearing(*thing.bearing_deg);
   const bool has_way = thing.way.along != Vec2{};
   if (has_way && (thing.facing != 0 || facing == map::Facing::kAlong)) return traffic_of(thing) * -1.0;
@@ -108,6 +111,15 @@ Vec2 facing_of(const map::ThingFeature& thing, map::Facing facing, Vec2 p, const
     default:
       return random_direction(thing, seed);
   }
+}
+
+}  // namespace
+
+Vec2 facing_of(const map::ThingFeature& thing, map::Facing facing, Vec2 p, const Axes& axes, std::uint64_t seed) {
+  const Vec2 wanted = facing_without_outline(thing, facing, p, axes, seed);
+  if (!thing.along) return wanted;
+  const Vec2 front = left_of(*thing.along);
+  return dot(front, wanted) >= 0 ? front : front * -1.0;
 }
 
 }  // namespace citykiln::things
