@@ -1,7 +1,7 @@
 // Assumes verges: strips of grass between the kerb and the pavement of streets in residential land.
 //
 //     houses    [###]   [###]   [###]
-//     pavement  .....................     a side has a verge if it has a pavement, no tag says whether there is a verge,
+//     pavement  .....................     a side has a verge if it has a pavement, no tag states a verge or none,
 //     verge     """""""""""""""""""""     verges.inc has a width for its class, country group and share of houses,
 //     ==============================>     and the room beyond the kerb is wide enough for both
 #pragma once
