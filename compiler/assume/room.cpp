@@ -169,7 +169,7 @@ Room room_beside(const Surroundings& surroundings, const map::Track& stretch) {
     for (const std::uint32_t n :
          boxes_about(surroundings.line_grid, box_of(std::array{axis[i], axis[i + 1]}).widened(reach_m))) {
       const MappedLine& line = surroundings.lines[n];
-      if (!limits_strips(line) || line.of.osm == stretch.id.osm || !runs_beside(line, along)) continue;
+      if (!limits_strips(line) || line.element.osm == stretch.id.osm || !runs_beside(line, along)) continue;
       // a wide line reaches beyond its axis, and over the ends of the stretch
       const Vec2 before = i == 0 ? along * line.half_m : Vec2{},
                  after = i + 2 == axis.size() ? along * line.half_m : Vec2{};
