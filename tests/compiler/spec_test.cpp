@@ -60,6 +60,7 @@ TEST(Spec, ParsesEverySetting) {
                                                       {"target", "three"},
                                                       {"split", "building"},
                                                       {"rules", "r"},
+                                                      {"things", "t"},
                                                       {"drive-on", "left"},
                                                       {"seed", "18446744073709551615"},
                                                       {"threads", "2"},

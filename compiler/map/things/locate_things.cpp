@@ -109,7 +109,7 @@ std::optional<Code> reason_without_thing(const ReadContext& context, const Found
 }
 
 // The way that a node belongs to, else the direction of the power line or fence at its place.
-ThingWay way_of(const FoundThing& found, const std::map<std::int64_t, ThingWay>& ways,
+ThingWay way_at_place(const FoundThing& found, const std::map<std::int64_t, ThingWay>& ways,
                 const std::map<Vec2, Vec2>& lines) {
   if (found.id.osm.type != OsmType::kNode) return {};
   ThingWay way = ways.at(found.id.osm.id);
@@ -142,7 +142,7 @@ std::vector<ThingFeature> locate_things(const ReadContext& context, const ThingT
   for (const FoundThing& each : found) {
     const bool counts = context.report.counts(each.id.osm);
     (each.is_another ? account.split : account.in) += counts;
-    const ThingWay way = way_of(each, ways, lines);
+    const ThingWay way = way_at_place(each, ways, lines);
     if (const auto reason = reason_without_thing(context, each, way)) {
       context.report.drop(account, *reason, each.id.osm);
       continue;
