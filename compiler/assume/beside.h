@@ -89,7 +89,7 @@ struct MappedLand {
 struct Surroundings {
   std::vector<MappedLine> lines;
   std::vector<MappedLand> areas;
-  BoxGrid line_grid, area_grid;  ///< Of the indexes of `lines` and `areas`.
+  BoxGrid line_grid, area_grid;  ///< Find the indexes of `lines` and `areas` by position.
   double widest_half_m = 0;      ///< The greatest MappedLine::half_m.
 };
 
