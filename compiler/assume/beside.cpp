@@ -287,12 +287,14 @@ struct Walk {
 double left_kerb_m(const map::CrossSection& section) { return section.axis_offset_m; }
 double right_kerb_m(const map::CrossSection& section) { return carriageway_width_m(section) - section.axis_offset_m; }
 
-Surroundings index_surroundings(const map::Features& features) {
+Surroundings index_surroundings(const map::Features& features) { return index_surroundings(features, features.tracks); }
+
+Surroundings index_surroundings(const map::Features& features, const std::vector<map::Track>& tracks) {
   Indexer indexer;
   for (const map::Footprint& footprint : features.footprints)
     if (!footprint.is_part && !footprint.is_open && footprint.min_height_m == 0)
       for (const Ring* ring : rings_of(footprint.polygon)) indexer.add_ring(*ring, LineKind::kBuilding, footprint.id);
-  for (const map::Track& track : features.tracks)
+  for (const map::Track& track : tracks)
     if (track.passage == map::Passage::kGround && !track.is_indoor) indexer.add_track(track);
   for (const map::Barrier& barrier : features.barriers) indexer.add_barrier(barrier);
   for (const map::AreaFeature& area : features.areas) indexer.add_area(area);

@@ -89,13 +89,15 @@ struct MappedLand {
 struct Surroundings {
   std::vector<MappedLine> lines;
   std::vector<MappedLand> areas;
-  BoxGrid line_grid, area_grid;  ///< Of the indexes of `lines` and `areas`.
+  BoxGrid line_grid, area_grid;  ///< Find the indexes of `lines` and `areas` by position.
   double widest_half_m = 0;      ///< The greatest MappedLine::half_m.
 };
 
 /// Returns the index of the features on the ground, without bridges, tunnels and what is indoors. It points into
 /// `features`, which have to outlive it unchanged. O(n log n), n: points of all features.
 Surroundings index_surroundings(const map::Features& features);
+/// Returns the index of these tracks, which have to outlive it too, and of the other features.
+Surroundings index_surroundings(const map::Features& features, const std::vector<map::Track>& tracks);
 
 /// Returns the land use that is most frequent on a line itself, not beside it. O(length · areas near it).
 LandUse land_use_along(const Surroundings& surroundings, const Polyline& line);

@@ -15,9 +15,13 @@ using CommonNodes = std::vector<std::int64_t>;
 /// Returns the common nodes of these tracks. O(n log n), n: nodes of all tracks.
 CommonNodes common_nodes_of(const std::vector<map::Track>& tracks);
 
-/// Returns the pieces of a way that is longer than `longest_m`, else the way alone. A piece ends at the last common
-/// node within `piece_m`, along the axis, of its first point; without one at the last node in this distance; without
-/// any at the first node beyond. Only in the last case it is longer than `piece_m`: one segment of the axis.
+/// Returns the pieces of a way that is longer than `longest_m`, else the way alone. The axis is divided into windows of
+/// `piece_m`, from its first point on. In each window but the last the way is cut at the last common node, else at the
+/// last node; a window without a node has no cut. So a cut depends only on the nodes of its window, and a piece is at
+/// most twice as long as a window, unless windows without a node follow.
+///
+/// > o-----o---+-o--+--|--o---o---o-|---+----o     + common nodes, | ends of windows
+/// > ^              ^             ^           ^     ends of pieces
 ///
 /// Two neighbouring pieces both have the node between them, with its TrackPoint. The ids of the pieces are the way's,
 /// with the parts 0, 1, 2 … in its direction. A way that is cut must have the part 0 and an axis_drift of 0.

@@ -157,6 +157,9 @@ void limit_at_bend(Measured& measured, const MappedLine& line, Vec2 before, Vec2
   if (turn > 0) measured.limit(line, within, right, false, right_kerb_m(section), measured.room.right_m);
 }
 
+// Lines farther away are found or not, by the widest road of the map.
+double capped(double room_m) { return room_m < kWidestStrip_m ? room_m : std::numeric_limits<double>::infinity(); }
+
 }  // namespace
 
 Room room_beside(const Surroundings& surroundings, const map::Track& stretch) {
@@ -178,7 +181,7 @@ Room room_beside(const Surroundings& surroundings, const map::Track& stretch) {
       if (i + 2 < axis.size()) limit_at_bend(measured, line, axis[i], axis[i + 1], axis[i + 2]);
     }
   }
-  return measured.room;
+  return {capped(measured.room.left_m), capped(measured.room.right_m)};
 }
 
 }  // namespace citykiln::assume

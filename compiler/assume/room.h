@@ -19,7 +19,7 @@ inline constexpr double kJunctionReach_m = 24;
 /// If a wall is nearer to the kerb than this at any place, the room is 0. The value is what roads/width_limits keeps of
 /// a pavement, with its rounding. In bends, between corners of the axis less than 8 m apart, it is 2 m.
 inline constexpr double kLeastBeforeWalls_m = 0.75;
-/// The widest strip for which the room is measured. A greater room only says that this strip fits.
+/// The widest strip for which the room is measured. A greater room is infinite.
 inline constexpr double kWidestStrip_m = 8;
 
 /// The least distances from the left and the right kerb of a stretch to what is mapped on that side, at least 0.

@@ -23,7 +23,9 @@ double assumed_verge_m(const map::Track& stretch, const SideFacts& side, double 
 /// side is not in Track::tagged_verges, and all that is raised on it is a pavement, tagged or assumed.
 ///
 /// Runs after assume_pavements(), and cuts ways of more than kLongestWhole_m as it does. The radius is
-/// kPavementRadius_m (pavements.h), and assumed pavements within it count. O(n log n), n: points of all features.
-std::vector<map::Track> assume_verges(const map::Features& features, Report& report);
+/// kPavementRadius_m (pavements.h), since only mapped streets limit the room. O(n log n), n: points of all features.
+/// @param mapped  The tracks before pavements were assumed.
+std::vector<map::Track> assume_verges(const map::Features& features, const std::vector<map::Track>& mapped,
+                                      Report& report);
 
 }  // namespace citykiln::assume
