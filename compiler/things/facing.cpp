@@ -98,7 +98,8 @@ Vec2 facing_without_outline(const map::ThingFeature& thing, map::Facing facing, 
                             std::uint64_t seed) {
   if (thing.bearing_deg) return of_bearing(*thing.bearing_deg);
   const bool has_way = thing.way.along != Vec2{};
-  if (has_way && (thing.facing != 0 || facing == map::Facing::kAlong)) return traffic_of(thing) * -1.0;
+  const bool is_for_traffic = facing == map::Facing::kAlong || facing == map::Facing::kArms;
+  if (has_way && (thing.facing != 0 || is_for_traffic)) return traffic_of(thing) * -1.0;
   switch (facing) {
     case map::Facing::kTag:
       return kSouth;
@@ -107,6 +108,7 @@ Vec2 facing_without_outline(const map::ThingFeature& thing, map::Facing facing, 
     case map::Facing::kPlatform:
       return towards_axis(axes, p, AxisKind::kRoadsAndRails);
     case map::Facing::kAlong:
+    case map::Facing::kArms:
       return against_near_traffic(axes, p);
     default:
       return random_direction(thing, seed);

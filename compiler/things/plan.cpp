@@ -1,12 +1,15 @@
 #include "compiler/things/plan.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <map>
 #include <optional>
 
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/things/facing.h"
 #include "compiler/things/free_places.h"
+#include "compiler/things/junction_signals.h"
 
 namespace citykiln::things {
 namespace {
@@ -66,6 +69,30 @@ std::optional<Stance> stance_of(const map::ThingFeature& thing, const map::Thing
   return Stance{*at, facing_of(thing, row.facing, *at, axes, seed)};
 }
 
+bool is_for_arms(const map::ThingFeature& thing, const Kinds& kinds) {
+  return kinds.find(thing.kind)->second.row.facing == map::Facing::kArms;
+}
+
+// The things, with those of Facing::kArms for each arm of their junctions. Keeps the account.
+std::vector<map::ThingFeature> with_arms(const std::vector<map::ThingFeature>& mapped,
+                                         std::span<const roads::Road> roads, std::span<const roads::Junction> junctions,
+                                         const Kinds& kinds, const Report& report, Account& account) {
+  std::vector<map::ThingFeature> things;
+  std::map<std::string, std::vector<map::ThingFeature>> by_kind;
+  for (const map::ThingFeature& thing : mapped)
+    (is_for_arms(thing, kinds) ? by_kind[thing.kind] : things).push_back(thing);
+  for (auto& [kind, of_kind] : by_kind)
+    for (map::ThingFeature& thing : with_one_for_each_arm(std::move(of_kind), roads, junctions))
+      things.push_back(std::move(thing));
+  const auto counted = [&](const std::vector<map::ThingFeature>& all) {
+    return std::ranges::count_if(all, [&](const map::ThingFeature& thing) { return report.counts(thing.id.osm); });
+  };
+  const auto before = counted(mapped), after = counted(things);
+  account.in += static_cast<std::uint64_t>(before);
+  (after > before ? account.split : account.merged) += static_cast<std::uint64_t>(std::abs(after - before));
+  return things;
+}
+
 }  // namespace
 
 std::set<std::string> kind_names(const map::Features& features) {
@@ -75,21 +102,23 @@ std::set<std::string> kind_names(const map::Features& features) {
 }
 
 std::vector<Thing> plan(const map::Features& features, std::span<const roads::Road> roads,
-                        std::span<const ground::LandCoverPolygon> cover, const Kinds& kinds, std::uint64_t seed,
-                        Report& report) {
+                        std::span<const roads::Junction> junctions, std::span<const ground::LandCoverPolygon> cover,
+                        const Kinds& kinds, std::uint64_t seed, Report& report) {
   const Axes axes = axes_of(roads);
   FreePlaces places(cover);
   std::vector<Thing> things;
   Account account;
-  for (const map::ThingFeature& thing : features.things) {
-    const auto kind = kinds.find(thing.kind);
-    if (kind == kinds.end()) continue;
-    const map::ThingRow& row = kind->second.row;
+  for (const map::ThingFeature& thing : with_arms(features.things, roads, junctions, kinds, report, account)) {
+    const Kind& kind = kinds.find(thing.kind)->second;
+    const map::ThingRow& row = kind.row;
     const bool counts = report.counts(thing.id.osm);
-    account.in += counts;
     const std::optional<Stance> stance = stance_of(thing, row, axes, places, seed);
     if (!stance) {
       report.drop(account, {Code::kNoPlaceForThing, thing.id.osm, 0, {}, {}, row.name});
+      continue;
+    }
+    if (!features.extent.contains(stance->at)) {
+      report.drop(account, Code::kOutsideBounds, thing.id.osm);
       continue;
     }
     account.out += counts;
@@ -97,7 +126,7 @@ std::vector<Thing> plan(const map::Features& features, std::span<const roads::Ro
                       .at = stance->at,
                       .direction = nearest_direction(stance->facing),
                       .is_in_way = thing.is_in_way,
-                      .form = form_of(thing, kind->second, seed)});
+                      .form = form_of(thing, kind, seed)});
   }
   std::ranges::sort(things, {}, &Thing::id);
   report.account("things", "thing") = account;

@@ -8,6 +8,7 @@
 
 #include "compiler/contract/report.h"
 #include "compiler/ground/recipe.h"
+#include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/recipe.h"
 #include "compiler/things/catalogue.h"
 #include "compiler/things/recipe.h"
@@ -18,11 +19,12 @@ namespace citykiln::things {
 std::set<std::string> kind_names(const map::Features& features);
 
 /// Returns the things of a map, sorted by id. A thing that may not stand where it is mapped is moved to a free place
-/// (free_places.h), or dropped, kNoPlaceForThing. Ledger "things/thing". O(things · land cover near them).
+/// (free_places.h), or dropped, kNoPlaceForThing, and kOutsideBounds if the place is outside of the extent. Signals of
+/// a junction stand at its arms (junction_signals.h). Ledger "things/thing". O(things · land cover near them).
 /// @param cover  The land cover of the whole map, with buildings.
-/// @param kinds  The kinds of the map's things; see kinds_of().
+/// @param kinds  The kinds of all things of the map; see kinds_of().
 std::vector<Thing> plan(const map::Features& features, std::span<const roads::Road> roads,
-                        std::span<const ground::LandCoverPolygon> cover, const Kinds& kinds, std::uint64_t seed,
-                        Report& report);
+                        std::span<const roads::Junction> junctions, std::span<const ground::LandCoverPolygon> cover,
+                        const Kinds& kinds, std::uint64_t seed, Report& report);
 
 }  // namespace citykiln::things
