@@ -100,8 +100,8 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   if (!features.things.empty()) {
     kinds = things::kinds_of(*catalogue, things::kind_names(features));
     if (!kinds) return kinds.error();
-    recipes.things = things::plan(features, recipes.roads, recipes.junctions, thing_obstacles(recipes), *kinds,
-                                  spec.seed, report);
+    recipes.things =
+        things::plan(features, recipes.roads, recipes.junctions, thing_obstacles(recipes), *kinds, spec.seed, report);
   }
 
   // plan the land around the extent, describe the sky and the sources

@@ -74,6 +74,10 @@ ThingFeature thing_on_arm(const ThingFeature& mapped, std::span<const roads::Roa
   thing.at = snapped(out.back());
   thing.bearing_deg.reset(), thing.facing = 0;
   thing.capacity = lanes_in(road, arm);
+  if (thing.capacity > 1) {
+    thing.width_m = 2 * kReachPerLane_m * (std::min<int>(thing.capacity, kMostLanes) + 0.25);
+    thing.height_m = kTallSignal_m;
+  }
   thing.text = road.side == map::DrivingSide::kLeft ? "left" : "";
   thing.way = {.id = road.id,
                .along = unit(out[out.size() - 2] - out.back()),

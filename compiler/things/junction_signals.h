@@ -20,6 +20,10 @@ namespace citykiln::things {
 
 /// A mapped signal this far from the node of a junction, on an arm, belongs to the arm.
 inline constexpr double kSignalBefore_m = 30;
+/// The size of a signal for two lanes or more: a pole in the middle of its box, and an arm that reaches over the lanes,
+/// at most kMostLanes.
+inline constexpr double kTallSignal_m = 6, kReachPerLane_m = 3;
+inline constexpr int kMostLanes = 4;
 
 /// Returns the things of one kind with those on the nodes of junctions replaced by one for each arm of the junction on
 /// which motor traffic comes in. An arm that lies inside the junction has none, nor has one with a thing of the kind of

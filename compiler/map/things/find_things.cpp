@@ -62,19 +62,28 @@ FoundThing placed(FoundThing thing, const OutlinePlace& place, std::uint32_t par
   return thing;
 }
 
-// A closed way encloses something if things on it may stand in a way (a ring of bollards); others are areas.
-bool is_closed_line(const ReadContext& context, source::Range tags, const MatchedThing& match) {
-  return match.row->stand == Stand::kInWay && !says_yes(context.tag(tags, "area"));
+// A closed way is a line if things on it may stand in a way (a ring of bollards); others are areas.
+bool is_line(const ReadContext& context, const source::Way& way, const Polyline& axis, Stand stand) {
+  return axis.front() != axis.back() || (stand == Stand::kInWay && !says_yes(context.tag(way.tags, "area")));
 }
 
-void add_line(const ReadContext& context, const source::Way& way, const MatchedThing& match,
-              std::vector<FoundThing>& found) {
-  const auto nodes = context.osm.nodes_of(way);
-  const bool is_closed = nodes.front().at == nodes.back().at;
-  if (is_closed && !is_closed_line(context, way.tags, match)) return;
-  const Polyline axis = located(context, way).axis;
+void add_in_area(const FoundThing& thing, const Ring& ring, std::uint32_t part, std::vector<FoundThing>& found) {
+  const Box2 box = box_of(ring);
+  if (ring.size() < 3 || std::max(box.width(), box.height()) > kLargestArea_m) return;
+  const bool is_another = !found.empty() && found.back().id.osm == thing.id.osm;
+  found.push_back(placed(thing, place_in_area(ring, thing.width_m, thing.depth_m), part, is_another));
+}
+
+void add_way(const ReadContext& context, const source::Way& way, const MatchedThing& match,
+             std::vector<FoundThing>& found) {
+  Polyline axis = located(context, way).axis;
   if (axis.size() < 2 || !is_near(context, axis)) return;
-  const FoundThing thing = found_thing(context, {OsmType::kWay, way.id}, way.tags, nodes.front().at, match);
+  const source::Location where = context.osm.nodes_of(way).front().at;
+  const FoundThing thing = found_thing(context, {OsmType::kWay, way.id}, way.tags, where, match);
+  if (!is_line(context, way, axis, match.row->stand)) {
+    axis.pop_back();
+    return add_in_area(thing, axis, 0, found);
+  }
   std::uint32_t part = 0;
   for (const OutlinePlace& place : places_on_line(axis, match.row->stand, thing.width_m, thing.depth_m)) {
     found.push_back(placed(thing, place, part, part > 0));
@@ -82,20 +91,11 @@ void add_line(const ReadContext& context, const source::Way& way, const MatchedT
   }
 }
 
-void add_area(const ReadContext& context, const source::Area& area, const MatchedThing& match,
-              std::vector<FoundThing>& found) {
-  if (area.from.type == OsmType::kWay && is_closed_line(context, area.tags, match)) return;
+void add_multipolygon(const ReadContext& context, const source::Area& area, const MatchedThing& match,
+                      std::vector<FoundThing>& found) {
   const source::Location where = context.osm.points_of(context.osm.rings_of(area).front()).front();
   const FoundThing thing = found_thing(context, area.from, area.tags, where, match);
-  bool is_another = false;
-  for (const LocatedPolygon& each : located(context, area)) {
-    const Ring& ring = each.polygon.outer;
-    if (ring.size() < 3) continue;
-    const Box2 box = box_of(ring);
-    if (std::max(box.width(), box.height()) > kLargestArea_m) continue;
-    found.push_back(placed(thing, place_in_area(ring, thing.width_m, thing.depth_m), each.part, is_another));
-    is_another = true;
-  }
+  for (const LocatedPolygon& each : located(context, area)) add_in_area(thing, each.polygon.outer, each.part, found);
 }
 
 std::vector<OsmId> trees_and_lamps(const Features& features) {
@@ -123,9 +123,11 @@ std::vector<FoundThing> find_things(const ReadContext& context, const ThingTable
   }
   for (const source::Way& way : context.osm.ways)
     if (const auto fit = match(others, {OsmType::kWay, way.id}, way.tags); fit.row != nullptr)
-      add_line(context, way, fit, found);
+      add_way(context, way, fit, found);
   for (const source::Area& area : context.osm.areas)
-    if (const auto fit = match(others, area.from, area.tags); fit.row != nullptr) add_area(context, area, fit, found);
+    if (area.from.type == OsmType::kRelation)
+      if (const auto fit = match(others, area.from, area.tags); fit.row != nullptr)
+        add_multipolygon(context, area, fit, found);
   return found;
 }
 

@@ -110,7 +110,7 @@ std::optional<Code> reason_without_thing(const ReadContext& context, const Found
 
 // The way that a node belongs to, else the direction of the power line or fence at its place.
 ThingWay way_at_place(const FoundThing& found, const std::map<std::int64_t, ThingWay>& ways,
-                const std::map<Vec2, Vec2>& lines) {
+                      const std::map<Vec2, Vec2>& lines) {
   if (found.id.osm.type != OsmType::kNode) return {};
   ThingWay way = ways.at(found.id.osm.id);
   if (const auto line = lines.find(found.at); way.id.osm.type == OsmType::kNone && line != lines.end())

@@ -28,7 +28,7 @@ enum class Facing : std::uint8_t {
   kStreet,    ///< The nearest road or path within 30 m.
   kAlong,     ///< The traffic on the way that it belongs to, else on the nearest road.
   kPlatform,  ///< The nearest road or railway within 30 m.
-  kArms,      ///< As kAlong; on a node of a junction, one for each arm, facing the traffic that comes in.
+  kArms,      ///< The same; on a node of a junction one thing faces the incoming traffic of each arm.
   kAny        ///< A random direction.
 };
 
