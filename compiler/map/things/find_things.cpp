@@ -63,7 +63,7 @@ FoundThing placed(FoundThing thing, const OutlinePlace& place, std::uint32_t par
 }
 
 // A closed way is a line if things on it may stand in a way (a ring of bollards); others are areas.
-bool is_line(const ReadContext& context, const source::Way& way, const Polyline& axis, Stand stand) {
+bool runs_along_line(const ReadContext& context, const source::Way& way, const Polyline& axis, Stand stand) {
   return axis.front() != axis.back() || (stand == Stand::kInWay && !says_yes(context.tag(way.tags, "area")));
 }
 
@@ -80,7 +80,7 @@ void add_way(const ReadContext& context, const source::Way& way, const MatchedTh
   if (axis.size() < 2 || !is_near(context, axis)) return;
   const source::Location where = context.osm.nodes_of(way).front().at;
   const FoundThing thing = found_thing(context, {OsmType::kWay, way.id}, way.tags, where, match);
-  if (!is_line(context, way, axis, match.row->stand)) {
+  if (!runs_along_line(context, way, axis, match.row->stand)) {
     axis.pop_back();
     return add_in_area(thing, axis, 0, found);
   }

@@ -137,7 +137,8 @@ TEST(LocateThings, LinesAndAreasAreThings) {
     w1 10:0 16:0 barrier=bollard
     w2 30:0 33:0 amenity=bench
     w3 40:0 43:0 43:1 40:1 40:0 amenity=bench
-    w4 60:0 72:0 72:9 60:9 60:0 building=yes amenity=bench)")
+    w4 60:0 72:0 72:9 60:9 60:0 building=yes amenity=bench
+    a4 60:0 72:0 72:9 60:9 building=yes amenity=bench)")
                                   .take();
   const Features features = locate(osm, Plane(kTestOrigin), box_around(500), options, report);
   std::map<std::int64_t, int> things;
