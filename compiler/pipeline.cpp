@@ -97,8 +97,8 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   recipes.props = props::plan(features, report);
   timer.enter("things");
   Result<things::Kinds> kinds = things::Kinds{};
-  if (!features.things.empty()) {
-    kinds = things::kinds_of(*catalogue, things::kind_names(features));
+  if (const auto names = things::kind_names(features, catalogue->table); !names.empty()) {
+    kinds = things::kinds_of(*catalogue, names);
     if (!kinds) return kinds.error();
     recipes.things =
         things::plan(features, recipes.roads, recipes.junctions, thing_obstacles(recipes), *kinds, spec.seed, report);

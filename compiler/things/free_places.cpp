@@ -58,11 +58,16 @@ const FreePlaces::Block& FreePlaces::block_at(Vec2 at) {
   return *block;
 }
 
-bool FreePlaces::is_barred_at(Vec2 at) {
+std::optional<LandCoverClass> FreePlaces::surface_at(Vec2 at) {
   const Block& block = block_at(at);
-  if (block.surfaces.empty()) return false;
+  if (block.surfaces.empty()) return std::nullopt;
   const std::uint32_t top = ground::land_cover_at(block.index, at);
-  return top != ground::kNoLandCover && is_barred(block.surfaces[top].surface);
+  return top == ground::kNoLandCover ? std::nullopt : std::optional(block.surfaces[top].surface);
+}
+
+bool FreePlaces::is_barred_at(Vec2 at) {
+  const std::optional<LandCoverClass> surface = surface_at(at);
+  return surface && is_barred(*surface);
 }
 
 bool FreePlaces::is_free(Vec2 at, double radius_m) {

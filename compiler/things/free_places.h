@@ -39,6 +39,8 @@ class FreePlaces {
   /// @param cover  The land cover of the map, with buildings; must outlive the object.
   explicit FreePlaces(std::span<const ground::LandCoverPolygon> cover);
 
+  /// Returns the land cover at a place; nothing where there is none.
+  std::optional<map::LandCoverClass> surface_at(Vec2 at);
   /// True if a disc is outside of barred land cover, as far as its centre and eight points of its border say.
   bool is_free(Vec2 at, double radius_m);
   /// Returns `at` if it is free, else the nearest free one of places on circles around it.

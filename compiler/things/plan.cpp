@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -10,6 +11,7 @@
 #include "compiler/things/facing.h"
 #include "compiler/things/free_places.h"
 #include "compiler/things/junction_signals.h"
+#include "compiler/things/parked_cars.h"
 
 namespace citykiln::things {
 namespace {
@@ -73,30 +75,48 @@ bool is_for_arms(const map::ThingFeature& thing, const Kinds& kinds) {
   return kinds.find(thing.kind)->second.row.facing == map::Facing::kArms;
 }
 
-// The things, with those of Facing::kArms for each arm of their junctions. Keeps the account.
-std::vector<map::ThingFeature> with_arms(const std::vector<map::ThingFeature>& mapped,
-                                         std::span<const roads::Road> roads, std::span<const roads::Junction> junctions,
-                                         const Kinds& kinds, const Report& report, Account& account) {
-  std::vector<map::ThingFeature> things;
-  std::map<std::string, std::vector<map::ThingFeature>> by_kind;
-  for (const map::ThingFeature& thing : mapped)
-    (is_for_arms(thing, kinds) ? by_kind[thing.kind] : things).push_back(thing);
-  for (auto& [kind, of_kind] : by_kind)
-    for (map::ThingFeature& thing : with_one_for_each_arm(std::move(of_kind), roads, junctions))
-      things.push_back(std::move(thing));
+// What decides how many things become of those on the map.
+struct Network {
+  std::span<const roads::Road> roads;
+  std::span<const roads::Junction> junctions;
+};
+
+// The things, with those of Facing::kArms for each arm of their junctions, and with parked cars if there is such a
+// kind.
+std::vector<map::ThingFeature> with_derived(const map::Features& features, const Network& network, const Kinds& kinds,
+                                            FreePlaces& places, std::uint64_t seed) {
+  std::vector<map::ThingFeature> things, spaces;
+  std::map<std::string, std::vector<map::ThingFeature>> on_arms;
+  for (const map::ThingFeature& thing : features.things) {
+    const bool is_car = thing.kind == kCar;
+    (is_car ? spaces : is_for_arms(thing, kinds) ? on_arms[thing.kind] : things).push_back(thing);
+  }
+  const auto append = [&](std::vector<map::ThingFeature>&& more) {
+    std::ranges::move(more, std::back_inserter(things));
+  };
+  for (auto& [kind, mapped] : on_arms)
+    append(with_one_for_each_arm(std::move(mapped), network.roads, network.junctions));
+  if (kinds.contains(kCar)) append(parked_cars(spaces, features, network.roads, places, seed));
+  return things;
+}
+
+// Counts the things on the map as in, and the difference to these as split or merged.
+void count_derived(const map::Features& features, const std::vector<map::ThingFeature>& things, const Report& report,
+                   Account& account) {
   const auto counted = [&](const std::vector<map::ThingFeature>& all) {
     return std::ranges::count_if(all, [&](const map::ThingFeature& thing) { return report.counts(thing.id.osm); });
   };
-  const auto before = counted(mapped), after = counted(things);
+  const auto before = counted(features.things), after = counted(things);
   account.in += static_cast<std::uint64_t>(before);
   (after > before ? account.split : account.merged) += static_cast<std::uint64_t>(std::abs(after - before));
-  return things;
 }
 
 }  // namespace
 
-std::set<std::string> kind_names(const map::Features& features) {
+std::set<std::string> kind_names(const map::Features& features, const map::ThingTable& table) {
   std::set<std::string> names;
+  for (const map::ThingRow& row : table)
+    if (row.name == kCar) names.insert(row.name);
   for (const map::ThingFeature& thing : features.things) names.insert(thing.kind);
   return names;
 }
@@ -108,7 +128,9 @@ std::vector<Thing> plan(const map::Features& features, std::span<const roads::Ro
   FreePlaces places(cover);
   std::vector<Thing> things;
   Account account;
-  for (const map::ThingFeature& thing : with_arms(features.things, roads, junctions, kinds, report, account)) {
+  const std::vector<map::ThingFeature> all = with_derived(features, {roads, junctions}, kinds, places, seed);
+  count_derived(features, all, report, account);
+  for (const map::ThingFeature& thing : all) {
     const Kind& kind = kinds.find(thing.kind)->second;
     const map::ThingRow& row = kind.row;
     const bool counts = report.counts(thing.id.osm);

@@ -15,12 +15,13 @@
 
 namespace citykiln::things {
 
-/// Returns the names of the kinds of a map's things.
-std::set<std::string> kind_names(const map::Features& features);
+/// Returns the names of the kinds of a map's things, and kCar if the table has it.
+std::set<std::string> kind_names(const map::Features& features, const map::ThingTable& table);
 
 /// Returns the things of a map, sorted by id. A thing that may not stand where it is mapped is moved to a free place
 /// (free_places.h), or dropped, kNoPlaceForThing, and kOutsideBounds if the place is outside of the extent. Signals of
-/// a junction stand at its arms (junction_signals.h). Ledger "things/thing". O(things · land cover near them).
+/// a junction stand at its arms (junction_signals.h); cars are parked if their kind is given (parked_cars.h). Ledger
+/// "things/thing". O(things · land cover near them).
 /// @param cover  The land cover of the whole map, with buildings.
 /// @param kinds  The kinds of all things of the map; see kinds_of().
 std::vector<Thing> plan(const map::Features& features, std::span<const roads::Road> roads,

@@ -61,6 +61,7 @@ TEST(Spec, ParsesEverySetting) {
                                                       {"split", "building"},
                                                       {"rules", "r"},
                                                       {"things", "t"},
+                                                      {"cars", "true"},
                                                       {"drive-on", "left"},
                                                       {"seed", "18446744073709551615"},
                                                       {"threads", "2"},

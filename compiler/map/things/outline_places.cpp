@@ -16,13 +16,7 @@ double stretched_m(double row_m, double mapped_m) {
   return mapped_m <= row_m * kMostStretch ? std::max(snapped_to(kSizeStep_m, mapped_m), kSizeStep_m) : row_m;
 }
 
-// A rectangle with two sides along a direction.
-struct Rectangle {
-  Vec2 middle, along;
-  double length_m = 0, width_m = 0;
-};
-
-Rectangle rectangle_along(const Ring& ring, Vec2 along) {
+OutlineRectangle rectangle_along(const Ring& ring, Vec2 along) {
   const Vec2 across = left_of(along);
   Box2 box;
   for (const Vec2 p : ring) box.grow({dot(p, along), dot(p, across)});
@@ -30,20 +24,20 @@ Rectangle rectangle_along(const Ring& ring, Vec2 along) {
   return {along * middle.x + across * middle.y, along, size.x, size.y};
 }
 
-Rectangle smallest_rectangle(const Ring& ring) {
-  Rectangle smallest;
+}  // namespace
+
+OutlineRectangle smallest_rectangle(const Ring& ring) {
+  OutlineRectangle smallest;
   double least_m2 = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2 along = unit(ring[(i + 1) % ring.size()] - ring[i]);
     if (along == Vec2{}) continue;
-    const Rectangle rectangle = rectangle_along(ring, along);
+    const OutlineRectangle rectangle = rectangle_along(ring, along);
     if (rectangle.length_m * rectangle.width_m >= least_m2) continue;
     least_m2 = rectangle.length_m * rectangle.width_m, smallest = rectangle;
   }
   return smallest;
 }
-
-}  // namespace
 
 std::vector<OutlinePlace> places_on_line(const Polyline& line, Stand stand, double width_m, double depth_m) {
   const std::vector<double> along = distances_on(line);
@@ -66,7 +60,7 @@ std::vector<OutlinePlace> places_on_line(const Polyline& line, Stand stand, doub
 }
 
 OutlinePlace place_in_area(const Ring& ring, double width_m, double depth_m) {
-  Rectangle rectangle = smallest_rectangle(ring);
+  OutlineRectangle rectangle = smallest_rectangle(ring);
   if ((rectangle.length_m < rectangle.width_m) != (width_m < depth_m)) {
     std::swap(rectangle.length_m, rectangle.width_m);
     rectangle.along = left_of(rectangle.along);

@@ -23,6 +23,14 @@ struct OutlinePlace {
   double width_m = 0, depth_m = 0;
 };
 
+/// A rectangle with two sides along a direction.
+struct OutlineRectangle {
+  Vec2 middle, along;  ///< `along` has length 1.
+  double length_m = 0, width_m = 0;
+};
+/// Returns the smallest rectangle around a ring that has a side along an edge. O(n²).
+OutlineRectangle smallest_rectangle(const Ring& ring);
+
 /// A line or area gives a thing its size if neither side is longer than that of the row times this.
 inline constexpr double kMostStretch = 4;
 /// The distance of copies that are narrower than half of it.
@@ -35,8 +43,8 @@ inline constexpr std::size_t kMostCopies = 1000;
 /// @param width_m, depth_m  The size by tags, else by the row.
 std::vector<OutlinePlace> places_on_line(const Polyline& line, Stand stand, double width_m, double depth_m);
 
-/// Returns the place of a thing in an area: the middle of the smallest rectangle around it that has a side along an
-/// edge. The longer side is the thing's longer one. O(n²).
+/// Returns the place of a thing in an area: the middle of smallest_rectangle(). The longer side is the thing's longer
+/// one. O(n²).
 /// @param ring  The outer ring, three points or more.
 OutlinePlace place_in_area(const Ring& ring, double width_m, double depth_m);
 
