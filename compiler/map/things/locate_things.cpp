@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "compiler/geometry/snap.h"
 #include "compiler/map/for_each_line.h"
@@ -106,6 +107,12 @@ std::map<Vec2, Vec2> directions_of_lines(const Features& features) {
   return directions;
 }
 
+std::set<std::int64_t> nodes_of_lines(const Features& features) {
+  std::set<std::int64_t> nodes;
+  for (const PowerLine& line : features.power_lines) nodes.insert(line.node_ids.begin(), line.node_ids.end());
+  return nodes;
+}
+
 double tagged_or_default_m(const ReadContext& context, OsmId id, source::Range tags, const TaggedLength& length) {
   std::optional<double> tagged;
   if (!length.key.empty()) tagged = tagged_length_m(context, id, tags, length.key, kLeastThing_m, kTallestThing_m);
@@ -172,32 +179,35 @@ std::string digits_of(std::string_view maxspeed, std::string_view traffic_sign) 
   return std::string(digits.size() <= kMostDigits ? digits : "");
 }
 
-std::vector<ThingFeature> locate_things(const ReadContext& context, const ThingTable& table, const Features& features) {
+LocatedThings locate_things(const ReadContext& context, const ThingTable& table, const Features& features) {
   const std::vector<FoundThing> found = find_things(context, table, features);
   const std::map<std::int64_t, ThingWay> ways = ways_of_nodes(found, features);
   const std::map<Vec2, Vec2> lines = directions_of_lines(features);
-  std::vector<ThingFeature> things;
+  const std::set<std::int64_t> supports = nodes_of_lines(features);
+  LocatedThings located;
   Account account;
   for (const FoundThing& each : found) {
     const OsmId id{OsmType::kNode, each.node->id};
     const Vec2 at = context.plane.snapped_forward(each.node->at);
-    account.in += context.report.counts(id);
-    if (!context.extent.contains(at)) {
-      context.report.drop(account, Code::kOutsideBounds, id);
-      continue;
-    }
     ThingWay way = ways.at(each.node->id);
     if (const auto line = lines.find(at); way.id.osm.type == OsmType::kNone && line != lines.end())
       way.along = line->second;
-    if (const auto reason = reason_without_thing(context, each, way)) {
+    const auto reason = reason_without_thing(context, each, way);
+    account.in += context.report.counts(id);
+    if (!context.extent.contains(at)) {
+      context.report.drop(account, Code::kOutsideBounds, id);
+      if (!reason && supports.contains(each.node->id)) located.supports_beyond.push_back(thing_of(context, each, way));
+      continue;
+    }
+    if (reason) {
       context.report.drop(account, *reason, id);
       continue;
     }
     account.out += context.report.counts(id);
-    things.push_back(thing_of(context, each, way));
+    located.things.push_back(thing_of(context, each, way));
   }
   context.report.account("map", "thing") = account;
-  return things;
+  return located;
 }
 
 }  // namespace citykiln::map
