@@ -160,6 +160,17 @@ PowerLine power_line_of(const ReadContext& context, const source::Way& way, cons
           .voltage_kv = largest_number(context, id, "voltage", voltage, kHighestVoltage_v) / 1000};
 }
 
+template <std::size_t n>
+void add_power_lines(const ReadContext& context, const char* key, const PowerRow (&rows)[n],
+                     std::vector<PowerLine>& lines) {
+  const auto row_of = [&](const source::Way& way) { return row_with(rows, context.tag(way.tags, key)); };
+  for_each_line(
+      context, key, row_of, row_of, [&](const source::Way& way) { return reason_without(context, way.tags, key); },
+      [&](const source::Way& way, const PowerRow& row, LocatedLine&& line) {
+        lines.push_back(power_line_of(context, way, row, std::move(line)));
+      });
+}
+
 }  // namespace
 
 std::vector<Waterway> locate_waterways(const ReadContext& context) {
@@ -244,15 +255,8 @@ std::vector<TreeRow> locate_tree_rows(const ReadContext& context) {
 
 std::vector<PowerLine> locate_power_lines(const ReadContext& context) {
   std::vector<PowerLine> lines;
-  const auto add_lines = [&](const char* key, const auto& rows) {
-    const auto row_of = [&](const source::Way& way) { return row_with(rows, context.tag(way.tags, key)); };
-    for_each_line(
-        context, key, row_of, row_of, [&](const source::Way& way) { return reason_without(context, way.tags, key); },
-        [&](const source::Way& way, const PowerRow& row, LocatedLine&& line) {
-          lines.push_back(power_line_of(context, way, row, std::move(line)));
-        });
-  };
-  add_lines("power", kPowerLines), add_lines("aerialway", kAerialways);
+  add_power_lines(context, "power", kPowerLines, lines);
+  add_power_lines(context, "aerialway", kAerialways, lines);
   return lines;
 }
 

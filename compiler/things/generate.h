@@ -27,7 +27,7 @@ struct GeneratedThing {
 /// @param is_night  The rules' attribute `night`.
 GeneratedThing generate(const Form& form, const Kind& kind, std::uint64_t seed, bool is_night, double tolerance_m);
 
-/// What hangs on a thing.
+/// The kind of a wire that hangs on a thing.
 enum class WireKind : std::uint8_t { kConductor, kEarthWire, kCable, kCount };
 
 /// A place of a form where a wire hangs.

@@ -42,7 +42,7 @@ const SagClass& sag_class_of(const map::PowerLine& line) {
   return line.kind == map::PowerLineKind::kLine ? kLineSag : kMinorLineSag;
 }
 
-// What planning spans needs.
+// The data that all spans need.
 struct SpanPlanner {
   const map::Features& features;
   const Surroundings& around;

@@ -27,14 +27,14 @@ inline constexpr double kSpanRadius_m = kLongestSpan_m / 2;
 /// The height above a carriageway below which no wire hangs, and above a bridge.
 inline constexpr double kLeastOverRoad_m = 4.5;
 
-/// What spans depend on.
+/// The data that spans depend on, besides the map.
 struct Surroundings {
   std::span<const things::Thing> things;  ///< Sorted by id.
   std::span<const things::Thing> beyond;  ///< Supports outside of the extent, sorted by id.
-  const things::Kinds& kinds;             ///< Of both.
+  const things::Kinds& kinds;             ///< The kinds of both.
   std::span<const roads::Road> roads;     ///< On the ground.
   std::span<const structures::Span> bridges;
-  const ground::GradedTerrain& ground;  ///< Of the whole map.
+  const ground::GradedTerrain& ground;  ///< The graded terrain of the whole map.
   std::uint64_t seed = 0;
 };
 

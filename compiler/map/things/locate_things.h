@@ -11,8 +11,8 @@ namespace citykiln::map {
 
 /// The things of a map.
 struct LocatedThings {
-  std::vector<ThingFeature> things;           ///< Those inside the extent.
-  std::vector<ThingFeature> supports_beyond;  ///< Those outside that are nodes of power lines.
+  std::vector<ThingFeature> things;           ///< Inside the extent.
+  std::vector<ThingFeature> supports_beyond;  ///< Nodes of power lines outside of it.
 };
 
 /// Returns the nodes that have a row in the table and are not read as points with a body (trees, lamps), with the roads

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "compiler/contract/tolerance.h"
 
 namespace citykiln::wires {
 namespace {
@@ -54,8 +57,7 @@ TEST(Wires, HangInAParabola) {
 TEST(Wires, AParabolaIsACatenaryWithinATenthOfAMetre) {
   // y = c (cosh(x / c) - 1) over 350 m, for the tension of lines
   const double c = 1225, half = 175, sag = half * half / (2 * c);
-  for (double x = 0; x <= half; x += 5)
-    EXPECT_NEAR(c * (std::cosh(x / c) - 1), sag * x * x / (half * half), 0.1) << x;
+  for (double x = 0; x <= half; x += 5) EXPECT_NEAR(c * (std::cosh(x / c) - 1), sag * x * x / (half * half), 0.1) << x;
 }
 
 TEST(Wires, HaveTheFewestPiecesWithinADistance) {
