@@ -95,12 +95,28 @@ std::map<std::int64_t, ThingWay> ways_of_nodes(const std::vector<FoundThing>& fo
   return ways;
 }
 
+// The direction of power lines at the points where they end: of two that meet, that of a line through both.
+std::map<Vec2, Vec2> directions_at_ends(const std::vector<PowerLine>& lines) {
+  std::map<Vec2, std::vector<Vec2>> outward;
+  for (const PowerLine& line : lines) {
+    outward[line.axis.front()].push_back(direction_at_vertex(line.axis, 0));
+    outward[line.axis.back()].push_back(direction_at_vertex(line.axis, line.axis.size() - 1) * -1.0);
+  }
+  std::map<Vec2, Vec2> directions;
+  for (const auto& [at, ends] : outward) {
+    const Vec2 through = ends.size() == 2 ? unit(ends[1] - ends[0]) : ends[0];
+    directions.emplace(at, through == Vec2{} ? ends[0] : through);
+  }
+  return directions;
+}
+
 // The direction of a power line at each of its points, and across walls and fences that of a way through them.
 std::map<Vec2, Vec2> directions_of_lines(const Features& features) {
   std::map<Vec2, Vec2> directions;
   for (const PowerLine& line : features.power_lines)
-    for (std::size_t i = 0; i < line.axis.size(); ++i)
+    for (std::size_t i = 1; i + 1 < line.axis.size(); ++i)
       directions.emplace(line.axis[i], direction_at_vertex(line.axis, i));
+  directions.merge(directions_at_ends(features.power_lines));
   for (const Barrier& barrier : features.barriers)
     for (std::size_t i = 0; i < barrier.axis.size(); ++i)
       directions.emplace(barrier.axis[i], left_of(direction_at_vertex(barrier.axis, i)));
