@@ -26,6 +26,7 @@ ROWS = [
     ["compiler/plants"],
     ["compiler/props"],
     ["compiler/things"],
+    ["compiler/wires"],
     ["compiler/sky"],
     ["compiler/surroundings"],
     ["compiler/scene"],

@@ -70,6 +70,10 @@ std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::spa
   for (const props::Lamp& lamp : chunk.lamps) table.add(lamp.id.osm, "StreetLamp", lamp.height_m);
   for (const things::Thing& thing : chunk.things)
     table.add(thing.id.osm, class_of_thing(classes, thing.form.kind), thing.form.height_m);
+  for (const wires::WireSpan& span : chunk.wire_spans) {
+    const bool is_aerialway = span.wires.front().kind == wires::WireKind::kCable;
+    table.add(span.id.osm, is_aerialway ? "Aerialway" : "PowerLine", span.above_m);
+  }
   add_covers(table, chunk.surfaces);
   add_texts(table, chunk.texts);
   return std::move(table.rows);

@@ -22,6 +22,6 @@ std::vector<Barrier> locate_barriers(const ReadContext& context);       ///< bar
 std::vector<Landform> locate_landforms(const ReadContext& context);     ///< Retaining walls, cliffs, dykes, piers, …
 std::vector<PointFeature> locate_points(const ReadContext& context);    ///< Trees, lamps and similar.
 std::vector<TreeRow> locate_tree_rows(const ReadContext& context);      ///< natural=tree_row lines.
-std::vector<PowerLine> locate_power_lines(const ReadContext& context);  ///< power=line and minor_line above the ground.
+std::vector<PowerLine> locate_power_lines(const ReadContext& context);  ///< power=line and minor_line above the ground; aerialways.
 
 }  // namespace citykiln::map

@@ -260,11 +260,19 @@ struct TreeRow {
   PlantTags plant_tags{};
 };
 
-/// A power line. Tall trees below it are cleared.
+/// The class of a line in the air: power=line hangs on pylons, power=minor_line on poles; an aerialway has cables.
+enum class PowerLineKind : std::uint8_t { kLine, kMinorLine, kAerialway };
+
+/// A power line or an aerialway. Tall trees below it are cleared.
 struct PowerLine {
   ObjectId id;
   Polyline axis;
   double corridor_m = 0;  ///< The width of the cleared corridor.
+  PowerLineKind kind{};
+  std::vector<std::int64_t> node_ids{};  ///< The OSM node of each axis point.
+  std::uint8_t cables = 0;               ///< Conductors, by cables=* or three for each of circuits=*; 0: untagged.
+  std::uint8_t bundle = 0;               ///< Wires of one conductor, by wires=*; 0: untagged.
+  double voltage_kv = 0;                 ///< The highest of voltage=*; 0: untagged.
 };
 
 /// All features, each vector sorted by id, all coordinates snapped to kMapStep_m.
@@ -278,6 +286,8 @@ struct Features {
   std::vector<Landform> landforms;
   std::vector<PointFeature> points;
   std::vector<ThingFeature> things{};
+  /// Things outside of the extent that are nodes of power lines: wires hang on them, but they are not built.
+  std::vector<ThingFeature> supports_beyond{};
   /// Sorted by id, then by position. Set by assume_fronts(): without it no building has fronts.
   std::vector<FrontPoint> fronts{};
   std::vector<TreeRow> tree_rows;

@@ -118,6 +118,7 @@ std::set<std::string> kind_names(const map::Features& features, const map::Thing
   for (const map::ThingRow& row : table)
     if (row.name == kCar) names.insert(row.name);
   for (const map::ThingFeature& thing : features.things) names.insert(thing.kind);
+  for (const map::ThingFeature& thing : features.supports_beyond) names.insert(thing.kind);
   return names;
 }
 
@@ -153,6 +154,22 @@ std::vector<Thing> plan(const map::Features& features, std::span<const roads::Ro
   std::ranges::sort(things, {}, &Thing::id);
   report.account("things", "thing") = account;
   return things;
+}
+
+std::vector<Thing> plan_supports_beyond(const map::Features& features, const Kinds& kinds, std::uint64_t seed) {
+  const Axes no_axes = axes_of({});
+  std::vector<Thing> supports;
+  for (const map::ThingFeature& thing : features.supports_beyond) {
+    const auto kind = kinds.find(thing.kind);
+    if (kind == kinds.end()) continue;
+    const Vec2 facing = facing_of(thing, kind->second.row.facing, thing.at, no_axes, seed);
+    supports.push_back({.id = thing.id,
+                        .at = thing.at,
+                        .direction = nearest_direction(facing),
+                        .form = form_of(thing, kind->second, seed)});
+  }
+  std::ranges::sort(supports, {}, &Thing::id);
+  return supports;
 }
 
 }  // namespace citykiln::things

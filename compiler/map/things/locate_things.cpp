@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "compiler/geometry/snap.h"
 #include "compiler/map/for_each_line.h"
@@ -51,16 +52,38 @@ std::map<std::int64_t, ThingWay> ways_of_nodes(const std::vector<FoundThing>& fo
   return ways;
 }
 
+// The direction of power lines at the points where they end: of two that meet, that of a line through both.
+std::map<Vec2, Vec2> directions_at_ends(const std::vector<PowerLine>& lines) {
+  std::map<Vec2, std::vector<Vec2>> outward;
+  for (const PowerLine& line : lines) {
+    outward[line.axis.front()].push_back(direction_at_vertex(line.axis, 0));
+    outward[line.axis.back()].push_back(direction_at_vertex(line.axis, line.axis.size() - 1) * -1.0);
+  }
+  std::map<Vec2, Vec2> directions;
+  for (const auto& [at, ends] : outward) {
+    const Vec2 through = ends.size() == 2 ? unit(ends[1] - ends[0]) : ends[0];
+    directions.emplace(at, through == Vec2{} ? ends[0] : through);
+  }
+  return directions;
+}
+
 // The direction of a power line at each of its points, and across walls and fences that of a way through them.
 std::map<Vec2, Vec2> directions_of_lines(const Features& features) {
   std::map<Vec2, Vec2> directions;
   for (const PowerLine& line : features.power_lines)
-    for (std::size_t i = 0; i < line.axis.size(); ++i)
+    for (std::size_t i = 1; i + 1 < line.axis.size(); ++i)
       directions.emplace(line.axis[i], direction_at_vertex(line.axis, i));
+  directions.merge(directions_at_ends(features.power_lines));
   for (const Barrier& barrier : features.barriers)
     for (std::size_t i = 0; i < barrier.axis.size(); ++i)
       directions.emplace(barrier.axis[i], left_of(direction_at_vertex(barrier.axis, i)));
   return directions;
+}
+
+std::set<std::int64_t> nodes_of_lines(const Features& features) {
+  std::set<std::int64_t> nodes;
+  for (const PowerLine& line : features.power_lines) nodes.insert(line.node_ids.begin(), line.node_ids.end());
+  return nodes;
 }
 
 // forward and backward are for the traffic; other values are bearings.
@@ -101,7 +124,6 @@ ThingFeature thing_of(const ReadContext& context, const FoundThing& found, const
 
 // A thing on a bridge or in a tunnel has no ground to stand on yet.
 std::optional<Code> reason_without_thing(const ReadContext& context, const FoundThing& found, const ThingWay& way) {
-  if (!context.extent.contains(found.at)) return Code::kOutsideBounds;
   const std::string& key = found.match.row->tags.front().front().key;
   if (const auto reason = reason_without(context, found.tags, key)) return reason;
   if (way.id.osm.type == OsmType::kNone || way.passage == Passage::kGround) return std::nullopt;
@@ -133,25 +155,33 @@ std::string digits_of(std::string_view maxspeed, std::string_view traffic_sign) 
   return std::string(digits.size() <= kMostDigits ? digits : "");
 }
 
-std::vector<ThingFeature> locate_things(const ReadContext& context, const ThingTable& table, const Features& features) {
+LocatedThings locate_things(const ReadContext& context, const ThingTable& table, const Features& features) {
   const std::vector<FoundThing> found = find_things(context, table, features);
   const std::map<std::int64_t, ThingWay> ways = ways_of_nodes(found, features);
   const std::map<Vec2, Vec2> lines = directions_of_lines(features);
-  std::vector<ThingFeature> things;
+  const std::set<std::int64_t> supports = nodes_of_lines(features);
+  LocatedThings located;
   Account account;
   for (const FoundThing& each : found) {
     const bool counts = context.report.counts(each.id.osm);
     (each.is_another ? account.split : account.in) += counts;
     const ThingWay way = way_at_place(each, ways, lines);
-    if (const auto reason = reason_without_thing(context, each, way)) {
+    const auto reason = reason_without_thing(context, each, way);
+    if (!context.extent.contains(each.at)) {
+      context.report.drop(account, Code::kOutsideBounds, each.id.osm);
+      const bool is_support = each.id.osm.type == OsmType::kNode && supports.contains(each.id.osm.id);
+      if (!reason && is_support) located.supports_beyond.push_back(thing_of(context, each, way));
+      continue;
+    }
+    if (reason) {
       context.report.drop(account, *reason, each.id.osm);
       continue;
     }
     account.out += counts;
-    things.push_back(thing_of(context, each, way));
+    located.things.push_back(thing_of(context, each, way));
   }
   context.report.account("map", "thing") = account;
-  return things;
+  return located;
 }
 
 }  // namespace citykiln::map
