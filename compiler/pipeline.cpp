@@ -8,9 +8,11 @@
 #include "compiler/buildings/plan.h"
 #include "compiler/ground/landforms/plan_landforms.h"
 #include "compiler/ground/profiles/plan_profiles.h"
+#include "compiler/ground/water/pool_rims.h"
 #include "compiler/make_header.h"
 #include "compiler/map/locate.h"
 #include "compiler/map/passageways.h"
+#include "compiler/pitches/plan.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"
 #include "compiler/roads/fit_assumed_widths.h"
@@ -80,6 +82,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
                             recipes.surfaces, recipes.heights, report, 1, recipes.landforms);
   const ground::ProfileMeasures measured = ground::measure_profiles(features, profiles);
   recipes.roads = std::move(profiles.roads);
+  recipes.surfaces = ground::with_pool_rims(std::move(recipes.surfaces));
 
   // plan bridges and tunnels, then the objects that stand on the ground
   timer.enter("bridges and tunnels");
@@ -97,6 +100,9 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   timer.enter("props");
   recipes.props = props::plan(features, report);
   timer.enter("things");
+  recipes.fields = pitches::plan(features);
+  for (map::ThingFeature& thing : pitches::things_of(recipes.fields, catalogue->table, features))
+    features.things.push_back(std::move(thing));
   Result<things::Kinds> kinds = things::Kinds{};
   if (const auto names = things::kind_names(features, catalogue->table); !names.empty()) {
     kinds = things::kinds_of(*catalogue, names);

@@ -25,7 +25,10 @@ constexpr double kBlurredAlpha = 0.3;
 // The luminance of lamp glass: 2,500 lm from a lantern of 0.1 m².
 constexpr double kLampGlass = 8000 / sky::kUnitLuminance_cd_m2;
 
-bool is_water(materials::Material m) { return m == materials::Material::kWater || m == materials::Material::kSea; }
+bool is_water(materials::Material m) {
+  using enum materials::Material;
+  return m == kWater || m == kSea || m == kPoolWater;
+}
 
 // The state of a path.
 struct Path {

@@ -25,6 +25,7 @@ ROWS = [
     ["compiler/buildings"],
     ["compiler/plants"],
     ["compiler/props"],
+    ["compiler/pitches"],
     ["compiler/things"],
     ["compiler/wires"],
     ["compiler/sky"],

@@ -68,8 +68,10 @@ std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::spa
   for (const props::Barrier& b : chunk.barriers) table.add(b.id.osm, map::name_of(b.kind), b.height_m);
   add_plants(table, chunk.trees), add_plants(table, chunk.tree_rows);
   for (const props::Lamp& lamp : chunk.lamps) table.add(lamp.id.osm, "StreetLamp", lamp.height_m);
+  // equipment of a sports field belongs to the field's area
   for (const things::Thing& thing : chunk.things)
-    table.add(thing.id.osm, class_of_thing(classes, thing.form.kind), thing.form.height_m);
+    if (thing.id.part < map::kDerivedPart)
+      table.add(thing.id.osm, class_of_thing(classes, thing.form.kind), thing.form.height_m);
   for (const wires::WireSpan& span : chunk.wire_spans) {
     const bool is_aerialway = span.wires.front().kind == wires::WireKind::kCable;
     table.add(span.id.osm, is_aerialway ? "Aerialway" : "PowerLine", span.above_m);

@@ -21,7 +21,7 @@ constexpr int kThingPixels = 180, kThingsInRow = 4, kThingSamples = 24;
 
 // The form of a row without tags.
 things::Form default_form(const map::ThingRow& row) {
-  const std::string& value = row.tags.front().front().value;
+  const std::string value = row.tags.empty() ? "" : row.tags.front().front().value;
   return {.kind = row.name,
           .width_m = row.width.default_m,
           .depth_m = row.depth.default_m,

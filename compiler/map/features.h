@@ -146,6 +146,12 @@ struct AreaFeature {
   PlantTags plant_tags{};
 };
 
+/// An area where sports are played.
+struct SportsArea {
+  ObjectId id;         ///< Of an AreaFeature.
+  std::string sports;  ///< sport=*: values separated by ";".
+};
+
 /// A river, stream, canal or ditch as a line.
 struct Waterway {
   ObjectId id;
@@ -224,6 +230,10 @@ struct ThingWay {
   bool is_nearer_to_end = false;  ///< True if the end of the way is nearer to the node than its start.
 };
 
+/// Parts of ids from this one on belong to things that are derived from a feature of another kind: goals of a sports
+/// field, cars in a parking lane. Properties of the id are those of this feature.
+inline constexpr std::uint32_t kDerivedPart = 0x4000;
+
 /// A thing, by a row of the table of things (things/thing_table.h): a point, or a part of a line or an area.
 struct ThingFeature {
   ObjectId id;
@@ -241,6 +251,8 @@ struct ThingFeature {
   ThingWay way{};
   CountryGroup country{};
   bool is_in_way = false;  ///< True if it may stand in a carriageway, by its row.
+  /// The direction that equipment of a sports field or a parked car faces, length 1; it is not moved.
+  std::optional<Vec2> faces{};
 };
 
 /// A front that buildings are to have (buildings/fronts.h).
@@ -281,6 +293,7 @@ struct Features {
   std::vector<Track> tracks;
   std::vector<Footprint> footprints;
   std::vector<AreaFeature> areas;  ///< Includes the sea, closed around the extent.
+  std::vector<SportsArea> sports_areas{};
   std::vector<Waterway> waterways;
   std::vector<Barrier> barriers;
   std::vector<Landform> landforms;

@@ -59,7 +59,8 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   features.footprints = locate_footprints(context);
   // a tunnel that only leads through buildings needs no layer
   features.tracks = with_assumed_layers(with_passages_on_ground(std::move(tracks), features.footprints));
-  features.areas = locate_areas(context);
+  features.areas = locate_areas(context, features.footprints);
+  features.sports_areas = locate_sports_areas(context, features.areas);
   for (AreaFeature& sea : locate_sea(context)) features.areas.push_back(std::move(sea));
   features.waterways = locate_waterways(context);
   features.barriers = locate_barriers(context);
@@ -76,9 +77,9 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   const auto sort_by_id = [](auto&... kinds) {
     (std::ranges::sort(kinds, {}, [](const auto& f) { return f.id; }), ...);
   };
-  sort_by_id(features.tracks, features.footprints, features.areas, features.waterways, features.barriers,
-             features.landforms, features.points, features.things, features.supports_beyond, features.tree_rows,
-             features.power_lines);
+  sort_by_id(features.tracks, features.footprints, features.areas, features.sports_areas, features.waterways,
+             features.barriers, features.landforms, features.points, features.things, features.supports_beyond,
+             features.tree_rows, features.power_lines);
   features.texts = element_texts(osm, features, options.keeps_tags);
   return features;
 }

@@ -1,3 +1,8 @@
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "compiler/geometry/box_grid.h"
 #include "compiler/map/area_rules.h"
 #include "compiler/map/feature_readers.h"
 #include "compiler/map/plant_tags.h"
@@ -33,6 +38,34 @@ LandCoverClass with_leaves(LandCoverClass surface, LeafType leaves) {
   return leaves == LeafType::kMixed ? LandCoverClass::kMixedForest : surface;
 }
 
+struct ValueClass {
+  std::string_view value;
+  LandCoverClass surface;
+};
+constexpr ValueClass kPitchSurfaces[] = {
+#define SURFACE(value, class) {value, LandCoverClass::class},
+#define SPORT(value, class)
+#include "compiler/map/pitch_surfaces.inc"
+#undef SURFACE
+#undef SPORT
+};
+constexpr ValueClass kPitchSports[] = {
+#define SURFACE(value, class)
+#define SPORT(value, class) {value, LandCoverClass::class},
+#include "compiler/map/pitch_surfaces.inc"
+#undef SURFACE
+#undef SPORT
+};
+
+// The class of a pitch by its surface, else by the first of its sports.
+LandCoverClass pitch_class(std::string_view surface, std::string_view sports) {
+  for (const ValueClass& row : kPitchSurfaces)
+    if (row.value == surface) return row.surface;
+  for (const ValueClass& row : kPitchSports)
+    if (row.value == sports.substr(0, sports.find(';'))) return row.surface;
+  return LandCoverClass::kPitch;
+}
+
 // The class after further tags.
 LandCoverClass refined(const ReadContext& context, source::Range tags, LandCoverClass surface,
                        const PlantTags& plant_tags) {
@@ -42,8 +75,8 @@ LandCoverClass refined(const ReadContext& context, source::Range tags, LandCover
   if (surface == LandCoverClass::kWetland && wetland == "reedbed") return LandCoverClass::kReedbed;
   if (surface == LandCoverClass::kLake && (water == "river" || water == "canal" || water == "stream"))
     return LandCoverClass::kRiver;
-  if (surface == LandCoverClass::kPitch && (sport == "tennis" || sport == "basketball" || sport == "skateboard"))
-    return LandCoverClass::kHardCourt;
+  if (surface == LandCoverClass::kPitch && context.tag(tags, "leisure") == "pitch")
+    return pitch_class(context.tag(tags, "surface"), sport);
   return with_leaves(surface, plant_tags.leaves);
 }
 
@@ -56,9 +89,34 @@ PlantTags growth_on(const ReadContext& context, const source::Area& area, LandCo
   return is_green ? read_plant_tags(context, area.from, area.tags) : PlantTags{};
 }
 
+// The footprints of buildings with walls, and a grid to find them.
+struct PoolObstacles {
+  const std::vector<Footprint>& footprints;
+  BoxGrid grid;
+};
+
+PoolObstacles pool_obstacles_of(const std::vector<Footprint>& footprints) {
+  constexpr double kBucket_m = 64;
+  std::vector<Box2> boxes;
+  for (const Footprint& footprint : footprints) boxes.push_back(box_of(footprint.polygon.outer));
+  return {footprints, grid_of(boxes, kBucket_m)};
+}
+
+// True if the first polygon of an area lies in a footprint.
+bool is_pool_in_building(const std::vector<LocatedPolygon>& polygons, const PoolObstacles& buildings) {
+  if (polygons.empty() || polygons.front().polygon.outer.empty() || buildings.footprints.empty()) return false;
+  const Ring& ring = polygons.front().polygon.outer;
+  return std::ranges::any_of(boxes_about(buildings.grid, ring.front()), [&](std::uint32_t i) {
+    const Polygon& footprint = buildings.footprints[i].polygon;
+    return !buildings.footprints[i].is_open &&
+           std::ranges::all_of(ring, [&](Vec2 p) { return contains(footprint, p); });
+  });
+}
+
 }  // namespace
 
-std::vector<AreaFeature> locate_areas(const ReadContext& context) {
+std::vector<AreaFeature> locate_areas(const ReadContext& context, const std::vector<Footprint>& footprints) {
+  const PoolObstacles buildings = pool_obstacles_of(footprints);
   std::vector<AreaFeature> areas;
   Account account;
   for (const source::Area& area : context.osm.areas) {
@@ -71,6 +129,10 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context) {
       continue;
     }
     const std::vector<LocatedPolygon> polygons = located(context, area);
+    if (row->surface == LandCoverClass::kPool && is_pool_in_building(polygons, buildings)) {
+      context.report.drop(account, Code::kInsideBuilding, area.from);
+      continue;
+    }
     PlantTags plant_tags = growth_on(context, area, row->surface);
     const LandCoverClass surface = refined(context, area.tags, row->surface, plant_tags);
     // a forest's class states its leaf type
@@ -85,6 +147,17 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context) {
   }
   context.report.account("map", "area") = account;
   return areas;
+}
+
+std::vector<SportsArea> locate_sports_areas(const ReadContext& context, const std::vector<AreaFeature>& areas) {
+  std::map<OsmId, std::string> sports;
+  for (const source::Area& area : context.osm.areas)
+    if (context.tag(area.tags, "leisure") == "pitch" && !context.tag(area.tags, "sport").empty())
+      sports[area.from] = context.tag(area.tags, "sport");
+  std::vector<SportsArea> found;
+  for (const AreaFeature& area : areas)
+    if (const auto sport = sports.find(area.id.osm); sport != sports.end()) found.push_back({area.id, sport->second});
+  return found;
 }
 
 }  // namespace citykiln::map

@@ -107,6 +107,12 @@ bool is_on_its_layer(const source::OsmData& osm, source::Range tags) {
                              [&](const SurfaceRow& row) { return osm.value_of(tags, row.key) == row.value; });
 }
 
+bool is_covered_pool(const source::OsmData& osm, source::Range tags) {
+  const bool is_pool =
+      osm.value_of(tags, "leisure") == "swimming_pool" || osm.value_of(tags, "amenity") == "swimming_pool";
+  return is_pool && says_yes(osm.value_of(tags, "covered"));
+}
+
 }  // namespace
 
 std::optional<Levels> levels_of(std::string_view text) {
@@ -162,7 +168,7 @@ Standing standing_of_area(const source::OsmData& osm, source::Range tags, std::s
   const double layer = is_on_its_layer(osm, tags) ? stated(osm, tags, "layer").value_or(0) : 0;
   if (says_yes(osm.value_of(tags, "tunnel")) || layer < 0)
     standing.storey = Storey::kUnderground;
-  else if (osm.value_of(tags, "parking") == "multi-storey")
+  else if (osm.value_of(tags, "parking") == "multi-storey" || is_covered_pool(osm, tags))
     standing.storey = Storey::kIndoor;
   else if (says_yes(osm.value_of(tags, "bridge")) || layer > 0)
     standing.storey = Storey::kAbove;

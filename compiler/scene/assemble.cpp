@@ -1,6 +1,7 @@
 #include "compiler/scene/assemble.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -68,8 +69,8 @@ ByTile by_touch(const TileGrid& grid, std::span<const Object> objects, BoxOf box
 }
 
 struct Sorted {
-  ByTile surfaces, roads, junctions, watercourses, landforms, near_buildings, buildings, bridges, tunnels, trees,
-      tree_rows, corridors, barriers, lamps, things, wire_spans;
+  ByTile surfaces, roads, junctions, fields, watercourses, landforms, near_buildings, buildings, bridges, tunnels,
+      trees, tree_rows, corridors, barriers, lamps, things, wire_spans;
 };
 
 Box2 box_of_road(const roads::Road& road) {
@@ -85,6 +86,11 @@ Box2 box_of_landform(const ground::Landform& form) {
   return citykiln::box_of(form.axis).widened(std::max(form.left_m, form.right_m));
 }
 static_assert(ground::kLandformReach_m + ground::kGrading_m <= kHalo_m);
+
+// by_touch() widens by kHalo_m, which is more than panels are wider than their lines.
+Box2 box_of_field(const pitches::Field& field) {
+  return citykiln::box_of(std::array{field.from, field.to}).widened(field.width_m / 2);
+}
 
 // by_touch() widens by kHalo_m, which is more than plants need.
 Box2 near_tile(const Box2& box) { return box.widened(plants::kObstacleInfluence_m - kHalo_m); }
@@ -144,6 +150,7 @@ Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<cons
   return {.surfaces = by_touch(grid, std::span(recipes.surfaces), ground::box_of),
           .roads = by_touch(grid, std::span(recipes.roads), box_of_road),
           .junctions = by_touch(grid, junctions, ground::box_of),
+          .fields = by_touch(grid, std::span(recipes.fields), box_of_field),
           .watercourses = by_touch(grid, std::span(recipes.watercourses), box_of_strip),
           .landforms = by_touch(grid, std::span(recipes.landforms), box_of_landform),
           .near_buildings = by_touch(grid, std::span(recipes.buildings),
@@ -293,6 +300,7 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCover
   chunk.surfaces = surfaces_for(recipes, sorted, junctions, t, tile);
   chunk.roads = strips_for(recipes.roads, sorted.roads[t], tile, kRoadHalo_m);
   chunk.junctions = junctions_for(recipes, sorted, t, tile);
+  chunk.fields = pick(recipes.fields, sorted.fields[t]);
   chunk.watercourses = strips_for(recipes.watercourses, sorted.watercourses[t], tile, kHalo_m);
   chunk.landforms = landforms_for(recipes.landforms, sorted.landforms[t], tile);
   chunk.bridges = pick(recipes.structures.bridges, sorted.bridges[t]);

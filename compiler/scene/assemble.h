@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "compiler/pitches/recipe.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"
 #include "compiler/scene/scene.h"
@@ -20,6 +21,7 @@ struct Recipes {
   std::vector<roads::Strip> watercourses;
   std::vector<ground::Landform> landforms;
   std::vector<roads::Junction> junctions;
+  std::vector<pitches::Field> fields{};
   structures::Structures structures;
   std::vector<buildings::Building> buildings;
   plants::Plants plants;

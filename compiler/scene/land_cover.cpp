@@ -7,6 +7,7 @@
 #include "compiler/buildings/passageways.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/ground/plan.h"
+#include "compiler/pitches/panels.h"
 #include "compiler/roads/junctions/corner_pavements.h"
 #include "compiler/roads/junctions/through_road.h"
 #include "compiler/roads/network.h"
@@ -94,6 +95,35 @@ std::uint32_t add_pieces(const roads::Road& road, roads::RoadPieces&& made, std:
   return next_run;
 }
 
+// The polygon of a field's area; null if the chunk has none.
+const LandCoverPolygon* area_of(const pitches::Field& field, std::span<const LandCoverPolygon> surfaces) {
+  const auto area = std::ranges::lower_bound(surfaces, field.id, {}, &LandCoverPolygon::id);
+  return area != surfaces.end() && area->id == field.id ? &*area : nullptr;
+}
+
+// Adds the panels of a field that touch a box as pieces, and returns the first unused run.
+std::uint32_t add_panels(const pitches::Field& field, const LandCoverPolygon& area, const Box2& box, double tolerance_m,
+                         std::uint32_t first_run, LandCover& cover) {
+  std::vector<roads::MarkingLayout> layouts;
+  const auto first_layout = static_cast<std::uint32_t>(cover.layouts.size());
+  for (pitches::Panel& panel : pitches::panels_of(field, area.surface, tolerance_m)) {
+    if (!box_of(panel.ring).touches(box)) continue;
+    std::vector<Ring> rings = pitches::rings_within(panel, area.rings);
+    if (rings.empty()) continue;
+    const auto layout = static_cast<std::uint32_t>(std::ranges::find(layouts, panel.layout) - layouts.begin());
+    if (layout == layouts.size()) layouts.push_back(std::move(panel.layout));
+    cover.pieces.push_back({.surface = area.surface,
+                            .ring = std::move(panel.ring),
+                            .frame = panel.frame,
+                            .layout = first_layout + layout,
+                            .run = first_run + layout});
+    cover.surfaces.push_back({field.id, area.surface, ground::kStripArea_m2, std::move(rings)});
+    cover.surfaces.back().piece = static_cast<std::uint32_t>(cover.pieces.size());
+  }
+  std::ranges::move(layouts, std::back_inserter(cover.layouts));
+  return first_run + static_cast<std::uint32_t>(cover.layouts.size()) - first_layout;
+}
+
 ObjectId id_of_junction(const roads::Road& main) {
   // differs from the numbers of a way's parts
   constexpr std::uint32_t kJunctionPart = 0x80000000u;
@@ -178,6 +208,10 @@ LandCover land_cover_of(const Header& header, const Chunk& chunk, double toleran
     next_run = add_pieces(road, roads::pieces_of(road, ends[i], stretches, changes[i], header.tile_m, tolerance_m),
                           next_run, cover);
   }
+  const Box2 tile = box_of(header, chunk.tile).widened(1);
+  for (const pitches::Field& field : chunk.fields)
+    if (const LandCoverPolygon* area = area_of(field, chunk.surfaces))
+      next_run = add_panels(field, *area, tile, tolerance_m, next_run, cover);
   sort_and_join(cover.surfaces);
   return cover;
 }

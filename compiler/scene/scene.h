@@ -15,6 +15,7 @@
 #include "compiler/map/element_text.h"
 #include "compiler/map/plane/heightfield.h"
 #include "compiler/map/plane/plane.h"
+#include "compiler/pitches/recipe.h"
 #include "compiler/plants/recipe.h"
 #include "compiler/plants/season.h"
 #include "compiler/plants/species_texts.h"
@@ -81,6 +82,7 @@ struct Chunk {
   std::vector<ground::LandCoverPolygon> surfaces;
   std::vector<roads::Road> roads;
   std::vector<roads::Strip> watercourses;
+  std::vector<pitches::Field> fields{};     ///< Sports fields; each is in every chunk whose tile it touches.
   std::vector<ground::Landform> landforms;  ///< Lines are trimmed like watercourses; areas are whole.
   /// Sorted by first arm. A junction is in this list if all its arms are in `roads`, which is so within
   /// roads::kJunctionHalo_m of the tile.

@@ -22,8 +22,8 @@ constexpr double kLeastAcross_m = 4;
 // Car parks: a lane between two rows of places.
 constexpr double kRow_m = 5, kLane_m = 6;
 constexpr double kLargestCarPark_m = 400;
-// The parts of one road are apart by this much.
-constexpr std::uint32_t kPlacesOfRoad = 1 << 16;
+// The largest number of places of a parking lane or car park.
+constexpr std::uint32_t kPlaces = 1 << 16;
 
 constexpr std::array<map::Srgb, 8> kColours = {{{0xd9, 0xda, 0xd8},
                                                 {0x1f, 0x20, 0x22},
@@ -80,9 +80,7 @@ class Cars {
                      .depth_m = kCarLength_m,
                      .height_m = kCarHeight_m};
     car.colour = kColours[draw.below(kColours.size(), kColour)];
-    // things look at the traffic that comes towards them
-    car.way.along = is_turned ? place.ahead : place.ahead * -1.0;
-    car.way.is_oneway = true;
+    car.faces = is_turned ? place.ahead * -1.0 : place.ahead;
     car.is_in_way = true;
     cars.push_back(std::move(car));
   }
@@ -104,7 +102,8 @@ void add_along_lane(const roads::Road& road, const map::Lane& lane, std::uint32_
     const Vec2 ahead = unit(point_at(road.axis, along, at_m + 0.5) - point_at(road.axis, along, at_m - 0.5));
     const Vec2 left = left_of(ahead);
     const double off_m = left_m + roads::drift_m(road, at_m);
-    const ObjectId id{road.id.osm, (road.id.part * 4 + number) * kPlacesOfRoad + k % kPlacesOfRoad};
+    const std::uint32_t part = map::kDerivedPart + (road.id.part * 4 + number) * kPlaces + k % kPlaces;
+    const ObjectId id{road.id.osm, part};
     const Vec2 looks = is_across ? left * (off_m > 0 ? 1.0 : -1.0) : ahead * sign;
     cars.add({id, on_axis + left * off_m, looks}, LandCoverClass::kParkingLane, is_across);
   }
@@ -135,7 +134,8 @@ void add_on_car_park(const map::AreaFeature& area, Cars& cars) {
         -wide_m / 2 + (row / 2) * (2 * kRow_m + kLane_m) + (is_second ? kRow_m + kLane_m : 0) + kRow_m / 2;
     for (std::uint32_t column = 0; column < columns; ++column) {
       const double x_m = (column + 0.5) * kPlaceAcross_m - columns * kPlaceAcross_m / 2;
-      const ObjectId id{area.id.osm, (area.id.part + 1) * kPlacesOfRoad + row * columns + column};
+      const std::uint32_t part = map::kDerivedPart + area.id.part * kPlaces + row * columns + column;
+      const ObjectId id{area.id.osm, part};
       cars.add({id, box.middle + along * x_m + across * y_m, across * (is_second ? 1.0 : -1.0)},
                LandCoverClass::kParking, true);
     }

@@ -66,6 +66,10 @@ std::optional<Stance> stance_of(const map::ThingFeature& thing, const map::Thing
                                 FreePlaces& places, std::uint64_t seed) {
   if (row.stand == map::Stand::kWall)
     if (const auto stance = on_wall(thing, places)) return stance;
+  if (thing.faces) {
+    const bool may_stand = thing.is_in_way || places.is_free(thing.at, 0);
+    return may_stand ? std::optional(Stance{thing.at, *thing.faces}) : std::nullopt;
+  }
   const std::optional<Vec2> at = place_of(thing, row, places);
   if (!at) return std::nullopt;
   return Stance{*at, facing_of(thing, row.facing, *at, axes, seed)};

@@ -100,6 +100,16 @@ void serialise(auto& io, ground::Landform& f) {
   enumerator(io, "landform kind", f.kind, ground::LandformKind::kCount);
 }
 
+template <typename Io>
+void serialise(Io& io, pitches::Field& field) {
+  id(io, field.id);
+  enumerator(io, "sports field kind", field.kind, pitches::FieldKind::kCount);
+  io.point(field.from), io.point(field.to);
+  io.metres("sports field width", field.width_m);
+  if constexpr (Io::kReads)
+    if (field.from == field.to || !(field.width_m > 0)) io.fail("sports field width");
+}
+
 // The tags about a lamp's light; most lamps have none.
 void light(auto& io, map::LampTags& tags) {
   bool is_tagged = tags != map::LampTags{};
@@ -219,6 +229,7 @@ void serialise(Io& io, Chunk& c) {
   list(io, "power corridors", c.corridors, 0, [&](auto& o) { serialise(io, o); });
   list(io, "barriers", c.barriers, 0, [&](auto& o) { serialise(io, o); });
   list(io, "lamps", c.lamps, 0, [&](auto& o) { serialise(io, o); });
+  list(io, "sports fields", c.fields, 0, [&](auto& o) { serialise(io, o); });
   list(io, "landforms", c.landforms, 0, [&](auto& o) { serialise(io, o); });
   things(io, c.things);
   list(io, "wire spans", c.wire_spans, 0, [&](auto& o) { serialise(io, o); });

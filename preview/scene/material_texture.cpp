@@ -5,7 +5,8 @@ namespace citykiln::preview {
 MaterialTexture::MaterialTexture(const materials::Texture& texture)
     : texture_(&texture), factor_(colour_factor(texture)) {
   using materials::Material;
-  const bool is_water = texture.material == Material::kWater || texture.material == Material::kSea;
+  const bool is_water = texture.material == Material::kWater || texture.material == Material::kSea ||
+                        texture.material == Material::kPoolWater;
   if (!texture.colour.texels.empty()) colour_.emplace(texture.colour, TexelMeaning::kColours, WrapMode::kRepeat);
   if (!texture.normal.texels.empty() && !is_water)
     normal_.emplace(texture.normal, TexelMeaning::kNormals, WrapMode::kRepeat);

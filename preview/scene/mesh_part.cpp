@@ -111,7 +111,7 @@ double translucency_of(materials::Material material) {
 // half of whose light is seen.
 float f0_of(materials::Material material) {
   using materials::Material;
-  if (material == Material::kWater || material == Material::kSea) return 0.02f;
+  if (material == Material::kWater || material == Material::kSea || material == Material::kPoolWater) return 0.02f;
   return material == Material::kGlass || material == Material::kGlassFacade ? 0.08f : 0.04f;
 }
 

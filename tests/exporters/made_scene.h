@@ -44,6 +44,10 @@ class SceneMaker {
     for (auto i = below(3); i > 0; --i) c.lamps.push_back({id(), point(), metres(9), lamp_tags()});
     for (auto i = below(5); i > 0; --i) c.things.push_back(thing());
     for (auto i = below(3); i > 0; --i) c.wire_spans.push_back(wire_span());
+    for (auto i = below(3); i > 0; --i) {
+      const Vec2 from = point();
+      c.fields.push_back({id(), pick(pitches::FieldKind::kCount), from, from + Vec2{90, 8}, metres(70) + kQuantum_m});
+    }
     for (auto i = below(3); i > 0; --i)
       c.landforms.push_back({{id(), line(), surface(), metres(20), metres(20), profile(), metres(99), 0},
                              pick(ground::LandformKind::kCount)});

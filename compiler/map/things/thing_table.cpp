@@ -115,7 +115,8 @@ Result<ThingRow> thing_row_of(const std::vector<std::string_view>& words) {
   if (!is_word(row.name)) return wrong_column("name", "letters, digits and _", row.name);
   if (!is_word(row.rule)) return wrong_column("rule", "the name of a rule file without .cga", row.rule);
   if (!is_word(row.class_name)) return wrong_column("class", "letters, digits and _", row.class_name);
-  Result<std::vector<std::vector<TagTest>>> tags = tags_of_column(words[1]);
+  Result<std::vector<std::vector<TagTest>>> tags =
+      words[1] == kNoTags ? std::vector<std::vector<TagTest>>{} : tags_of_column(words[1]);
   if (!tags) return tags.error();
   row.tags = std::move(*tags);
   if (const Result<Done> done = read_size(words[3], row); !done) return done.error();

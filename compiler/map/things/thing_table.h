@@ -47,7 +47,7 @@ struct TaggedLength {
 /// A row of the table.
 struct ThingRow {
   std::string name;
-  std::vector<std::vector<TagTest>> tags{};  ///< True if all tests of one of these lists are.
+  std::vector<std::vector<TagTest>> tags{};  ///< It fits if all tests of one of these lists do.
   std::string rule{};                        ///< Rule file without ".cga".
   TaggedLength width{}, depth{}, height{};
   Stand stand{};
@@ -57,6 +57,9 @@ struct ThingRow {
   std::string class_name{};          ///< The class in property tables: "Bench".
   std::string line{};                ///< The row as it is written.
 };
+
+/// The column of tags of a row for equipment of sports fields, which is not mapped.
+inline constexpr std::string_view kNoTags = "-";
 
 using ThingTable = std::vector<ThingRow>;
 

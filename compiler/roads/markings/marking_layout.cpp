@@ -12,6 +12,15 @@ std::strong_ordering compared(const map::Lane& a, const map::Lane& b) {
   return std::strong_order(a.width_m, b.width_m);
 }
 
+std::strong_ordering compared(const Mark& a, const Mark& b) {
+  if (const auto order = a.colour <=> b.colour; order != 0) return order;
+  return std::lexicographical_compare_three_way(a.ring.begin(), a.ring.end(), b.ring.begin(), b.ring.end(),
+                                                [](Vec2 p, Vec2 q) {
+                                                  const auto order = std::strong_order(p.x, q.x);
+                                                  return order != 0 ? order : std::strong_order(p.y, q.y);
+                                                });
+}
+
 map::LaneDirection turned(map::LaneDirection way) {
   if (way == map::LaneDirection::kBoth) return way;
   return way == map::LaneDirection::kForward ? map::LaneDirection::kBackward : map::LaneDirection::kForward;
@@ -30,11 +39,19 @@ std::strong_ordering operator<=>(const MarkingLayout& a, const MarkingLayout& b)
   };
   if (const auto order = ranks(a) <=> ranks(b); order != 0) return order;
   if (const auto order = std::strong_order(a.gauge_m, b.gauge_m); order != 0) return order;
+  if (const auto order = std::strong_order(a.panel_m, b.panel_m); order != 0) return order;
+  const auto in_order = [](const auto& x, const auto& y) { return compared(x, y); };
+  if (const auto order = std::lexicographical_compare_three_way(a.panel.begin(), a.panel.end(), b.panel.begin(),
+                                                                b.panel.end(), in_order);
+      order != 0)
+    return order;
   return std::lexicographical_compare_three_way(a.lanes.begin(), a.lanes.end(), b.lanes.begin(), b.lanes.end(),
-                                                compared);
+                                                in_order);
 }
 
-double width_m(const MarkingLayout& layout) { return lane_sides_m(layout).back(); }
+double width_m(const MarkingLayout& layout) {
+  return layout.panel_m > 0 ? layout.panel_m : lane_sides_m(layout).back();
+}
 
 std::vector<double> lane_sides_m(const MarkingLayout& layout) {
   std::vector<double> sides = {0};
@@ -53,6 +70,10 @@ MarkingLayout turned_round(const MarkingLayout& layout) {
   for (map::Lane& lane : other.lanes) lane.way = turned(lane.way);
   other.stretch = turned(layout.stretch);
   std::swap(other.has_kerb_left, other.has_kerb_right);
+  other.panel = turned_round(layout.panel, layout.panel_m, kLayoutLength_m);
+  // the order and the first point of rings do not depend on the direction
+  for (Mark& mark : other.panel) std::ranges::rotate(mark.ring, std::ranges::min_element(mark.ring));
+  std::ranges::sort(other.panel, {}, &Mark::ring);
   return other;
 }
 

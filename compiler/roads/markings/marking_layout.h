@@ -14,6 +14,7 @@
 
 #include "compiler/map/cross_section.h"
 #include "compiler/map/land_cover_class.h"
+#include "compiler/roads/markings/mark.h"
 
 namespace citykiln::roads {
 
@@ -43,13 +44,16 @@ struct MarkingLayout {
   map::DrivingSide side = map::DrivingSide::kRight;
   bool has_kerb_left = true, has_kerb_right = true;  ///< Larger roads without kerbs (out of town) get edge lines.
   double gauge_m = kStandardGauge_m;                 ///< Distance between the rails of kRail lanes.
+  /// The marks and the width of a panel of a sports field (pitches/panels.h), which has no lanes; 0: a strip of lanes.
+  Marks panel{};
+  double panel_m = 0;
 };
 
 /// A total order over all members; doubles by std::strong_order.
 std::strong_ordering operator<=>(const MarkingLayout& a, const MarkingLayout& b);
 inline bool operator==(const MarkingLayout& a, const MarkingLayout& b) { return (a <=> b) == 0; }
 
-/// The width of the strip: the sum of its lanes.
+/// The width of the strip: the sum of its lanes, or the width of the panel.
 double width_m(const MarkingLayout& layout);
 /// The value of u at the left side of each lane, then the strip's width: lanes.size() + 1 numbers.
 std::vector<double> lane_sides_m(const MarkingLayout& layout);

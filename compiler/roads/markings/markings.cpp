@@ -39,6 +39,7 @@ void keep_between(double low_m, double high_m, Marks& marks) {
 
 Marks marks_of(const MarkingLayout& layout) {
   if (!(width_m(layout) > 0)) return {};
+  if (layout.panel_m > 0) return layout.panel;
   if (layout.stretch == StretchKind::kStart)
     return turned_round(marks_of(turned_round(layout)), width_m(layout), length_m(layout));
   Marks marks;

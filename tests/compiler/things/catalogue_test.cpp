@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "compiler/pitches/field_lines.h"
+#include "compiler/pitches/field_rules.h"
 #include "compiler/things/generate.h"
 
 namespace citykiln::things {
@@ -31,7 +35,7 @@ TEST(Catalogue, EveryShippedRowHasRulesThatMakeAMeshWithoutErrors) {
                       .width_m = kind.row.width.default_m,
                       .depth_m = kind.row.depth.default_m,
                       .height_m = kind.row.height.default_m,
-                      .value = kind.row.tags.front().front().value,
+                      .value = kind.row.tags.empty() ? "" : kind.row.tags.front().front().value,
                       .text = "50"};
       const GeneratedThing thing = generate(form, kind, 1, false, tolerance_m);
       EXPECT_EQ(thing.rule_errors, 0u) << name;
@@ -86,6 +90,16 @@ TEST(Generate, AThingIsTheBoxThatItsRulesDivide) {
   EXPECT_EQ(box.max, (Vec2{0.25, 0.25}));
   EXPECT_EQ(top_m, 4);
   EXPECT_EQ(bottom_m, 0);
+}
+
+TEST(Catalogue, EquipmentOfSportsFieldsHasRows) {
+  const Result<Catalogue> catalogue = read_catalogue({}, "");
+  ASSERT_TRUE(catalogue);
+  for (std::size_t i = 0; i < pitches::field_rules().size(); ++i) {
+    const pitches::Field field{{}, static_cast<pitches::FieldKind>(i), {0, 0}, {100, 0}, 50};
+    for (const pitches::Equipment& equipment : pitches::equipment_of(field))
+      EXPECT_EQ(std::ranges::count(catalogue->table, equipment.thing, &map::ThingRow::name), 1) << equipment.thing;
+  }
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ TEST(ParkedCars, StandInTheParkingLane) {
     EXPECT_EQ(car.at.y, -4);
     EXPECT_LT(car.at.x + car.depth_m / 2, 200) << "the lane ends there";
     EXPECT_EQ(car.id.osm.id, 7);
-    EXPECT_EQ(car.way.along, (Vec2{-1, 0})) << "it looks along the traffic of its lane";
+    EXPECT_EQ(car.faces, (Vec2{1, 0})) << "it looks along the traffic of its lane";
   }
   for (std::size_t i = 1; i < cars.size(); ++i) EXPECT_GT(cars[i].at.x - cars[i - 1].at.x, cars[i].depth_m);
 }
@@ -92,7 +92,7 @@ TEST(ParkedCars, StandInRowsOnACarPark) {
   EXPECT_GT(cars.size(), 40 * kOccupied * 0.7);
   for (const map::ThingFeature& car : cars) {
     EXPECT_TRUE(car.at.y == 2.5 || car.at.y == 13.5) << car.at.y;
-    EXPECT_EQ(std::abs(car.way.along.y), 1) << "across the lane";
+    EXPECT_EQ(std::abs(car.faces->y), 1) << "across the lane";
   }
 }
 

@@ -145,6 +145,8 @@ class Chunk:
         self.corridors = self.all("power corridors", lambda: (self.id(), self.points("power corridor points"), self.plain("power corridor")))
         self.barriers = self.all("barriers", self.barrier)
         self.lamps = self.all("lamps", lambda: (self.id(), self.point(), self.metres("lamp height"), self.several("lamp light", 5) if self.plain("lamp light") else None))
+        self.fields = self.all("sports fields", lambda: (self.id(), self.plain("sports field kind"), self.point(), self.point(),
+                                                         self.metres("sports field width")))
         self.landforms = self.all("landforms", lambda: (self.water(), self.plain("landform kind")))
         self.words = [""]
         self.thing_forms = self.all("thing forms", self.thing_form)

@@ -1,0 +1,32 @@
+// Plans sports fields: how many fit into each pitch, how large they are, and where they are.
+#pragma once
+
+#include <vector>
+
+#include "compiler/map/features.h"
+#include "compiler/map/things/thing_table.h"
+#include "compiler/pitches/recipe.h"
+
+namespace citykiln::pitches {
+
+/// Returns the fields of one area.
+///
+/// The frame is the smallest rectangle around the area. Of the sport's rows the first one counts of which a field fits:
+/// one in the middle along the longer side or, with a row that has a space for courts, as many as fit, in equal cells
+/// of the rectangle. A field of which less than kInside of its ground lies in the area is left out.
+///
+/// @param sports  sport=*: the first value of which a field fits counts.
+std::vector<Field> fields_of(ObjectId id, const Polygon& area, std::string_view sports);
+
+/// The share of a field's ground that must lie in its area.
+inline constexpr double kInside = 0.94;
+
+/// Returns the fields of all areas with a sport, sorted by id.
+std::vector<Field> plan(const map::Features& features);
+
+/// Returns the equipment of fields as things, sorted by id. Equipment without a row in the table is left out, and any
+/// within 5 m of a mapped thing of its kind.
+std::vector<map::ThingFeature> things_of(const std::vector<Field>& fields, const map::ThingTable& table,
+                                         const map::Features& features);
+
+}  // namespace citykiln::pitches
