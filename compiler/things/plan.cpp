@@ -79,7 +79,7 @@ bool is_for_arms(const map::ThingFeature& thing, const Kinds& kinds) {
   return kinds.find(thing.kind)->second.row.facing == map::Facing::kArms;
 }
 
-// What decides how many things become of those on the map.
+// The roads and their junctions.
 struct Network {
   std::span<const roads::Road> roads;
   std::span<const roads::Junction> junctions;

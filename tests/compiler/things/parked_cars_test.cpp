@@ -11,7 +11,7 @@ using map::LandCoverClass;
 using map::LaneDirection;
 using map::LaneKind;
 
-ground::LandCoverPolygon rectangle(std::int64_t id, Vec2 low, Vec2 high, LandCoverClass surface) {
+ground::LandCoverPolygon cover_rectangle(std::int64_t id, Vec2 low, Vec2 high, LandCoverClass surface) {
   ground::LandCoverPolygon polygon;
   polygon.id = {{OsmType::kWay, id}, 0};
   polygon.surface = surface;
@@ -20,7 +20,7 @@ ground::LandCoverPolygon rectangle(std::int64_t id, Vec2 low, Vec2 high, LandCov
 }
 
 // A street along x with a parking lane on its right, of 2 m, from y = -5 to -3.
-roads::Road street() {
+roads::Road parking_street() {
   roads::Road road;
   road.id = {{OsmType::kWay, 7}, 0};
   road.axis = {{0, 0}, {300, 0}};
@@ -33,14 +33,14 @@ roads::Road street() {
 }
 
 std::vector<ground::LandCoverPolygon> cover_of_street() {
-  return {rectangle(1, {0, -3}, {300, 3}, LandCoverClass::kResidentialRoad),
-          rectangle(2, {0, -5}, {200, -3}, LandCoverClass::kParkingLane)};
+  return {cover_rectangle(1, {0, -3}, {300, 3}, LandCoverClass::kResidentialRoad),
+          cover_rectangle(2, {0, -5}, {200, -3}, LandCoverClass::kParkingLane)};
 }
 
 std::vector<map::ThingFeature> cars_in_street(std::uint64_t seed) {
   const auto cover = cover_of_street();
   FreePlaces places(cover);
-  const std::vector<roads::Road> roads = {street()};
+  const std::vector<roads::Road> roads = {parking_street()};
   return parked_cars({}, {}, roads, places, seed);
 }
 
@@ -70,7 +70,7 @@ TEST(ParkedCars, DependOnTheSeed) {
 TEST(ParkedCars, APartOfAStreetHasTheCarsOfTheWhole) {
   const auto cover = cover_of_street();
   FreePlaces places(cover);
-  std::vector<roads::Road> part = {street()};
+  std::vector<roads::Road> part = {parking_street()};
   part[0].axis = {{100, 0}, {300, 0}};
   part[0].start_along_m = 100;
   const auto whole = cars_in_street(1);
@@ -86,7 +86,7 @@ TEST(ParkedCars, StandInRowsOnACarPark) {
   area.surface = LandCoverClass::kParking;
   area.polygon.outer = {{0, 0}, {52, 0}, {52, 16}, {0, 16}};
   features.areas = {area};
-  const std::vector<ground::LandCoverPolygon> cover = {rectangle(9, {0, 0}, {52, 16}, LandCoverClass::kParking)};
+  const std::vector<ground::LandCoverPolygon> cover = {cover_rectangle(9, {0, 0}, {52, 16}, LandCoverClass::kParking)};
   FreePlaces places(cover);
   const auto cars = parked_cars({}, features, {}, places, 1);
   EXPECT_GT(cars.size(), 40 * kOccupied * 0.7);
