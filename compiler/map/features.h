@@ -148,7 +148,7 @@ struct AreaFeature {
 
 /// An area where sports are played.
 struct SportsArea {
-  ObjectId id;         ///< Of an AreaFeature.
+  ObjectId id;         ///< The id of an AreaFeature.
   std::string sports;  ///< sport=*: values separated by ";".
 };
 
