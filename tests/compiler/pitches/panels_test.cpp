@@ -56,8 +56,11 @@ TEST(Panels, EveryPlaceOfALineIsPaintedOnAllPanelsAboutIt) {
       const std::vector<Panel> panels = panels_of(field, kGrass, tolerance_m);
       for (const Vec2 place : places_on_lines(field)) {
         int about = 0;
-        for (const Panel& panel : panels)
-          if (is_in(panel, place)) ++about, EXPECT_TRUE(is_painted(panel, place)) << rules_of(kind).name;
+        for (const Panel& panel : panels) {
+          if (!is_in(panel, place)) continue;
+          ++about;
+          EXPECT_TRUE(is_painted(panel, place)) << rules_of(kind).name;
+        }
         EXPECT_GT(about, 0) << rules_of(kind).name;
       }
     }
