@@ -14,9 +14,8 @@ struct SagClass {
   double parameter_m;  ///< The horizontal tension over the weight per metre.
   double clearance_m;  ///< The least height above the ground and above roads.
 };
-/// Sources: CIGRE brochure 273 (2005), tension over weight of 1000 to 1425 m for lines without dampers, by terrain; the
-/// thin conductors of minor lines are strung with about half of it, cables of aerialways tighter, with their load. EN
-/// 50341-1, 5 and 6 m to the ground.
+/// The parameters are estimates. Clearances: authorities ask for 4.6 to 7 m by voltage and place (Public Utilities
+/// Commission of Sri Lanka, Height above the ground of overhead lines).
 inline constexpr SagClass kLineSag{1225, 6}, kMinorLineSag{600, 5}, kAerialwaySag{1500, 5};
 
 /// The smallest sag, as a share of the span.
