@@ -20,6 +20,7 @@
 #include "compiler/source/read_texts.h"
 #include "compiler/surroundings/grid_lines.h"
 #include "compiler/surroundings/plan.h"
+#include "compiler/things/parked_cars.h"
 
 namespace citykiln {
 namespace {
@@ -119,7 +120,10 @@ Result<things::Catalogue> read_things(const CompileSpec& spec) {
     if (!files) return files.error();
     for (source::TextFile& file : *files) own.push_back({std::move(file.name), std::move(file.text)});
   }
-  return things::read_catalogue(own, spec.things_folder);
+  Result<things::Catalogue> catalogue = things::read_catalogue(own, spec.things_folder);
+  if (catalogue && !spec.cars)
+    std::erase_if(catalogue->table, [](const auto& row) { return row.name == things::kCar; });
+  return catalogue;
 }
 
 }  // namespace citykiln

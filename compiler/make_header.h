@@ -25,8 +25,8 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
 Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
                                                    const std::vector<buildings::Building>& buildings);
 
-/// Returns the shipped things, with those of the spec's folder. Errors: those of things::read_catalogue(); the folder
-/// cannot be read.
+/// Returns the shipped things, with those of the spec's folder; cars only if the spec asks for them. Errors: those of
+/// things::read_catalogue(); the folder cannot be read.
 Result<things::Catalogue> read_things(const CompileSpec& spec);
 
 }  // namespace citykiln

@@ -27,6 +27,7 @@
 #include "compiler/structures/within_extent.h"
 #include "compiler/things/plan.h"
 #include "compiler/whole_map.h"
+#include "compiler/wires/plan.h"
 
 namespace citykiln {
 namespace {
@@ -103,11 +104,23 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   for (map::ThingFeature& thing : pitches::things_of(recipes.fields, catalogue->table, features))
     features.things.push_back(std::move(thing));
   Result<things::Kinds> kinds = things::Kinds{};
-  if (!features.things.empty()) {
-    kinds = things::kinds_of(*catalogue, things::kind_names(features));
+  if (const auto names = things::kind_names(features, catalogue->table); !names.empty()) {
+    kinds = things::kinds_of(*catalogue, names);
     if (!kinds) return kinds.error();
-    recipes.things = things::plan(features, recipes.roads, thing_obstacles(recipes), *kinds, spec.seed, report);
+    recipes.things =
+        things::plan(features, recipes.roads, recipes.junctions, thing_obstacles(recipes), *kinds, spec.seed, report);
   }
+  timer.enter("wires");
+  const std::vector<things::Thing> supports_beyond = things::plan_supports_beyond(features, *kinds, spec.seed);
+  recipes.wire_spans = wires::plan(features,
+                                   {.things = recipes.things,
+                                    .beyond = supports_beyond,
+                                    .kinds = *kinds,
+                                    .roads = recipes.roads,
+                                    .bridges = recipes.structures.bridges,
+                                    .ground = graded,
+                                    .seed = spec.seed},
+                                   report);
 
   // plan the land around the extent, describe the sky and the sources
   timer.enter("surroundings");

@@ -288,6 +288,12 @@ Result<Done> set_surroundings(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
+Result<Done> set_cars(CompileSpec& spec, std::string_view text) {
+  if (text != "true" && text != "false") return expected("true or false", text);
+  spec.cars = text == "true";
+  return Done{};
+}
+
 Result<Done> set_strict(CompileSpec& spec, std::string_view text) {
   spec.strict = {.is_on = text != "false", .codes = {}};
   if (text == "true" || text == "false") return Done{};
@@ -385,6 +391,8 @@ constexpr Setting kSettings[] = {
      "folder with a table of things, things.txt, and rule files (.cga), which add to the shipped ones or replace those "
      "of the same name",
      false, set_text<&CompileSpec::things_folder>},
+    {"cars", "", "parked cars in parking lanes, on car parks and in parking spaces, drawn by the seed", false,
+     set_cars},
     {"tags", "", "keep all tags of the map's elements, in the manifest and as a property of each feature in .glb files",
      false, set_tags},
     {"threads", "N", "number of threads; 0 uses all processors (default: {})", false,

@@ -27,6 +27,7 @@ ROWS = [
     ["compiler/props"],
     ["compiler/pitches"],
     ["compiler/things"],
+    ["compiler/wires"],
     ["compiler/sky"],
     ["compiler/surroundings"],
     ["compiler/scene"],

@@ -6,6 +6,7 @@ Run without arguments, it prints the page; with --update, it writes the page. A 
 - the argument of a function whose parameter is named `key` (tagged_length_m(…, "height", …)), or of one in KEY_ARGUMENTS
 - the first column of a table whose macro or struct names its first member `key` (AREA("natural", …), PointRow{"shop", …})
 - the values of a loop variable named `key`
+- the tests of tags and the lengths in the table of things
 """
 import os
 import re
@@ -15,6 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "compiler/map/tags.md"
 ROOMS = ["compiler/source", "compiler/map", "compiler/regions"]
+THINGS = Path("grammars/things/things.txt")
 # The keys of options of heightmaps.
 NO_TAGS = ["compiler/source/raster_spec.cpp"]
 WIDEST_PAGE = 120
@@ -152,6 +154,15 @@ def unexplained_lookups():
                 yield f"{path}: {found[0]}… {argument}"
 
 
+def keys_of_things():
+    """The keys of the columns "tags" and "size" of the table of things."""
+    for row in (ROOT / THINGS).read_text(encoding="utf-8").splitlines():
+        columns = row.partition("#")[0].split()
+        if columns:
+            yield from (re.split("!?=", test)[0] for test in re.split("[&|]", columns[1]))
+            yield from (length.rpartition(":")[0] for length in columns[3].split("x") if ":" in length)
+
+
 def index():
     """For each key, the files that read it."""
     texts = dict(sources())
@@ -160,6 +171,8 @@ def index():
     for path, text in texts.items():
         for key in keys_in(text, positions):
             readers.setdefault(key, []).append(path)
+    for key in sorted(set(keys_of_things())):
+        readers.setdefault(key, []).append(THINGS)
     return readers
 
 

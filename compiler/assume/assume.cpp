@@ -19,10 +19,11 @@ map::Features assume(map::Features features, const Settings& settings, Report& r
   if (has(settings.on, Assumption::kHeights)) features = assume_heights(std::move(features), settings.seed, report);
   // by the assumed storeys
   if (has(settings.on, Assumption::kRoofs)) features = assume_roofs(std::move(features), settings.seed, report);
+  const std::vector<map::Track> mapped = features.tracks;
   if (has(settings.on, Assumption::kPavements))
     features.tracks = assume_bridge_pavements(assume_pavements(features, report), report);
   // beside the pavements
-  if (has(settings.on, Assumption::kVerges)) features.tracks = assume_verges(features, report);
+  if (has(settings.on, Assumption::kVerges)) features.tracks = assume_verges(features, mapped, report);
   if (has(settings.on, Assumption::kParking)) features.tracks = assume_parking(features, report);
   if (has(settings.on, Assumption::kSurfaces)) features.tracks = assume_surfaces(features, report);
   if (has(settings.on, Assumption::kLamps)) features.tracks = assume_lamps(features, report);

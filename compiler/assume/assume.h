@@ -1,4 +1,4 @@
-// Fills what the map does not say: streets and buildings as they usually are at their place.
+// Adds what the map does not say: streets and buildings get the properties that are usual at their place.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,21 @@ namespace citykiln::assume {
 
 /// Settings of assume().
 struct Settings {
-  Assumptions on = kAllAssumptions;  ///< The assumptions that are made; the rest stays as mapped.
-  std::uint64_t seed = 0;
+  Assumptions on = kAllAssumptions;  ///< The assumptions that are made.
+  std::uint64_t seed = 0;            ///< Selects the random draws.
 };
 
-/// Returns the features with what is assumed of them, marked in Track::assumed and Footprint::assumed and counted in
-/// the report. Nothing that tags state is changed.
+/// Returns the features with assumed properties. Track::assumed and Footprint::assumed say which assumptions changed a
+/// feature, and the report counts these features. No property that a tag states is changed. Ways of more than
+/// kLongestWhole_m (pavements.h) may become several tracks. If Settings::on is kNoAssumptions, nothing is changed.
 ///
-/// Each assumption is local: it depends on what is mapped within the radius that its header states. Without any
-/// assumption the features are returned unchanged.
+/// The steps run in this order: storeys, roofs, pavements, pavements of bridges, verges, parking, surfaces, lamps, shop
+/// fronts, styles. Roofs and shop fronts depend on assumed storeys, bridges and verges on assumed pavements, lamps on
+/// assumed surfaces.
+///
+/// Each assumption is local: it depends on what is mapped within the radius that its header states, and on the earlier
+/// steps that it reads within this radius. The order of the features does not matter, except where areas of equal size
+/// overlap.
 map::Features assume(map::Features features, const Settings& settings, Report& report);
 
 }  // namespace citykiln::assume

@@ -100,9 +100,9 @@ struct Indexer {
     all.widest_half_m = std::max(all.widest_half_m, line.half_m);
     line_boxes.push_back(box_of(std::array{line.a, line.b}));
   }
-  void add_ring(const Ring& ring, LineKind kind, ObjectId of) {
+  void add_ring(const Ring& ring, LineKind kind, ObjectId element) {
     for (std::size_t i = 0; i < ring.size(); ++i)
-      add({.a = ring[i], .b = ring[(i + 1) % ring.size()], .kind = kind, .of = of});
+      add({.a = ring[i], .b = ring[(i + 1) % ring.size()], .kind = kind, .element = element});
   }
   void add_track(const map::Track& track) {
     const LandCoverGroup group = cover_group_of(track.surface);
@@ -117,7 +117,7 @@ struct Indexer {
            .half_m = half_m,
            .is_through = is_through(track.surface),
            .heading = unit(track.axis[i + 1] - track.axis[i]) * static_cast<double>(flow),
-           .of = track.id,
+           .element = track.id,
            .way = &track});
   }
   // guard rails stand on the road
@@ -128,7 +128,7 @@ struct Indexer {
            .b = barrier.axis[i + 1],
            .kind = LineKind::kWall,
            .half_m = barrier.width_m / 2,
-           .of = barrier.id});
+           .element = barrier.id});
   }
   void add_area(const map::AreaFeature& area) {
     const LandUse land = land_use_of(area.surface);
@@ -169,14 +169,14 @@ struct Seen {
 };
 
 void look_at(const MappedLine& line, const Ray& ray, Vec2 heading, Seen& seen) {
-  const double most_m = std::max(kFront_m, ray.kerb_m + kBesideKerb_m);
+  const double most_m = std::max(kHouses_m, ray.kerb_m + kBesideKerb_m);
   const auto away_m = distance_to(ray, line, most_m);
   if (!away_m) return;
   const double from_kerb_m = *away_m - ray.kerb_m - line.half_m;
   const auto limit = [&] { seen.room_m = std::min(seen.room_m, std::max(0.0, from_kerb_m)); };
   switch (line.kind) {
     case LineKind::kBuilding:
-      seen.has_house |= *away_m <= kFront_m;
+      seen.has_house |= *away_m <= kHouses_m;
       return limit();
     case LineKind::kPath:
       seen.has_path |= *away_m > ray.kerb_m / 2 && from_kerb_m <= kBesideKerb_m && runs_along(ray, line);
@@ -252,8 +252,8 @@ struct Walk {
   bool is_near_cross_street(const Ray& ray, std::span<const std::uint32_t> near) const {
     return std::ranges::any_of(near, [&](std::uint32_t n) {
       const MappedLine& line = surroundings.lines[n];
-      return line.is_through && line.of.osm != stretch.id.osm && !runs_along(ray, line) &&
-             distance_to_segment(line.a, line.b, ray.at) < kBlock_m;
+      return line.is_through && line.element.osm != stretch.id.osm && !runs_along(ray, line) &&
+             distance_to_segment(line.a, line.b, ray.at) < kCrossStreet_m;
     });
   }
 
@@ -261,7 +261,7 @@ struct Walk {
   void look(const Ray& ray, std::span<const std::uint32_t> near, Side& side) const {
     Seen seen;
     for (const std::uint32_t n : near)
-      if (const MappedLine& line = surroundings.lines[n]; line.of.osm != stretch.id.osm)
+      if (const MappedLine& line = surroundings.lines[n]; line.element.osm != stretch.id.osm)
         look_at(line, ray, ray.along * flow, seen);
     if (side.rooms_m.size() % kLandEvery == 0) look_at_land(surroundings, ray, side);
     side.add(seen);
@@ -269,7 +269,7 @@ struct Walk {
 
   void along(Vec2 a, Vec2 b) {
     const double left_m = left_kerb_m(stretch.section), right_m = right_kerb_m(stretch.section);
-    const double widest_m = std::max({kBlock_m, left_m + kBesideKerb_m, right_m + kBesideKerb_m});
+    const double widest_m = std::max({kCrossStreet_m, left_m + kBesideKerb_m, right_m + kBesideKerb_m});
     const auto near = boxes_about(surroundings.line_grid, box_of(std::array{a, b}).widened(widest_m));
     const Vec2 forward = unit(b - a), out = left_of(forward);
     const int count = std::max(1, static_cast<int>(std::floor(distance(a, b) / kSampleEvery_m + 0.5)));
@@ -287,12 +287,14 @@ struct Walk {
 double left_kerb_m(const map::CrossSection& section) { return section.axis_offset_m; }
 double right_kerb_m(const map::CrossSection& section) { return carriageway_width_m(section) - section.axis_offset_m; }
 
-Surroundings index_surroundings(const map::Features& features) {
+Surroundings index_surroundings(const map::Features& features) { return index_surroundings(features, features.tracks); }
+
+Surroundings index_surroundings(const map::Features& features, const std::vector<map::Track>& tracks) {
   Indexer indexer;
   for (const map::Footprint& footprint : features.footprints)
     if (!footprint.is_part && !footprint.is_open && footprint.min_height_m == 0)
       for (const Ring* ring : rings_of(footprint.polygon)) indexer.add_ring(*ring, LineKind::kBuilding, footprint.id);
-  for (const map::Track& track : features.tracks)
+  for (const map::Track& track : tracks)
     if (track.passage == map::Passage::kGround && !track.is_indoor) indexer.add_track(track);
   for (const map::Barrier& barrier : features.barriers) indexer.add_barrier(barrier);
   for (const map::AreaFeature& area : features.areas) indexer.add_area(area);
@@ -318,7 +320,8 @@ BothSides facts_beside(const Surroundings& surroundings, const map::Track& stret
   for (std::size_t i = 0; i + 1 < stretch.axis.size(); ++i) walk.along(stretch.axis[i], stretch.axis[i + 1]);
   BothSides sides{facts_of(std::move(walk.left)), facts_of(std::move(walk.right))};
   const auto samples = static_cast<double>(std::max<std::size_t>(walk.samples, 1));
-  sides.left.streets = sides.right.streets = static_cast<double>(walk.samples_near_streets) / samples;
+  sides.left.near_cross_street = sides.right.near_cross_street =
+      static_cast<double>(walk.samples_near_streets) / samples;
   sides.left.houses_across = sides.right.houses, sides.right.houses_across = sides.left.houses;
   const Room room = room_beside(surroundings, stretch);
   sides.left.room_m = std::min(sides.left.room_m, room.left_m);

@@ -1,11 +1,14 @@
-// The map beside a stretch of road: houses, land use, paths, other roads and obstacles, on either side.
+// Finds what is mapped on each side of a stretch of road: houses, land use, paths, other roads and obstacles. A stretch
+// is one track, or one piece of a track that was cut (cut_way.h).
 //
-//      houses  [####]  [###]     [####]     counted within kFront_m of the axis
-//      path    ------------------------     beside the kerb, within kBesideKerb_m: a pavement mapped as its own way
-//     =|=====|=====|=====|=====|=====|=>    samples every 8 m; rays square to the axis look at either side
-//      <-------------------------------     a one-way street the other way, within kOncoming_m: the other carriageway
+//      houses  [####]  [###]     [####]     counted within kHouses_m of the axis
+//      path    ------------------------     within kBesideKerb_m of the kerb it is the pavement, mapped as a way
+//     =|=====|=====|=====|=====|=====|=>    at samples, about every 8 m, a ray goes to each side, square to the axis
+//      <-------------------------------     a one-way street of the other direction within kOncoming_m is the other
+//                                           carriageway
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -14,20 +17,23 @@
 
 namespace citykiln::assume {
 
-/// The greatest distance from an axis at which houses, land use and paths count.
+/// The facts of a stretch depend on what is mapped within this distance of its axis. Each kind has a smaller limit.
 inline constexpr double kBeside_m = 64;
-/// The greatest distance from the axis of houses, the other carriageway and the point whose land use counts.
-inline constexpr double kFront_m = 40, kOncoming_m = 30, kLandUse_m = 20;
-/// The greatest distance from the kerb of a path that counts as the road's pavement.
+/// Houses count up to the first distance from the axis, and the other carriageway up to the second. The land use of a
+/// side is read at the third.
+inline constexpr double kHouses_m = 40, kOncoming_m = 30, kLandUse_m = 20;
+/// A path counts as the road's pavement if its nearer edge is at most this far from the kerb.
 inline constexpr double kBesideKerb_m = 10;
-/// The greatest distance of a cross street: half a long block.
-inline constexpr double kBlock_m = 60;
-static_assert(kBeside_m > kBlock_m && kBlock_m > kFront_m && kFront_m > kOncoming_m && kOncoming_m > kLandUse_m);
+/// A sample is near a cross street that is less than this away in a straight line: half the length of a long block.
+inline constexpr double kCrossStreet_m = 60;
+static_assert(kBeside_m > kCrossStreet_m && kCrossStreet_m > kHouses_m && kHouses_m > kOncoming_m &&
+              kOncoming_m > kLandUse_m);
 
-/// Lines whose direction has this cosine with the axis, or more, run along it: less than about 37 degrees.
+/// A line runs along the axis, in either direction, if the cosine of the angle between them is greater than this: the
+/// angle is less than about 37 degrees.
 inline constexpr double kAlong = 0.8;
 
-/// The distances from the axis to the kerbs.
+/// Returns the distances from the axis to the left and the right kerb. Parking lanes lie between the kerbs.
 double left_kerb_m(const map::CrossSection& section);
 double right_kerb_m(const map::CrossSection& section);
 
@@ -46,59 +52,63 @@ enum class LandUse : std::uint8_t {
   kCount
 };
 
-/// The facts of one side of a stretch.
+/// The facts of one side of a stretch. Shares are shares of the samples, from 0 to 1.
 struct SideFacts {
-  double houses = 0;         ///< The share of the side along which a building stands.
-  double houses_across = 0;  ///< The share of the other side.
-  double streets = 0;        ///< The share of the stretch that lies within kBlock_m of a cross street.
-  double path = 0;           ///< The share along which a path or a paved square runs beside the kerb.
-  double oncoming = 0;       ///< The share along which a one-way street runs in the other direction.
-  /// The distance from the kerb to buildings, walls and car parks, of which a quarter of the side may leave less; and
-  /// what room_beside() leaves.
+  double houses = 0;             ///< The share with a building within kHouses_m on this side.
+  double houses_across = 0;      ///< The value of `houses` of the other side.
+  double near_cross_street = 0;  ///< The share near a cross street, on either side (kCrossStreet_m).
+  double path = 0;               ///< The share with a path or a paved square beside the kerb.
+  double oncoming = 0;           ///< The share with a one-way street of the other direction on this side.
+  /// The free width beyond the kerb: room_beside(), or if it is smaller the lower quartile, over the samples, of the
+  /// distance from the kerb to buildings, walls and car parks.
   double room_m = std::numeric_limits<double>::infinity();
-  LandUse land{};  ///< The most frequent one.
+  LandUse land{};  ///< The most frequent land use of this side; on a tie the first enumerator.
 };
 
-/// A straight piece of a mapped line or outline.
+/// A straight piece of a mapped line or outline, from a to b, plane metres.
 struct MappedLine {
   enum class Kind : std::uint8_t { kBuilding, kWall, kPath, kStreet, kRail, kCarPark, kWater, kSquare };
   Vec2 a, b;
   Kind kind{};
-  double half_m = 0;        ///< The greatest distance of a way's edges from its axis, mapped pavements included.
-  bool is_through = false;  ///< True for streets of residential or higher class.
-  Vec2 heading{};           ///< The direction of traffic of a one-way street; else 0.
-  ObjectId of{};
-  const map::Track* way = nullptr;  ///< The way; null for outlines and barriers.
+  /// From a way's axis to the farther one of its edges, pavements included; half a barrier's width; 0 for outlines.
+  double half_m = 0;
+  bool is_through = false;  ///< True for residential, tertiary, secondary and primary roads: these are cross streets.
+  Vec2 heading{};           ///< The unit vector along the traffic of a one-way street; else zero.
+  ObjectId element{};
+  const map::Track* way = nullptr;  ///< The way, one of the indexed features; null for outlines and barriers.
 };
 
 /// An area with a land use.
 struct MappedLand {
   const map::AreaFeature* area = nullptr;
   LandUse land{};
-  bool is_square = false;
+  bool is_square = false;  ///< True for a paved square, which has no land use.
 };
 
-/// All lines and areas of a map, by place.
+/// All lines and areas of a map, with grids that find them by position.
 struct Surroundings {
   std::vector<MappedLine> lines;
   std::vector<MappedLand> areas;
-  BoxGrid line_grid, area_grid;
-  double widest_half_m = 0;  ///< The greatest half width of all lines.
+  BoxGrid line_grid, area_grid;  ///< Find the indexes of `lines` and `areas` by position.
+  double widest_half_m = 0;      ///< The greatest MappedLine::half_m.
 };
 
-/// Returns the index of a map's features on the ground; it points into them. O(n log n).
+/// Returns the index of the features on the ground, without bridges, tunnels and what is indoors. It points into
+/// `features`, which have to outlive it unchanged. O(n log n), n: points of all features.
 Surroundings index_surroundings(const map::Features& features);
+/// Returns the index of these tracks, which have to outlive it too, and of the other features.
+Surroundings index_surroundings(const map::Features& features, const std::vector<map::Track>& tracks);
 
-/// Returns the most frequent land use along a line. O(length * areas near it).
+/// Returns the land use that is most frequent on a line itself, not beside it. O(length · areas near it).
 LandUse land_use_along(const Surroundings& surroundings, const Polyline& line);
 
-/// The facts of both sides of a stretch, seen along its axis.
+/// The facts of both sides of a stretch, left and right as seen along its axis.
 struct BothSides {
   SideFacts left, right;
 };
 
-/// Returns the facts of a stretch: of what is mapped within kBeside_m of its axis, or kBesideKerb_m of its kerbs. The
-/// order of features does not matter. O(length * lines near it).
+/// Returns the facts of a stretch. They depend on what is mapped within kBeside_m of its axis, and beside very wide
+/// carriageways on paths within kBesideKerb_m of its kerbs. O(length · lines near it).
 BothSides facts_beside(const Surroundings& surroundings, const map::Track& stretch);
 
 }  // namespace citykiln::assume

@@ -1,4 +1,4 @@
-// Assumes pavements on short bridges between streets that have them.
+// Assumes pavements on a short bridge if the streets at both of its ends have pavements.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,16 @@
 
 namespace citykiln::assume {
 
-/// Longer bridges stay as mapped.
+/// A bridge way that is longer than this does not change.
 inline constexpr double kLongestBridge_m = 128;
 
-/// Returns the tracks; a bridge of a street has a pavement on each silent side (Track::tagged_pavements) on which both
-/// streets that go on from its ends have one: as wide as the narrower one. At each end exactly one street on the ground
-/// ends. O(n log n).
+/// Returns the tracks, in the same order, with assumed pavements on bridges of streets. A side of a bridge gets a
+/// pavement if no tag says whether it has one (Track::tagged_pavements), and the streets that continue from both ends
+/// have one, tagged or assumed, on that side. It is as wide as the narrower one of these two.
+///
+/// Exactly one street on the ground has to end at each end of the bridge, so a bridge of several ways in a row does not
+/// change. Runs after assume_pavements(). Depends on the streets at the ends, at most kLongestBridge_m away, and on
+/// their assumed pavements. O(n log n), n: tracks.
 std::vector<map::Track> assume_bridge_pavements(std::vector<map::Track> tracks, Report& report);
 
 }  // namespace citykiln::assume

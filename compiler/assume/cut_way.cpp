@@ -2,21 +2,30 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace citykiln::assume {
 namespace {
 
-// The vertex at which the piece that begins at `first` ends.
-std::size_t end_of_piece(const map::Track& way, std::size_t first, double piece_m, const CommonNodes& common) {
-  std::size_t last_near = 0, last_common = 0;
-  double along_m = 0;
-  for (std::size_t v = first + 1; v < way.axis.size(); ++v) {
+// The vertices at which pieces end, the last one of the way included.
+std::vector<std::size_t> ends_of_pieces(const map::Track& way, double piece_m, const CommonNodes& common) {
+  std::vector<std::size_t> ends;
+  double along_m = 0, window_end_m = piece_m;
+  std::size_t last = 0, last_common = 0;  // of the window; 0: none
+  for (std::size_t v = 1; v + 1 < way.axis.size(); ++v) {
     along_m += distance(way.axis[v - 1], way.axis[v]);
-    if (along_m > piece_m) return last_common > 0 ? last_common : last_near > 0 ? last_near : v;
-    last_near = v;
+    if (along_m > window_end_m) {
+      if (last > 0) ends.push_back(last_common > 0 ? last_common : last);
+      last = last_common = 0;
+      window_end_m = piece_m * std::ceil(along_m / piece_m);
+    }
+    last = v;
     if (std::ranges::binary_search(common, way.node_ids[v])) last_common = v;
   }
-  return way.axis.size() - 1;
+  const double length_m = along_m + distance(way.axis[way.axis.size() - 2], way.axis.back());
+  if (length_m > window_end_m && last > 0) ends.push_back(last_common > 0 ? last_common : last);
+  ends.push_back(way.axis.size() - 1);
+  return ends;
 }
 
 // Marks of the vertices first … last. The end of a closed way has those of its beginning.
@@ -55,8 +64,8 @@ std::vector<map::Track> cut_way(const map::Track& way, double longest_m, double 
   if (length_m(way.axis) <= longest_m) return {way};
   assert(way.section.axis_drift == 0 && way.id.part == 0);
   std::vector<map::Track> pieces;
-  for (std::size_t first = 0; first + 1 < way.axis.size();) {
-    const std::size_t last = end_of_piece(way, first, piece_m, common);
+  std::size_t first = 0;
+  for (const std::size_t last : ends_of_pieces(way, piece_m, common)) {
     map::Track piece = way;
     piece.id.part = static_cast<std::uint32_t>(pieces.size());
     piece.axis = slice(way.axis, first, last);

@@ -1,4 +1,4 @@
-// Cuts long ways into stretches of bounded length, so that what is assumed of one does not depend on its other end.
+// Cuts long ways into pieces, so that an assumption about a piece does not depend on distant parts of the way.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,22 @@
 
 namespace citykiln::assume {
 
-/// The map nodes that several tracks share, or one passes twice: sorted.
+/// The ids of the nodes that several tracks share, or that one track passes twice: ascending, each once.
 using CommonNodes = std::vector<std::int64_t>;
+/// Returns the common nodes of these tracks. O(n log n), n: nodes of all tracks.
 CommonNodes common_nodes_of(const std::vector<map::Track>& tracks);
 
-/// Returns a way in pieces, if it is longer than `longest_m`: each is cut at the last common node within `piece_m` of
-/// its first point, else at the last node there, else at the next node. Both pieces have the node and its marks. A
-/// piece has the way's id with its number as part, from 0 on. The axis does not drift. O(n log n).
+/// Returns the pieces of a way that is longer than `longest_m`, else the way alone. The axis is divided into windows of
+/// `piece_m`, from its first point on. In each window but the last the way is cut at the last common node, else at the
+/// last node; a window without a node has no cut. So a cut depends only on the nodes of its window, and a piece is at
+/// most twice as long as a window, unless windows without a node follow.
+///
+/// > o-----o---+-o--+--|--o---o---o-|---+----o     + common nodes, | ends of windows
+/// > ^              ^             ^           ^     ends of pieces
+///
+/// Two neighbouring pieces both have the node between them, with its TrackPoint. The ids of the pieces are the way's,
+/// with the parts 0, 1, 2 … in its direction. A way that is cut must have the part 0 and an axis_drift of 0.
+/// O(n log m), n: nodes of the way, m: common nodes.
 std::vector<map::Track> cut_way(const map::Track& way, double longest_m, double piece_m, const CommonNodes& common);
 
 /// Returns the tracks after an assumption about their stretches. A changed way is counted as assumed once.

@@ -207,7 +207,7 @@ struct FrontAssumer {
     const map::Footprint& footprint = features.footprints[f];
     const Ring& ring = footprint.polygon.outer;
     const Vec2 from = ring[edge], along = ring[(edge + 1) % ring.size()] - from;
-    const auto count = static_cast<std::uint32_t>(std::max(1.0, std::floor(length(along) / kAssumedFront_m + 0.5)));
+    const auto count = static_cast<std::uint32_t>(std::max(1.0, std::floor(length(along) / kWallPerFront_m + 0.5)));
     for (std::uint32_t i = 0; i < count; ++i) {
       const Vec2 at = from + along * ((i + 0.5) / count) + left_of(unit(along)) * kBehindWall_m;
       const map::FrontKind kind = kind_of(draw.below(whole_mix(), 64 * (edge + 1) + i % 64));

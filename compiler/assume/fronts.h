@@ -1,4 +1,5 @@
-// Fronts of shops: those that are mapped as points, and assumed ones along streets of centres without any.
+// Adds shop fronts: one for each shop that is mapped as a point, and assumed ones along streets in town centres where
+// no shop is mapped.
 #pragma once
 
 #include <cstdint>
@@ -8,24 +9,28 @@
 
 namespace citykiln::assume {
 
-/// Sets Features::fronts.
+/// Sets Features::fronts. Without this function no building has fronts, not even those of mapped points.
 ///
-/// Every point of a shop, restaurant, office or workshop has a front (buildings/fronts.h places it): the map says that
-/// it is there, its width, door and colours are assumed.
+/// Every point of a shop, restaurant, office or workshop gets a front, which buildings/fronts.h places if there is
+/// room. The map states that the shop exists; width, door and colours of its front are assumed.
 ///
-/// Without a shop within kFrontSearch_m, walls of attached houses of at least kFrontStoreys storeys whose neighbouring
-/// street is no farther than kFrontKerb_m get fronts, in a share of the walls by country group and class of street
-/// (fronts.inc). A wall has one front for each kAssumedFront_m. Decisions are made for each wall, from the footprints
-/// that touch it, the streets within kFrontKerb_m, and the shops within kFrontSearch_m. O(edges near).
+/// A wall may get assumed fronts if no shop is mapped within kFrontSearch_m of its middle, its building touches another
+/// one and has at least kFrontStoreys storeys, and the kerb of a street that it faces is at most kFrontKerb_m away. A
+/// random share of these walls gets fronts, by country group and class of street (fronts.inc). The number of fronts is
+/// the length of the wall divided by kWallPerFront_m, rounded, at least 1.
+///
+/// The result for a wall depends on the footprints that touch its building, the streets within kFrontKerb_m, the shops
+/// within kFrontSearch_m, and on assumed storeys (assume_heights()). O(n · edges near), n: walls.
 void assume_fronts(map::Features& features, std::uint64_t seed, Report& report);
 
 /// No front is assumed this near to a shop that is mapped as a point or as an outline.
 inline constexpr double kFrontSearch_m = 150;
-/// The largest distance of a wall from the kerb of its street.
+/// The largest distance from the middle of a wall to the kerb of its street.
 inline constexpr double kFrontKerb_m = 6;
-/// The least number of storeys, and the least height of walls whose storeys are unknown.
+/// The least number of storeys of a building with assumed fronts, and its least height if its storeys are unknown.
 inline constexpr double kFrontStoreys = 3, kFrontHeight_m = 8.5;
-/// The length of wall for each front: the median on walls with fronts is 14 m in Helsinki, 9 m in Nice, 15 m in Monaco.
-inline constexpr double kAssumedFront_m = 12;
+/// The length of wall for each assumed front. On walls with mapped shops, the median length for each shop is 14 m in
+/// Helsinki, 9 m in Nice, 15 m in Monaco.
+inline constexpr double kWallPerFront_m = 12;
 
 }  // namespace citykiln::assume

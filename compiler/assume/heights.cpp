@@ -55,7 +55,7 @@ struct StoreyConditions {
 
 struct StoreyRow {
   StoreyConditions when;
-  Storeys storeys;
+  StoreyQuartiles storeys;
 };
 
 const StoreyRow* storey_rows(std::size_t& count) {
@@ -97,7 +97,8 @@ bool lies_within(double value, double from, double to) { return value >= from &&
 bool holds(const StoreyConditions& c, const HeightFacts& f) {
   return (c.classes >> static_cast<int>(f.building_class) & 1) != 0 &&
          (c.groups & of_group::bit(measured_group(f.country))) != 0 && (c.uses & of_use::bit(f.use)) != 0 &&
-         lies_within(f.area_m2, c.area_from, c.area_to) && lies_within(f.touching, c.touching_from, c.touching_to) &&
+         lies_within(f.area_m2, c.area_from, c.area_to) &&
+         lies_within(f.touching_count, c.touching_from, c.touching_to) &&
          lies_within(f.built_share, c.built_from, c.built_to) &&
          lies_within(f.mean_area_m2, c.mean_area_from, c.mean_area_to) &&
          lies_within(f.shops, c.shops_from, c.shops_to) && lies_within(f.row_share, c.row_share_from, c.row_share_to);
@@ -205,7 +206,7 @@ void set_surroundings(HeightIndex& index) {
     for (const std::uint32_t k : near) sum_m2 += index.facts[k].area_m2, in_rows += !index.touching[k].empty();
     const double count = static_cast<double>(near.size());
     HeightFacts& facts = index.facts[i];
-    facts.touching = static_cast<std::uint32_t>(index.touching[i].size());
+    facts.touching_count = static_cast<std::uint32_t>(index.touching[i].size());
     facts.built_share = sum_m2 / kCircle_m2, facts.mean_area_m2 = sum_m2 / count, facts.row_share = in_rows / count;
   }
 }
@@ -221,7 +222,7 @@ void count_shops(const map::Features& features, HeightIndex& index) {
 double included_roof_m(const HeightFacts& facts) {
   const BuildingClass c = facts.building_class;
   const bool is_dwelling = c == BuildingClass::kHouse || c == BuildingClass::kPlain || c == BuildingClass::kApartments;
-  return is_dwelling && facts.touching == 0 && facts.area_m2 >= 40 && facts.area_m2 <= 350 ? 2 : 0;
+  return is_dwelling && facts.touching_count == 0 && facts.area_m2 >= 40 && facts.area_m2 <= 350 ? 2 : 0;
 }
 
 constexpr double kMostStoreys = 60;
@@ -276,7 +277,7 @@ std::vector<std::uint32_t> row_about(std::uint32_t entry, const HeightIndex& ind
   return row;
 }
 
-double drawn(const Storeys& storeys, double draw) {
+double drawn(const StoreyQuartiles& storeys, double draw) {
   return draw < 0.25 ? storeys.low : draw < 0.75 ? storeys.middle : storeys.high;
 }
 
@@ -347,7 +348,7 @@ bool has_assumed_storeys(BuildingClass building_class) {
   }
 }
 
-Storeys storeys_by_table(const HeightFacts& facts) {
+StoreyQuartiles storeys_by_table(const HeightFacts& facts) {
   std::size_t count = 0;
   const StoreyRow* rows = storey_rows(count);
   for (const StoreyRow& row : std::span(rows, count))
@@ -377,14 +378,14 @@ HeightIndex index_heights(const map::Features& features) {
   return index;
 }
 
-Storeys storeys_of(std::uint32_t entry, const HeightIndex& index,
-                   const std::function<bool(std::uint32_t entry)>& is_known) {
+StoreyQuartiles storeys_of(std::uint32_t entry, const HeightIndex& index,
+                           const std::function<bool(std::uint32_t entry)>& may_use_tags) {
   assert(entry < index.at.size());
-  const Storeys table = storeys_by_table(index.facts[entry]);
+  const StoreyQuartiles table = storeys_by_table(index.facts[entry]);
   // a little more than a quarter each, so that without neighbours the quartiles are those of the table
   std::vector<Vote> votes{{table.low, 0.3 * kTable}, {table.middle, 0.4 * kTable}, {table.high, 0.3 * kTable}};
   for (const std::uint32_t k : entries_within(index, index.at[entry], kHeightNeighbours_m)) {
-    if (k == entry || index.tagged_storeys[k] == 0 || (is_known && !is_known(k))) continue;
+    if (k == entry || index.tagged_storeys[k] == 0 || (may_use_tags && !may_use_tags(k))) continue;
     votes.push_back({index.tagged_storeys[k], vote_weight(entry, k, index)});
   }
   std::ranges::sort(votes);

@@ -1,4 +1,4 @@
-// Assumes the storeys of buildings without tagged height or levels.
+// Assumes the storeys of buildings that have neither a tagged height nor tagged levels; their heights follow from them.
 #pragma once
 
 #include <cstdint>
@@ -12,78 +12,87 @@
 
 namespace citykiln::assume {
 
-/// The radius within which buildings with tagged heights count, from centroid to centroid.
+/// Buildings with tagged height or levels count as neighbours within this distance, from centroid to centroid.
 inline constexpr double kHeightNeighbours_m = 200;
-/// The radius within which buildings and shops count as a building's surroundings.
+/// The surroundings of a building are the buildings, by their centroids, and the shops within this distance of its
+/// centroid.
 inline constexpr double kHeightSurroundings_m = 100;
-/// Buildings of one row that lie within this distance have equal random draws, mostly.
+/// A building in a row uses the random draw of a building of the row at most this far away (drawing_member()).
 inline constexpr double kHeightRow_m = 64;
-/// The largest distance of a corner to another building's wall at which the two touch.
+/// Two buildings touch if at least two of their corners lie at most this far from the other building's wall.
 inline constexpr double kHeightTouching_m = 0.3;
 
-/// Land use under a building: groups of land cover classes.
+/// The land use at the centroid of a building, in the groups of storeys.inc, which are coarser than LandUse (beside.h).
+/// The smallest area counts. kNoUse: nothing of the others is mapped; kCountry: fields and woods.
 enum class SiteUse : std::uint8_t { kNoUse, kHomes, kTrade, kIndustry, kCountry };
 
-/// The facts that the storeys of a building follow from, apart from its neighbours' tags.
+/// The facts that determine the storeys of a building, together with its neighbours' tags.
 struct HeightFacts {
   map::BuildingClass building_class{};
   map::CountryGroup country{};
   SiteUse use{};
   double area_m2 = 0;
-  std::uint32_t touching = 0;  ///< Buildings that share a wall with it.
-  /// Within kHeightSurroundings_m: area of buildings by area of the circle, mean area of a building, share of buildings
-  /// that touch others, count of shops.
-  double built_share = 0, mean_area_m2 = 0, row_share = 0;
-  std::uint32_t shops = 0;
+  std::uint32_t touching_count = 0;  ///< The number of buildings that touch it (kHeightTouching_m).
+  // of its surroundings (kHeightSurroundings_m), with the building itself
+  double built_share = 0;   ///< The area of all buildings divided by the area of the circle.
+  double mean_area_m2 = 0;  ///< The mean area of a building.
+  double row_share = 0;     ///< The share of buildings that touch another one.
+  std::uint32_t shops = 0;  ///< The number of shops.
 };
 
-/// Storeys of buildings that are alike: a quarter have at most `low`, half at most `middle`, three quarters at most
-/// `high`.
-struct Storeys {
+/// The quartiles of the storeys of similar buildings, whole numbers: a quarter of them has at most `low`, half at most
+/// `middle`, three quarters at most `high`.
+struct StoreyQuartiles {
   double low = 1, middle = 1, high = 1;
-  bool operator==(const Storeys&) const = default;
+  bool operator==(const StoreyQuartiles&) const = default;
 };
 
-/// Returns the storeys by the table alone (storeys.inc).
-Storeys storeys_by_table(const HeightFacts& facts);
+/// Returns the quartiles by the table alone (storeys.inc); 1 if no row fits.
+StoreyQuartiles storeys_by_table(const HeightFacts& facts);
 
-/// The buildings of a map with what their heights follow from, and an index of their places. All vectors have one entry
-/// a building: an outline, no part.
+/// The buildings of a map with the facts that determine their storeys. Entry i of each vector belongs to the same
+/// building. Outlines have an entry, parts have none.
 struct HeightIndex {
   std::vector<std::uint32_t> footprints;  ///< Indices into Features::footprints, ascending.
-  std::vector<Vec2> at;                   ///< Centroids.
+  std::vector<Vec2> at;                   ///< Centroids, plane metres.
   std::vector<HeightFacts> facts;
-  std::vector<std::vector<std::uint32_t>> touching;  ///< Entries of the buildings that share a wall with it.
-  std::vector<double> tagged_storeys;                ///< By levels, else by height; 0: neither is tagged.
-  BoxGrid grid;                                      ///< The index of `at`.
+  std::vector<std::vector<std::uint32_t>> touching;  ///< The entries of the buildings that touch it, ascending.
+  /// By height=* and the class's height of a storey, else by building:levels. 0: neither is tagged, or the building is
+  /// off the ground or of a class without assumed storeys.
+  std::vector<double> tagged_storeys;
+  BoxGrid grid;  ///< Finds entries by `at`.
 };
 
-/// Returns the index of a map's buildings. O(n times buildings within kHeightSurroundings_m).
+/// Returns the index of a map's buildings. O(n · buildings within kHeightSurroundings_m), n: buildings.
 HeightIndex index_heights(const map::Features& features);
 
-/// Returns the storeys of a building by the table and by its neighbours within kHeightNeighbours_m whose storeys are
-/// tagged. They weigh by distance, class and area.
-/// @param entry     An entry of the index.
-/// @param is_known  Whether an entry's tags may be used; empty: all may. To leave tags out and guess them again.
-Storeys storeys_of(std::uint32_t entry, const HeightIndex& index,
-                   const std::function<bool(std::uint32_t entry)>& is_known = {});
+/// Returns the quartiles for a building by the table and by its neighbours within kHeightNeighbours_m whose storeys
+/// are tagged, without its own tags. A neighbour has more weight the nearer it is and the more alike its area is, if it
+/// has the same class, and if it touches the building.
+/// @param entry         An entry of the index.
+/// @param may_use_tags  True for the neighbours whose tags may be used; empty: all.
+StoreyQuartiles storeys_of(std::uint32_t entry, const HeightIndex& index,
+                           const std::function<bool(std::uint32_t entry)>& may_use_tags = {});
 
-/// True for buildings whose storeys are assumed where no tag states a height. Others, such as garages, roofs and
-/// towers, keep the height of their class.
+/// Returns true if storeys are assumed for buildings of this class without tagged height or levels. Others, such as
+/// garages, roofs and towers, keep the height of their class.
 bool has_assumed_storeys(map::BuildingClass building_class);
 
-/// Returns the building whose random numbers a building in a row uses: the member with the least random number among
-/// those that are linked to it by shared walls and lie within kHeightRow_m. Neighbours mostly choose the same one.
+/// Returns the id of the building whose random draws this building uses. The candidates are the building itself and
+/// those that a chain of touching buildings connects with it, all within kHeightRow_m from centroid to centroid. The
+/// one with the least random number is chosen. Two neighbours have nearly the same candidates and mostly choose the
+/// same.
 ObjectId drawing_member(std::uint32_t entry, const map::Features& features, const HeightIndex& index,
                         std::uint64_t seed);
 
-/// Sets the storeys of all buildings without tagged height or levels, as building:levels would, and those of the parts
-/// and pieces that follow their outline. A building keeps the height of its class if it or one of its parts begins
-/// above the ground.
+/// Returns the features with assumed storeys, as building:levels would give them, for all buildings without tagged
+/// height or levels. Parts and uncovered pieces without a height of their own get those of their outline. A building
+/// keeps the height of its class if has_assumed_storeys() is false, or if it or one of its parts begins above the
+/// ground.
 ///
-/// The storeys are drawn from storeys_of(): a quarter of the buildings has the lower quartile, half the median, a
-/// quarter the upper quartile. The draw of a building in a row is that of one member within kHeightRow_m, so buildings
-/// of a row mostly have equal draws.
+/// A random draw chooses one value of storeys_of(): `low` with a probability of 1/4, `middle` of 1/2, `high` of 1/4.
+/// The draw is that of drawing_member(). The radius is kHeightNeighbours_m, from centroid to centroid, and the
+/// buildings that touch those within it.
 map::Features assume_heights(map::Features features, std::uint64_t seed, Report& report);
 
 }  // namespace citykiln::assume

@@ -1,8 +1,9 @@
 // Assumes that streets and paved paths in built-up land are lit where no tag says whether they are.
 //
-// The rows of lamps.inc for class, land use, houses and country are added up for a stretch, the side with the
-// higher score counts; it is lit where the sum is above 0. Lamps then stand as along streets that are tagged
-// (props/street_lamps.h): none near mapped lamps. Open country, woods, farm tracks, driveways and motorways stay dark.
+// A stretch is lit if the sum of the rows of lamps.inc for its class, country group, land use and share of houses is
+// above 0. The higher land use score and the higher share of houses of its two sides count. By these rows, roads in
+// open country and woods, farm tracks, driveways and motorways are not lit. Lamps are then placed as along a street
+// with lit=yes, and none near a mapped lamp (props/street_lamps.h).
 #pragma once
 
 #include <vector>
@@ -13,12 +14,12 @@
 
 namespace citykiln::assume {
 
-/// True if a stretch of street or path without lit=* is lit.
+/// Returns true if a stretch of street or path is assumed to be lit. The caller checks that lit=* is not tagged.
 bool is_assumed_lit(const map::Track& stretch, const BothSides& sides);
 
-/// Returns the tracks with assumed lighting, sorted by id. Streets on the ground and on bridges change where
-/// Track::has_tagged_lighting is false. Longer ways are cut as by assume_pavements(), and what decides lies within
-/// kPavementRadius_m. The order of features does not matter. O(n log n).
+/// Returns the tracks with assumed lighting, sorted by id. Streets, and paved paths of 40 m or more, may change on the
+/// ground and on bridges if Track::has_tagged_lighting is false. Ways on the ground of more than kLongestWhole_m are
+/// cut as by assume_pavements(). The radius is kPavementRadius_m (pavements.h). O(n log n), n: points of all features.
 std::vector<map::Track> assume_lamps(const map::Features& features, Report& report);
 
 }  // namespace citykiln::assume

@@ -96,10 +96,10 @@ void add_parking(map::Track& track, std::uint8_t sides) {
 
 }  // namespace
 
-std::uint8_t assumed_parking(const map::Track& stretch, const BothSides& facts) {
+std::uint8_t assumed_parking(const map::Track& stretch, const BothSides& sides) {
   if (!may_have_parking(stretch)) return 0;
   const std::uint8_t own = stretch.side == map::DrivingSide::kRight ? map::kRightSide : map::kLeftSide;
-  const bool left = is_built_up(facts.left), right = is_built_up(facts.right);
+  const bool left = is_built_up(sides.left), right = is_built_up(sides.right);
   if (left && right && has_width_for(stretch, 2)) return map::kBothSides;
   if (!(own == map::kLeftSide ? left : right) || !has_width_for(stretch, 1)) return 0;
   return own;

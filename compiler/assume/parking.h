@@ -1,9 +1,12 @@
-// Assumes rows of parked cars on carriageways that are tagged as wider than their traffic needs.
+// Assumes rows of parked cars on carriageways whose tagged width is greater than the moving lanes need.
 //
-//     houses   [###] [###]      width=10 and two lanes, no parking=*: a row of parking.inc says how wide the moving
-//     kerb     =============    lanes stay in a country; what is left holds a row of 2 m beside the kerb on both sides,
-//     parked   ##  ##  ##  #    or on the side of traffic alone. Only beside houses, shops or residential land.
+//     houses   [###] [###]      width=10, two lanes, no parking=*: parking.inc gives the width that a moving lane keeps
+//     kerb     =============    in a country group; if 4 m are left, a row of 2 m is beside both kerbs; if only 2 m are
+//     parked   ##  ##  ##  #    left, beside the right kerb where traffic drives on the right, else the left one
 //     lane     -------------
+//
+// A side has a row only if buildings stand along more than a quarter of it, and its land use is residential, shops or
+// not mapped.
 #pragma once
 
 #include <vector>
@@ -17,15 +20,15 @@ namespace citykiln::assume {
 /// The width of a row of cars parked along the kerb: the default of parking=lane.
 inline constexpr double kParkedRow_m = 2;
 
-/// Returns the sides of a street, as bits of RoadSide, on which cars are assumed to park; 0 if the street may not have
-/// any or is too narrow.
-std::uint8_t assumed_parking(const map::Track& stretch, const BothSides& facts);
+/// Returns the sides of a street on which cars are assumed to park, as bits of RoadSide. It is 0 if streets of this
+/// kind never get rows, or if the street has no room for one.
+std::uint8_t assumed_parking(const map::Track& stretch, const BothSides& sides);
 
-/// Returns the tracks with assumed rows of parked cars, sorted by id: the lanes that parking:left=lane and
-/// parking:right=lane give. They take their width from the moving lanes. Streets on the ground with a tagged width
-/// change where no tag says whether cars park on either side (Track::tagged_parking). Longer ways are cut as by
-/// assume_pavements(), and what decides lies within kPavementRadius_m. The order of features does not matter.
-/// O(n log n).
+/// Returns the tracks with assumed rows of parked cars, sorted by id. The rows are the same lanes as parking:left=lane
+/// and parking:right=lane give. The moving lanes become narrower, the carriageway keeps its width. A street may change
+/// if it lies on the ground, its width is tagged, and no tag says for any of its sides whether cars park there
+/// (Track::tagged_parking). Ways of more than kLongestWhole_m are cut as by assume_pavements(). The radius is
+/// kPavementRadius_m (pavements.h). O(n log n), n: points of all features.
 std::vector<map::Track> assume_parking(const map::Features& features, Report& report);
 
 }  // namespace citykiln::assume

@@ -84,7 +84,7 @@ std::optional<double> class_score(LandCoverClass surface) {
   return std::nullopt;
 }
 
-double score_of(const Track& stretch, const SideFacts& side, bool is_inside) {
+double score_of(const Track& stretch, const SideFacts& side, bool is_inner_side) {
   double score = class_score(stretch.surface).value_or(0);
   for (const LandScore& row : kLandScores)
     if (row.land == side.land) score += row.score;
@@ -92,9 +92,9 @@ double score_of(const Track& stretch, const SideFacts& side, bool is_inside) {
     if (row.country == stretch.country && row.surface == stretch.surface) score += row.score;
   if (stretch.is_link) score += kLinkScore;
   if (stretch.is_oneway) score += kOneWayScore;
-  if (stretch.is_oneway && is_inside)
+  if (stretch.is_oneway && is_inner_side)
     score += side.houses > kInsideHouses ? kOneWayInsideHousesScore : kOneWayInsideScore;
-  if (side.houses < kOpen && side.houses_across < kOpen && side.streets < kTownStreets) score += kOpenScore;
+  if (side.houses < kOpen && side.houses_across < kOpen && side.near_cross_street < kTownStreets) score += kOpenScore;
   return score;
 }
 
@@ -139,10 +139,10 @@ bool add_pavements(const Surroundings& surroundings, Track& stretch) {
 
 }  // namespace
 
-double assumed_pavement_m(const Track& stretch, const SideFacts& side, bool is_inside) {
-  if ((is_inside && stretch.is_roundabout) || side.path > kPathReplaces || side.oncoming > kCarriagewayReplaces)
+double assumed_pavement_m(const Track& stretch, const SideFacts& side, bool is_inner_side) {
+  if ((is_inner_side && stretch.is_roundabout) || side.path > kPathReplaces || side.oncoming > kCarriagewayReplaces)
     return 0;
-  if (score_of(stretch, side, is_inside) <= 0) return 0;
+  if (score_of(stretch, side, is_inner_side) <= 0) return 0;
   const double usual_m = usual_width_m(stretch, side.houses > kTownHouses);
   const double width_m = std::min(usual_m, std::floor(side.room_m / kWidthStep_m) * kWidthStep_m);
   return width_m < kNarrowestPavement_m ? 0 : width_m;

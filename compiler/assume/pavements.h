@@ -1,13 +1,13 @@
-// Assumes pavements beside streets in built-up land on which no tag says whether there is one.
+// Assumes pavements beside streets in built-up land, on each side of which no tag says whether it has a pavement.
 //
-//     houses   [###]  [###]  [####]      1. the rows of pavements.inc for class, land use, houses and country are added
-//     pavement ...................          up for each side of a stretch; there is a pavement where the sum is above 0
-//     ===========================>       2. none where a path runs beside the kerb (the pavement is mapped as a way of
-//     pavement ...................          its own), inside a roundabout, or towards the other carriageway of a street
-//     field                              3. as wide as usual there, but not wider than the room that buildings, water,
+//     houses   [###]  [###]  [####]      1. a side has a pavement if the sum of the rows of pavements.inc for class,
+//     pavement ...................          land use, houses and country group is above 0
+//     ===========================>       2. it has none if a path runs beside its kerb (this path is the pavement), on
+//     pavement ...................          the inner side of a roundabout, or towards the other carriageway
+//     field                              3. it is as wide as usual, but not wider than the room that buildings, water,
 //                                           rails, car parks and other streets leave
 //
-// The lanes are those that the tags sidewalk=* and sidewalk:width=* give (map/lanes).
+// An assumed pavement is the same lane as the tags sidewalk=* and sidewalk:width=* give (map/lanes).
 #pragma once
 
 #include <vector>
@@ -18,28 +18,29 @@
 
 namespace citykiln::assume {
 
-/// Ways of this length or shorter have pavements all along or none. Longer ones are cut.
+/// A way of at most this length is not cut: a side of it has an assumed pavement along the whole way or none. Nothing
+/// is assumed of a longer segment without nodes.
 inline constexpr double kLongestWhole_m = 512;
-/// Longer ways are cut into stretches of at most this length; a straight line without a node is not cut.
+/// Longer ways are cut into stretches of at most this length, except between two nodes that are farther apart.
 inline constexpr double kStretch_m = 256;
-/// Everything that decides about a place of a way lies within this distance: the rest of a stretch, and what is mapped
-/// beside it.
+/// The result at a place of a way depends on what lies within this distance of it: the rest of the stretch, and what is
+/// mapped beside it.
 inline constexpr double kPavementRadius_m = kLongestWhole_m + kBeside_m;
 
-/// The narrowest pavement that is assumed: two people who pass each other sideways, or one with a pram.
+/// The least width of an assumed pavement: two people can pass each other sideways, or one can push a pram.
 inline constexpr double kNarrowestPavement_m = 1;
 
 /// Returns the width of the pavement that is assumed on a side of a stretch; 0 for none.
-/// @param is_inside  True for the left side where traffic drives on the right, and the right side elsewhere: the inner
-///                   one of roundabouts and dual carriageways.
-double assumed_pavement_m(const map::Track& stretch, const SideFacts& side, bool is_inside);
+/// @param is_inner_side  True for the left side where traffic drives on the right, and for the right side elsewhere: on
+///                       roundabouts and dual carriageways this is the inner side.
+double assumed_pavement_m(const map::Track& stretch, const SideFacts& side, bool is_inner_side);
 
-/// Returns the tracks with assumed pavements, sorted by id. Streets change on sides that are not in
-/// Track::tagged_pavements, on the ground, outside of buildings. A longer way becomes several tracks with the ids part
-/// 0, 1, 2 … (Track::is_piece), which share the nodes at which it is cut.
+/// Returns the tracks with assumed pavements, sorted by id. A side of a street may change if it is not in
+/// Track::tagged_pavements, and the street lies on the ground and outside of buildings. A way of more than
+/// kLongestWhole_m becomes several tracks (cut_way(), Track::is_piece).
 ///
-/// Neighbouring pieces of a way may have different pavements, as ways that mappers cut. Bridges follow in
-/// bridge_pavements.h; tunnels are not changed. The order of features does not matter. O(n log n).
+/// Neighbouring pieces of a way may have different pavements, as two ways may that a mapper has split. Bridges are
+/// changed later (bridge_pavements.h), tunnels are not. O(n log n), n: points of all features.
 std::vector<map::Track> assume_pavements(const map::Features& features, Report& report);
 
 }  // namespace citykiln::assume

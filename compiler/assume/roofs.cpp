@@ -78,7 +78,7 @@ double storeys_below_roof(const map::Footprint& f) {
 
 const RoofRow& roof_row(const map::Footprint& f, const HeightFacts& facts) {
   const RoofKind kind = !is_dwelling(facts.building_class) ? RoofKind::kAny
-                        : facts.touching > 0               ? RoofKind::kInRow
+                        : facts.touching_count > 0         ? RoofKind::kInRow
                                                            : RoofKind::kAlone;
   const auto row = std::ranges::find_if(kRoofRows, [&](const RoofRow& each) {
     return each.group == f.country && (each.kind == kind || each.kind == RoofKind::kAny) &&

@@ -8,14 +8,17 @@
 
 namespace citykiln::assume {
 
-/// Sets the roof shape, pitch and material of buildings without roof:shape as tags would, by group of countries,
-/// storeys, area, and whether the building touches others (roofs.inc). A tagged material, colour, height, angle or
-/// direction stays. Buildings in a row have equal random draws, mostly (kHeightRow_m), and ridges across their party
-/// walls.
+/// Returns the features with assumed roofs: a building without roof:shape gets a roof shape, pitch and material as tags
+/// would give them. They depend on country group, storeys, area, and whether it touches another building (roofs.inc). A
+/// tagged material, colour, angle or direction stays. A building in a row uses the random draw of drawing_member()
+/// (heights.h); if its roof is gabled, the ridge is at a right angle to its longest party wall.
 ///
-/// Parts, buildings with parts, roofs without walls and classes with a roof of their own (halls, barns, churches,
-/// garages, towers and the like) keep the roofs of plan_roof(). Storeys are those of assume_heights(), which has to run
-/// first where its assumption is on.
+/// Some footprints keep the roofs of plan_roof(): parts, buildings with parts, buildings off the ground, with a tagged
+/// height of the roof or without walls, and classes that have a special roof, such as halls, barns, churches, garages
+/// and towers.
+///
+/// If storeys are assumed too, assume_heights() has to run before. The radius is kHeightRow_m, from centroid to
+/// centroid, and the buildings that touch those within it.
 map::Features assume_roofs(map::Features features, std::uint64_t seed, Report& report);
 
 }  // namespace citykiln::assume

@@ -157,6 +157,9 @@ void limit_at_bend(Measured& measured, const MappedLine& line, Vec2 before, Vec2
   if (turn > 0) measured.limit(line, within, right, false, right_kerb_m(section), measured.room.right_m);
 }
 
+// Lines farther away are found or not, by the widest road of the map.
+double capped(double room_m) { return room_m < kWidestStrip_m ? room_m : std::numeric_limits<double>::infinity(); }
+
 }  // namespace
 
 Room room_beside(const Surroundings& surroundings, const map::Track& stretch) {
@@ -169,7 +172,7 @@ Room room_beside(const Surroundings& surroundings, const map::Track& stretch) {
     for (const std::uint32_t n :
          boxes_about(surroundings.line_grid, box_of(std::array{axis[i], axis[i + 1]}).widened(reach_m))) {
       const MappedLine& line = surroundings.lines[n];
-      if (!limits_strips(line) || line.of.osm == stretch.id.osm || !runs_beside(line, along)) continue;
+      if (!limits_strips(line) || line.element.osm == stretch.id.osm || !runs_beside(line, along)) continue;
       // a wide line reaches beyond its axis, and over the ends of the stretch
       const Vec2 before = i == 0 ? along * line.half_m : Vec2{},
                  after = i + 2 == axis.size() ? along * line.half_m : Vec2{};
@@ -178,7 +181,7 @@ Room room_beside(const Surroundings& surroundings, const map::Track& stretch) {
       if (i + 2 < axis.size()) limit_at_bend(measured, line, axis[i], axis[i + 1], axis[i + 2]);
     }
   }
-  return measured.room;
+  return {capped(measured.room.left_m), capped(measured.room.right_m)};
 }
 
 }  // namespace citykiln::assume

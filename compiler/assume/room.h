@@ -1,9 +1,10 @@
-// The room beside a stretch of road, measured exactly: how far a strip may reach beyond the kerb before it meets what
-// is mapped.
+// Measures the room beside a stretch of road: the width that a strip beyond the kerb can have before it meets what is
+// mapped. The geometry is exact, while beside.h looks at samples.
 //
-//           strip     ________________________      a mapped line is cut to the strip beside each straight piece, and
-//           to kerb  ___/_____________________        the wedge at the outer side of each bend; its least distance from
-//           axis ___/________________________      the axis there, less its half width and the kerb, is the room
+//           strip     ________________________      a mapped line is clipped to the strip beside each straight piece of
+//           to kerb  ___/_____________________        the axis, and to the wedge at the outer side of each bend; the
+//           axis ___/________________________      room is the least distance from the axis to the clipped line, less
+//                                                  half the width of the line and the distance from axis to kerb
 #pragma once
 
 #include <limits>
@@ -12,21 +13,24 @@
 
 namespace citykiln::assume {
 
-/// Ways that share a node with the stretch may come nearer within this distance of it: there is a junction.
+/// If a way meets the stretch at a node, it does not limit the room within this distance of the node: there is a
+/// junction.
 inline constexpr double kJunctionReach_m = 24;
-/// Buildings that leave less than this between kerb and wall anywhere leave no room: what roads/width_limits keeps of a
-/// pavement, with its rounding.
+/// If a wall is nearer to the kerb than this at any place, the room is 0. The value is what roads/width_limits keeps of
+/// a pavement, with its rounding. In bends, between corners of the axis less than 8 m apart, it is 2 m.
 inline constexpr double kLeastBeforeWalls_m = 0.75;
-/// No strip reaches farther beyond the kerb.
+/// The widest strip for which the room is measured. A greater room is infinite.
 inline constexpr double kWidestStrip_m = 8;
 
-/// The distances from the kerbs of a stretch to what is mapped beside it.
+/// The least distances from the left and the right kerb of a stretch to what is mapped on that side, at least 0.
+/// Infinity: nothing is near.
 struct Room {
   double left_m = std::numeric_limits<double>::infinity(), right_m = std::numeric_limits<double>::infinity();
 };
 
-/// Returns the room up to water, squares, rails, other streets and the paths that run along the stretch, all along it;
-/// 0 where buildings leave less than kLeastBeforeWalls_m anywhere. O(lines near it).
+/// Returns the room along the whole stretch. Water, squares, rails, other streets and paths that run along the stretch
+/// (kAlong) limit it. Buildings limit it in bends; elsewhere they only make it 0, if they are nearer than
+/// kLeastBeforeWalls_m. Barriers and car parks do not limit it, but see SideFacts::room_m. O(lines near it).
 Room room_beside(const Surroundings& surroundings, const map::Track& stretch);
 
 }  // namespace citykiln::assume

@@ -1,4 +1,4 @@
-// Marks buildings that are built as is usual in their country group.
+// Marks the buildings whose style is assumed to be the usual one of their country group.
 #pragma once
 
 #include "compiler/contract/report.h"
@@ -6,10 +6,10 @@
 
 namespace citykiln::assume {
 
-/// Returns the features with Assumption::kStyles on each footprint: style, untagged materials and colours of the
-/// building are those of Footprint::country. The choice among styles of a group, by storeys and party walls, is made
-/// when buildings are planned (buildings/regional_styles.h). Tagged materials and colours stay. Each footprint is
-/// decided by itself.
+/// Returns the features with Assumption::kStyles in Footprint::assumed of every footprint. The planning of buildings
+/// then takes the style, and the materials and colours that are not tagged, from Footprint::country: it chooses one of
+/// the styles of the group by storeys and party walls (buildings/style.h). The radius is 0: no mark depends on another
+/// footprint.
 map::Features assume_styles(map::Features features, Report& report);
 
 }  // namespace citykiln::assume

@@ -27,10 +27,10 @@ bool may_be_unpaved(const map::Track& track) {
 
 }  // namespace
 
-map::LandCoverClass assumed_surface(map::LandCoverClass surface, LandUse land) {
+map::LandCoverClass assumed_surface(map::LandCoverClass way_class, LandUse land) {
   for (const UnpavedRow& row : kUnpavedRows)
-    if (row.paved == surface && row.land == land) return row.unpaved;
-  return surface;
+    if (row.paved == way_class && row.land == land) return row.unpaved;
+  return way_class;
 }
 
 std::vector<map::Track> assume_surfaces(const map::Features& features, Report& report) {

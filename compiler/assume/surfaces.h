@@ -1,6 +1,6 @@
 // Assumes which footpaths and driveways are unpaved where no tag states their surface.
 //
-// Class of way and the land use at the middle of a way decide, in a row of surfaces.inc. Long ways are cut.
+// A way is unpaved if surfaces.inc has a row for its class and for the land use that is most frequent on it.
 #pragma once
 
 #include <vector>
@@ -11,13 +11,13 @@
 
 namespace citykiln::assume {
 
-/// Returns the class that surface=gravel gives a way of a class in a land use, if a row says that it is unpaved there;
-/// else the class.
-map::LandCoverClass assumed_surface(map::LandCoverClass surface, LandUse land);
+/// Returns the class that surface=gravel gives a way of this class, if surfaces.inc says that it is unpaved in this
+/// land use; else `way_class`.
+map::LandCoverClass assumed_surface(map::LandCoverClass way_class, LandUse land);
 
-/// Returns the tracks with assumed surfaces, sorted by id: ways on the ground where Track::has_tagged_surface is false.
-/// Longer ways are cut as by assume_pavements(); what decides lies within kPavementRadius_m. The order of features does
-/// not matter. O(n log n).
+/// Returns the tracks with assumed surfaces, sorted by id. A way may change if it lies on the ground and outside of
+/// buildings, and Track::has_tagged_surface is false. Ways of more than kLongestWhole_m are cut as by
+/// assume_pavements(). The radius is kPavementRadius_m (pavements.h). O(n log n), n: points of all features.
 std::vector<map::Track> assume_surfaces(const map::Features& features, Report& report);
 
 }  // namespace citykiln::assume

@@ -69,8 +69,9 @@ double assumed_verge_m(const map::Track& stretch, const SideFacts& side, double 
   return side.room_m >= std::max(kGardenRoom_m, pavement_m + row->width_m) ? row->width_m : 0;
 }
 
-std::vector<map::Track> assume_verges(const map::Features& features, Report& report) {
-  const Surroundings surroundings = index_surroundings(features);
+std::vector<map::Track> assume_verges(const map::Features& features, const std::vector<map::Track>& mapped,
+                                      Report& report) {
+  const Surroundings surroundings = index_surroundings(features, mapped);
   const CommonNodes common = common_nodes_of(features.tracks);
   const auto cut = [&](const map::Track& track) {
     const bool may_be_cut = may_have_verge(track) && !track.is_piece;

@@ -1,9 +1,9 @@
-// Assumes strips of grass between the kerb and the pavement of streets in residential land.
+// Assumes verges: strips of grass between the kerb and the pavement of streets in residential land.
 //
 //     houses    [###]   [###]   [###]
-//     pavement  .....................     where a side has a pavement, and no tag says whether there is a verge;
-//     verge     """""""""""""""""""""     where verges.inc has a width for class, land use and country;
-//     ==============================>     and where the room beyond the kerb is wide enough for both
+//     pavement  .....................     a side has a verge if it has a pavement, no tag states a verge or none,
+//     verge     """""""""""""""""""""     verges.inc has a width for its class, country group and share of houses,
+//     ==============================>     and the room beyond the kerb is wide enough for both
 #pragma once
 
 #include <vector>
@@ -14,13 +14,18 @@
 
 namespace citykiln::assume {
 
-/// Returns the width of the verge that is assumed on a side of a stretch with a pavement; 0 for none.
-/// @param pavement_m  The width of all that is raised on the side.
+/// Returns the width of the verge that is assumed on a side of a stretch that has a pavement; 0 for none.
+/// @param pavement_m  The width of the pavement.
 double assumed_verge_m(const map::Track& stretch, const SideFacts& side, double pavement_m);
 
-/// Returns the tracks with assumed verges, sorted by id: lanes that verge=* and verge:left:width=* give. Streets on the
-/// ground change on sides that are not in Track::tagged_verges. Longer ways are cut as by assume_pavements(), and what
-/// decides lies within kPavementRadius_m. The order of features does not matter. O(n log n).
-std::vector<map::Track> assume_verges(const map::Features& features, Report& report);
+/// Returns the tracks with assumed verges, sorted by id. A verge is the same lane as verge=* and verge:left:width=*
+/// give; the pavement moves outwards by its width. A side of a street may change if the street lies on the ground, the
+/// side is not in Track::tagged_verges, and all that is raised on it is a pavement, tagged or assumed.
+///
+/// Runs after assume_pavements(), and cuts ways of more than kLongestWhole_m as it does. The radius is
+/// kPavementRadius_m (pavements.h), since only mapped streets limit the room. O(n log n), n: points of all features.
+/// @param mapped  The tracks before pavements were assumed.
+std::vector<map::Track> assume_verges(const map::Features& features, const std::vector<map::Track>& mapped,
+                                      Report& report);
 
 }  // namespace citykiln::assume

@@ -13,6 +13,7 @@
 #include "compiler/bake/image_uvs.h"
 #include "compiler/bake/merge.h"
 #include "compiler/contract/detail_tolerances.h"
+#include "compiler/wires/generate.h"
 
 namespace citykiln::bake {
 namespace {
@@ -45,16 +46,15 @@ std::vector<props::Barrier> bands_of(const Baking& baking) {
   return bands;
 }
 
-// A barrier, clipped to the extent and closed there.
-props::GeneratedProp generate_within(const props::Barrier& barrier, const ground::GradedTerrain& graded,
-                                     double tolerance_m, const Box2& extent) {
-  props::GeneratedProp generated = props::generate(barrier, graded, tolerance_m);
+// A barrier or wires, clipped to the extent and closed there.
+template <typename Generated>
+Generated within_extent(Generated generated, const Box2& extent) {
   std::vector<MaterialMesh*> meshes;
   for (MaterialMesh& mesh : generated.meshes) meshes.push_back(&mesh);
   Mesh caps = clip_solid_to_extent(meshes, extent);
   if (!caps.triangles.empty()) {
-    const MaterialMesh& band = generated.meshes.front();
-    generated.meshes.push_back({std::move(caps), band.material, band.tint, band.feature});
+    const MaterialMesh& body = generated.meshes.front();
+    generated.meshes.push_back({std::move(caps), body.material, body.tint, body.feature});
   }
   std::erase_if(generated.meshes, [](const MaterialMesh& mesh) { return mesh.mesh.triangles.empty(); });
   return generated;
@@ -82,7 +82,10 @@ BakedTile bake_level(const LevelRequest& request, TileLevel& level, const Protot
   bake_each(
       baking, Layer::kProps, bands_of(baking), "barrier", report,
       [&](const auto& b) { return bounds_of(b, baking.chunk.heights); },
-      [&](const auto& b) { return generate_within(b, graded, tolerance_m, baking.header.extent); });
+      [&](const auto& b) { return within_extent(props::generate(b, graded, tolerance_m), header.extent); });
+  bake_each(
+      baking, Layer::kProps, baking.chunk.wire_spans, "wires", report, [](const auto& span) { return bounds_of(span); },
+      [&](const auto& span) { return within_extent(wires::generate(span, tolerance_m), header.extent); });
   report.append(shared.tree_report);
   bake_tree_pits(baking, shared);
   Placed placed = placed_in(baking, shared);

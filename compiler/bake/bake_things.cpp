@@ -11,9 +11,8 @@ namespace citykiln::bake {
 namespace {
 
 // "bench", or "bench_2" for the second form of benches in the tile.
-std::string name_of_form(const things::Form& form, std::map<std::string, int>& counts) {
-  const int number = ++counts[form.kind];
-  return number == 1 ? form.kind : fmt::format("{}_{}", form.kind, number);
+std::string name_of_form(const PlacedThing& thing) {
+  return thing.number == 1 ? thing.form.kind : fmt::format("{}_{}", thing.form.kind, thing.number);
 }
 
 void count_things(const std::vector<const PlacedThing*>& things, const BakedThing& baked, Account& account,
@@ -33,7 +32,6 @@ void bake_things(Baking& baking, const std::vector<PlacedThing>& things, const P
                  Report& report) {
   std::map<things::Form, std::vector<const PlacedThing*>> by_form;
   for (const PlacedThing& thing : things) by_form[thing.form].push_back(&thing);
-  std::map<std::string, int> counts;
   Account account;
   for (const auto& [form, all] : by_form) {
     const BakedThing& baked = prototypes.thing(form, baking.tolerance_m);
@@ -44,7 +42,7 @@ void bake_things(Baking& baking, const std::vector<PlacedThing>& things, const P
     if (baked.primitives.empty()) continue;
     std::vector<Placement> placements;
     for (const PlacedThing* thing : all) placements.push_back(thing->placement);
-    InstancedMesh instanced = instances_of(baking, name_of_form(form, counts), placements, 1);
+    InstancedMesh instanced = instances_of(baking, name_of_form(*all.front()), placements, 1);
     instanced.primitives = baked.primitives;
     baking.tile.instanced.push_back(std::move(instanced));
   }

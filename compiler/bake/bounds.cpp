@@ -11,6 +11,8 @@ double beyond(double least, double most, double x) { return std::max({least - x,
 constexpr double kBuildingMargin_m = 3;
 // Upper bounds of how far parapets, abutments and portals stand out from a road's edges, and of a bore's height.
 constexpr double kSpanMargin_m = 2, kBore_m = 8;
+// More than the radius of a wire.
+constexpr double kWireMargin_m = 0.125;
 
 }  // namespace
 
@@ -47,6 +49,17 @@ Bounds bounds_of(const props::Barrier& barrier, const map::Heightfield& terrain)
   Bounds bounds = bounds_of(terrain, box_of(barrier.axis).widened(barrier.width_m));
   bounds.high_m += barrier.height_m;
   return bounds;
+}
+
+Bounds bounds_of(const wires::WireSpan& span) {
+  Bounds bounds{{}, span.wires.front().from.z, span.wires.front().from.z};
+  for (const wires::Wire& wire : span.wires) {
+    bounds.plan.grow(in_plan(wire.from)), bounds.plan.grow(in_plan(wire.to));
+    // a parabola is nowhere lower than its lower end by more than its sag
+    bounds.low_m = std::min(bounds.low_m, std::min(wire.from.z, wire.to.z) - wire.sag_m);
+    bounds.high_m = std::max(bounds.high_m, std::max(wire.from.z, wire.to.z));
+  }
+  return {bounds.plan.widened(kWireMargin_m), bounds.low_m - kWireMargin_m, bounds.high_m + kWireMargin_m};
 }
 
 Bounds bounds_of(const Placement& placement) {

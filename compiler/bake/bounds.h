@@ -12,6 +12,7 @@
 #include "compiler/props/recipe.h"
 #include "compiler/structures/recipe.h"
 #include "compiler/structures/stairs.h"
+#include "compiler/wires/recipe.h"
 
 namespace citykiln::bake {
 
@@ -39,6 +40,8 @@ Bounds bounds_of(const structures::Span& span);
 /// The bounds of a barrier (wall, fence, hedge): from the lowest terrain near its axis to its height above the highest
 /// terrain there.
 Bounds bounds_of(const props::Barrier& barrier, const map::Heightfield& terrain);
+/// The bounds of the wires of a span.
+Bounds bounds_of(const wires::WireSpan& span);
 /// The bounds of a placed mesh, which is 1 m tall and at most 1 m wide before Placement::scale enlarges it.
 Bounds bounds_of(const Placement& placement);
 /// The bounds of a mesh's vertices.

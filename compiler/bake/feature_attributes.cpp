@@ -70,8 +70,12 @@ std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::spa
   for (const props::Lamp& lamp : chunk.lamps) table.add(lamp.id.osm, "StreetLamp", lamp.height_m);
   // equipment of a sports field belongs to the field's area
   for (const things::Thing& thing : chunk.things)
-    if (thing.id.part < pitches::kEquipmentPart)
+    if (thing.id.part < map::kDerivedPart)
       table.add(thing.id.osm, class_of_thing(classes, thing.form.kind), thing.form.height_m);
+  for (const wires::WireSpan& span : chunk.wire_spans) {
+    const bool is_aerialway = span.wires.front().kind == wires::WireKind::kCable;
+    table.add(span.id.osm, is_aerialway ? "Aerialway" : "PowerLine", span.above_m);
+  }
   add_covers(table, chunk.surfaces);
   add_texts(table, chunk.texts);
   return std::move(table.rows);

@@ -1,12 +1,30 @@
 #include "compiler/bake/place_things.h"
 
+#include <map>
+#include <string>
+
 #include "compiler/things/generate.h"
 
 namespace citykiln::bake {
 
+namespace {
+
+// The number of each form among those of its kind, from 1.
+std::map<things::Form, int> numbers_of(const std::vector<things::Thing>& things) {
+  std::map<things::Form, int> numbers;
+  for (const things::Thing& thing : things) numbers[thing.form] = 0;
+  std::map<std::string, int> counts;
+  for (auto& [form, number] : numbers) number = ++counts[form.kind];
+  return numbers;
+}
+
+}  // namespace
+
 std::vector<PlacedThing> place_things(const std::vector<things::Thing>& things, const ground::GradedTerrain& graded) {
+  const std::map<things::Form, int> numbers = numbers_of(things);
   std::vector<PlacedThing> placed;
-  for (const things::Thing& thing : things) placed.push_back({thing.form, things::place(thing, graded)});
+  for (const things::Thing& thing : things)
+    placed.push_back({thing.form, things::place(thing, graded), numbers.at(thing.form)});
   return placed;
 }
 

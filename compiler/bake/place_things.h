@@ -14,6 +14,7 @@ namespace citykiln::bake {
 struct PlacedThing {
   things::Form form;
   Placement placement;
+  int number = 1;  ///< The number of its form among those of its kind in the tile, from 1; the mesh is named by it.
 };
 
 /// Returns the things on the ground, in their order.

@@ -1,4 +1,5 @@
-// The shop fronts of a building as rules see them: lines in plan with a kind, a colour and lamps.
+// Converts the shop fronts of a building to the form that grammar rules read: lines in plan with a kind and a colour,
+// lit or not.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +12,9 @@
 
 namespace citykiln::buildings {
 
-/// Returns the fronts of a building, in their order. The colour of a fascia is one of its kind's, by seed and building.
-/// @param night  The time, if it is dark; else no front is lit.
+/// Returns one line for each of Building::fronts, in the same order, plane metres. The seed, the building and the index
+/// of the front select one of the fascia colours of its kind (map::FrontValues::colours).
+/// @param night  The time if it is dark; else empty, and no front is lit.
 std::vector<grammars::FrontLine> front_lines(const Building& building, const std::optional<WeekTime>& night,
                                              std::uint64_t seed);
 

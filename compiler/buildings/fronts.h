@@ -1,8 +1,7 @@
-// Places shop fronts: decides which wall a shop, restaurant, office or workshop stands behind, and how wide its front
-// is.
+// Places shop fronts: decides in which wall a shop, restaurant, office or workshop has its front, and how wide it is.
 //
 //      street
-//   ───┬───────────┬─────┬────────┬───     Fronts share a stretch of wall in the order of their points. A stretch ends
+//   ───┬───────────┬─────┬────────┬───     Fronts on a stretch of wall have the order of their points. A stretch ends
 //      │  front 1  │door │ front 2│        at corners, party walls and openings for ways, and beside mapped doors.
 //      │     ×     │     │   ×    │        × points
 #pragma once
@@ -20,39 +19,44 @@
 
 namespace citykiln::buildings {
 
-/// The indexes of the map that fronts are planned from.
+/// The parts of the map that fronts are planned from; it owns none of them.
 struct FrontSite {
   std::span<const map::Footprint> footprints;
-  std::span<const std::vector<SharedWall>> shared_walls;  ///< By footprint.
+  std::span<const std::vector<SharedWall>> shared_walls;  ///< One entry for each footprint.
   const Streets& streets;
   const MappedDoors& doors;
   std::span<const map::Passageway> passageways;  ///< Sorted by building.
 };
 
-/// Returns the fronts of each footprint, sorted by edge, then from_m.
+/// Returns one list of fronts for each footprint, sorted by edge, then from_m.
 ///
-/// A point belongs to the footprint that contains it, else to the nearest at most kFrontOutside_m away. It goes to the
-/// nearest wall that faces a street, at most kFrontInside_m away; without one, to the nearest wall at most kNearWall_m
-/// away, which then counts as facing a street. Fronts on one stretch of wall have equal widths, from kLeastFront_m to
-/// kWidestFront_m. On the longest stretch of a building without mapped doors, kDoorTile_m stay free for its door if
-/// there is room. Points for which there is no wall or no room are dropped (kNoWallForFront), apart from assumed ones.
+/// A point goes to a wall of the footprint that contains it: to the nearest one that faces a street, at most
+/// kFrontInside_m away, else to the nearest one at most kNearWall_m away. Without such a wall it goes to a wall of
+/// a footprint that does not contain it, at most kFrontOutside_m away: to the nearest one that faces a street, else to
+/// the nearest one. An assumed point only goes to walls of its own footprint. Later planning treats an edge with a
+/// front as one that faces a street.
 ///
-/// Halls, barns, garages, churches, castles, huts, roofs and what does not stand on the ground have no fronts. Counts
-/// mapped points in the ledger "buildings/front". The result does not depend on the order of the points. O(points ·
-/// edges near).
+/// All fronts on one stretch of wall have the same width, from kLeastFront_m to kWidestFront_m, and lie near their
+/// points. If a building has no mapped door, its longest stretch that faces a street keeps kDoorTile_m free for a door,
+/// if there is room. A point without a wall or without room gets no front. Mapped points are placed before assumed
+/// ones, and are reported if they get none (kNoWallForFront).
+///
+/// Footprints for which may_have_fronts() is false have no fronts. The mapped points are counted in the account
+/// "buildings/front". The result does not depend on the order of the points. O(points · edges near).
 std::vector<std::vector<Front>> plan_fronts(std::span<const map::FrontPoint> points, const FrontSite& site,
                                             Report& report);
 
-/// True if a building on this footprint can have fronts.
+/// Returns true if a building on this footprint can have fronts: it stands on the ground, has walls, no parts and
+/// at least 12 m², and is no hall, barn, garage, church, castle, hut or the like.
 bool may_have_fronts(const map::Footprint& footprint);
 
-/// Returns the parts of an edge of the outer ring where fronts may be, as distances along it: without party walls,
-/// openings for ways, and the tiles of mapped doors.
-/// @param doors  FacadeEdge::doors of the edge.
+/// Returns the parts of an edge of the outer ring in which fronts may be, in metres from its first point, ascending.
+/// Party walls, openings for ways and the facade tiles of mapped doors are cut out.
+/// @param doors  FacadeEdge::doors of the edge: a bit for each part of the edge with a mapped door.
 std::vector<LinePart> free_parts(std::size_t footprint, std::size_t edge, std::uint16_t doors, const FrontSite& site);
 
-/// The largest distances of a point from its wall: inside the building, outside of it, and from a wall that faces no
-/// street.
+/// The largest distance from a point to its wall: for a point inside the building and a wall that faces a street, for a
+/// point outside, and for a point inside and a wall that faces no street.
 inline constexpr double kFrontInside_m = 15, kFrontOutside_m = 1.5, kNearWall_m = 4;
 /// The least and the largest width of a front, and the width of wall that a building's own door takes.
 inline constexpr double kLeastFront_m = 2.5, kWidestFront_m = 12, kDoorTile_m = 2.5;

@@ -75,6 +75,7 @@ void put_picture(const preview::Image& from, int x0, int y0, preview::Image& to)
 Result<Done> draw_things_sheet(const std::string& folder, const std::string& path, const Console& console) {
   CompileSpec spec;
   spec.things_folder = folder;
+  spec.cars = true;
   const Result<things::Catalogue> catalogue = read_things(spec);
   if (!catalogue) return catalogue.error();
   const Result<things::Kinds> kinds = things::kinds_of(*catalogue);

@@ -148,7 +148,7 @@ struct AreaFeature {
 
 /// An area where sports are played.
 struct SportsArea {
-  ObjectId id;         ///< Of an AreaFeature.
+  ObjectId id;         ///< The id of an AreaFeature.
   std::string sports;  ///< sport=*: values separated by ";".
 };
 
@@ -230,13 +230,18 @@ struct ThingWay {
   bool is_nearer_to_end = false;  ///< True if the end of the way is nearer to the node than its start.
 };
 
-/// A thing that is mapped as a point, by a row of the table of things (things/thing_table.h).
+/// Parts of ids from this one on belong to things that are derived from a feature of another kind: goals of a sports
+/// field, cars in a parking lane. Properties of the id are those of this feature.
+inline constexpr std::uint32_t kDerivedPart = 0x4000;
+
+/// A thing, by a row of the table of things (things/thing_table.h): a point, or a part of a line or an area.
 struct ThingFeature {
   ObjectId id;
   Vec2 at;
   std::string kind;   ///< The name of its row.
   std::string value;  ///< The value of the tag that the row tests first.
   double width_m = 0, depth_m = 0, height_m = 0;
+  std::optional<Vec2> along{};  ///< The direction of its width if its line or area says it; length 1.
   std::optional<Srgb> colour{};
   std::string material{};               ///< material=*, as it is tagged.
   std::string text{};                   ///< Digits that it shows, such as those of maxspeed=*.
@@ -246,7 +251,7 @@ struct ThingFeature {
   ThingWay way{};
   CountryGroup country{};
   bool is_in_way = false;  ///< True if it may stand in a carriageway, by its row.
-  /// Of equipment of a sports field (pitches/plan.h): the direction that it faces, length 1. It is not moved.
+  /// The direction that equipment of a sports field or a parked car faces, length 1; it is not moved.
   std::optional<Vec2> faces{};
 };
 
@@ -267,11 +272,19 @@ struct TreeRow {
   PlantTags plant_tags{};
 };
 
-/// A power line. Tall trees below it are cleared.
+/// The class of a line in the air: power=line hangs on pylons, power=minor_line on poles; an aerialway has cables.
+enum class PowerLineKind : std::uint8_t { kLine, kMinorLine, kAerialway };
+
+/// A power line or an aerialway. Tall trees below it are cleared.
 struct PowerLine {
   ObjectId id;
   Polyline axis;
   double corridor_m = 0;  ///< The width of the cleared corridor.
+  PowerLineKind kind{};
+  std::vector<std::int64_t> node_ids{};  ///< The OSM node of each axis point.
+  std::uint8_t cables = 0;               ///< Conductors, by cables=* or three for each of circuits=*; 0: untagged.
+  std::uint8_t bundle = 0;               ///< Wires of one conductor, by wires=*; 0: untagged.
+  double voltage_kv = 0;                 ///< The highest of voltage=*; 0: untagged.
 };
 
 /// All features, each vector sorted by id, all coordinates snapped to kMapStep_m.
@@ -286,6 +299,8 @@ struct Features {
   std::vector<Landform> landforms;
   std::vector<PointFeature> points;
   std::vector<ThingFeature> things{};
+  /// Things outside of the extent that are nodes of power lines: wires hang on them, but they are not built.
+  std::vector<ThingFeature> supports_beyond{};
   /// Sorted by id, then by position. Set by assume_fronts(): without it no building has fronts.
   std::vector<FrontPoint> fronts{};
   std::vector<TreeRow> tree_rows;

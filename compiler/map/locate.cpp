@@ -69,13 +69,17 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   features.points = locate_points(context);
   features.tree_rows = locate_tree_rows(context);
   features.power_lines = locate_power_lines(context);
-  if (options.things != nullptr) features.things = locate_things(context, *options.things, features);
+  if (options.things != nullptr) {
+    LocatedThings located = locate_things(context, *options.things, features);
+    features.things = std::move(located.things), features.supports_beyond = std::move(located.supports_beyond);
+  }
   diagnose_unread(context, features);
   const auto sort_by_id = [](auto&... kinds) {
     (std::ranges::sort(kinds, {}, [](const auto& f) { return f.id; }), ...);
   };
-  sort_by_id(features.tracks, features.footprints, features.areas, features.sports_areas, features.waterways, features.barriers,
-             features.landforms, features.points, features.things, features.tree_rows, features.power_lines);
+  sort_by_id(features.tracks, features.footprints, features.areas, features.sports_areas, features.waterways,
+             features.barriers, features.landforms, features.points, features.things, features.supports_beyond,
+             features.tree_rows, features.power_lines);
   features.texts = element_texts(osm, features, options.keeps_tags);
   return features;
 }

@@ -93,10 +93,83 @@ double tagged_point_height_m(const ReadContext& context, OsmId id, const PointRo
 struct PowerRow {
   std::string_view value;
   double corridor_m;
+  PowerLineKind kind{};
 };
 // Width of the corridor by value of power=*: pylons hold wires some 8 m out that swing, poles of minor lines little
 // more than 1 m.
-constexpr PowerRow kPowerLines[] = {{"line", 24}, {"minor_line", 8}};
+constexpr PowerRow kPowerLines[] = {{"line", 24, PowerLineKind::kLine}, {"minor_line", 8, PowerLineKind::kMinorLine}};
+
+constexpr double kMostCables = 60, kMostCircuits = 12, kMostBundled = 12, kHighestVoltage_v = 2'000'000;
+constexpr int kCablesOfCircuit = 3;
+
+// Cables of aerialways; the corridor is wide enough for a cabin or chair on either side.
+constexpr PowerRow kAerialways[] = {
+    {"cable_car", 14, PowerLineKind::kAerialway},  {"gondola", 12, PowerLineKind::kAerialway},
+    {"mixed_lift", 12, PowerLineKind::kAerialway}, {"chair_lift", 10, PowerLineKind::kAerialway},
+    {"drag_lift", 6, PowerLineKind::kAerialway},   {"t-bar", 6, PowerLineKind::kAerialway},
+    {"j-bar", 6, PowerLineKind::kAerialway},       {"platter", 6, PowerLineKind::kAerialway},
+    {"goods", 6, PowerLineKind::kAerialway}};
+
+struct BundleRow {
+  std::string_view value;
+  std::uint8_t wires;
+};
+constexpr BundleRow kBundles[] = {{"single", 1}, {"double", 2}, {"triple", 3}, {"quad", 4},
+                                  {"five", 5},   {"six", 6},    {"eight", 8}};
+
+// The part of a list such as "6;3" or "4-2" before its first separator.
+std::string_view first_of_list(std::string_view text) { return text.substr(0, text.find_first_of(";-")); }
+
+// The largest of the numbers of a tag such as voltage=220000;110000; 0: untagged.
+double largest_number(const ReadContext& context, OsmId id, std::string_view key, std::string_view text, double most) {
+  double largest = 0;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t to = std::min(text.find(';', from), text.size());
+    largest = std::max(largest, number_within(context, id, key, text.substr(from, to - from), 0, most).value_or(0));
+    from = to + 1;
+  }
+  return largest;
+}
+
+std::uint8_t tagged_cables(const ReadContext& context, OsmId id, source::Range tags) {
+  const std::string_view cables = first_of_list(context.tag(tags, "cables"));
+  if (const auto count = number_within(context, id, "cables", cables, 1, kMostCables))
+    return static_cast<std::uint8_t>(*count);
+  const std::string_view circuits = first_of_list(context.tag(tags, "circuits"));
+  return static_cast<std::uint8_t>(kCablesOfCircuit *
+                                   number_within(context, id, "circuits", circuits, 1, kMostCircuits).value_or(0));
+}
+
+std::uint8_t tagged_bundle(const ReadContext& context, OsmId id, source::Range tags) {
+  const std::string_view wires = first_of_list(context.tag(tags, "wires"));
+  if (const BundleRow* row = row_with(kBundles, wires)) return row->wires;
+  return static_cast<std::uint8_t>(number_within(context, id, "wires", wires, 1, kMostBundled).value_or(0));
+}
+
+PowerLine power_line_of(const ReadContext& context, const source::Way& way, const PowerRow& row, LocatedLine&& line) {
+  const OsmId id{OsmType::kWay, way.id};
+  const std::string_view voltage = context.tag(way.tags, "voltage");
+  const bool is_power = row.kind != PowerLineKind::kAerialway;
+  return {.id = {id, 0},
+          .axis = std::move(line.axis),
+          .corridor_m = row.corridor_m,
+          .kind = row.kind,
+          .node_ids = std::move(line.node_ids),
+          .cables = is_power ? tagged_cables(context, id, way.tags) : std::uint8_t{0},
+          .bundle = is_power ? tagged_bundle(context, id, way.tags) : std::uint8_t{0},
+          .voltage_kv = largest_number(context, id, "voltage", voltage, kHighestVoltage_v) / 1000};
+}
+
+template <std::size_t n>
+void add_power_lines(const ReadContext& context, const char* key, const PowerRow (&rows)[n],
+                     std::vector<PowerLine>& lines) {
+  const auto row_of = [&](const source::Way& way) { return row_with(rows, context.tag(way.tags, key)); };
+  for_each_line(
+      context, key, row_of, row_of, [&](const source::Way& way) { return reason_without(context, way.tags, key); },
+      [&](const source::Way& way, const PowerRow& row, LocatedLine&& line) {
+        lines.push_back(power_line_of(context, way, row, std::move(line)));
+      });
+}
 
 }  // namespace
 
@@ -182,13 +255,8 @@ std::vector<TreeRow> locate_tree_rows(const ReadContext& context) {
 
 std::vector<PowerLine> locate_power_lines(const ReadContext& context) {
   std::vector<PowerLine> lines;
-  for_each_line(
-      context, "power", [&](const source::Way& way) { return row_with(kPowerLines, context.tag(way.tags, "power")); },
-      [&](const source::Way& way) { return row_with(kPowerLines, context.tag(way.tags, "power")); },
-      [&](const source::Way& way) { return reason_without(context, way.tags, "power"); },
-      [&](const source::Way& way, const PowerRow& row, LocatedLine&& line) {
-        lines.push_back({{{OsmType::kWay, way.id}, 0}, std::move(line.axis), row.corridor_m});
-      });
+  add_power_lines(context, "power", kPowerLines, lines);
+  add_power_lines(context, "aerialway", kAerialways, lines);
   return lines;
 }
 

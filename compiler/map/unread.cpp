@@ -5,27 +5,11 @@
 #include <utility>
 
 #include "compiler/map/places.h"
+#include "compiler/map/read_elements.h"
 #include "compiler/source/bodies.h"
 
 namespace citykiln::map {
 namespace {
-
-// Adds the elements of features, and those that are dropped already. Sorted.
-std::vector<OsmId> read_elements(const Features& features, const Report& report) {
-  std::vector<OsmId> read;
-  const auto add = [&](const auto&... kinds) {
-    const auto add_kind = [&](const auto& kind) {
-      for (const auto& feature : kind) read.push_back(feature.id.osm);
-    };
-    (add_kind(kinds), ...);
-  };
-  add(features.tracks, features.footprints, features.areas, features.waterways, features.barriers, features.landforms,
-      features.points, features.things, features.tree_rows);
-  for (const Diagnosis& diagnosis : report.diagnoses())
-    if (severity_of(diagnosis.code) == Severity::kDropped) read.push_back(diagnosis.object);
-  std::ranges::sort(read);
-  return read;
-}
 
 using WayTags = std::pair<std::int64_t, source::Range>;
 

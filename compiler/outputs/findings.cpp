@@ -43,6 +43,7 @@ std::map<OsmId, Vec2> places_in(const scene::Chunk& chunk, const std::set<OsmId>
   add_places(chunk.trees, ids, point, places);
   add_places(chunk.lamps, ids, point, places);
   add_places(chunk.things, ids, point, places);
+  add_places(chunk.wire_spans, ids, wires::middle_of, places);
   add_places(chunk.barriers, ids, middle, places);
   add_places(chunk.tree_rows, ids, middle, places);
   add_places(chunk.bridges, ids, middle, places);

@@ -84,7 +84,8 @@ OrderedJson counts_of(const scene::Scene& scene) {
           {"trees", different(scene, &scene::Chunk::trees)},
           {"barriers", different(scene, &scene::Chunk::barriers)},
           {"lamps", different(scene, &scene::Chunk::lamps)},
-          {"things", different(scene, &scene::Chunk::things)}};
+          {"things", different(scene, &scene::Chunk::things)},
+          {"wire_spans", different(scene, &scene::Chunk::wire_spans)}};
 }
 
 OrderedJson levels_of(std::span<const WrittenTile> tiles, const Outputs& outputs) {

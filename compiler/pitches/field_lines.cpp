@@ -90,12 +90,18 @@ std::vector<FieldLine> opened_arc(Vec2 about, double radius_m, double limit_m, d
   return lines;
 }
 
+// An arc begins at the side of the field if it would begin beyond it.
+double beginning_deg(Vec2 middle, const std::vector<double>& arc, HalfSize half) {
+  const double to_side_m = half.s_m - middle.y;
+  return to_side_m < arc[0] ? std::max(arc[1], 180 - arcsine_deg(to_side_m / arc[0])) : arc[1];
+}
+
 std::vector<FieldLine> round_lines(const Command& command, HalfSize half) {
   const auto middle = command.arguments.empty() ? std::nullopt : point_of(command.arguments[0], half);
   const std::size_t count = command.word == "A" ? 3 : command.word == "T" ? 2 : 1;
   const std::vector<double> numbers = numbers_of(command, 1, count, half);
   if (!middle || numbers.empty() || !(numbers[0] > 0)) return {};
-  if (command.word == "A") return {arc(*middle, numbers[0], numbers[1], numbers[2])};
+  if (command.word == "A") return {arc(*middle, numbers[0], beginning_deg(*middle, numbers, half), numbers[2])};
   if (command.word == "T") return opened_arc(*middle, numbers[0], numbers[1], half.e_m);
   FieldLine circle = arc(*middle, numbers[0], 0, 360);
   circle.is_disc = command.word == "D";

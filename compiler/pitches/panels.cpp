@@ -40,7 +40,7 @@ struct Rectangle {
   Box2 box() const { return {half * -1.0, half}; }
 };
 
-// What panels are made from.
+// The lines of a field and how panels show them.
 struct FieldPaint {
   std::vector<FieldLine> lines;
   double line_m = 0;    // the width of lines

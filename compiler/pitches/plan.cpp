@@ -144,7 +144,7 @@ std::vector<map::ThingFeature> things_of(const std::vector<Field>& fields, const
     last = field.id;
     for (const Equipment& equipment : equipment_of(field)) {
       const map::ThingRow* row = row_named(table, equipment.thing);
-      const ObjectId id{field.id.osm, field.id.part + kEquipmentPart + number++};
+      const ObjectId id{field.id.osm, field.id.part + map::kDerivedPart + number++};
       if (row && features.extent.contains(equipment.at) && !is_mapped(features, row->name, equipment.at))
         things.push_back(thing_of(id, equipment, *row));
     }

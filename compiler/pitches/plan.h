@@ -11,9 +11,9 @@ namespace citykiln::pitches {
 
 /// Returns the fields of one area.
 ///
-/// The frame is the smallest rectangle around the area. Of the sport's rows the first one counts of which a field fits:
-/// one in the middle along the longer side or, with a row that has a space for courts, as many as fit, in equal cells
-/// of the rectangle. A field of which less than kInside of its ground lies in the area is left out.
+/// The frame is the smallest rectangle around the area. The first row of the sport counts of which a field fits: one in
+/// the middle along the longer side or, with a row that has a space for courts, as many as fit, in equal cells of the
+/// rectangle. A field of which less than kInside of its ground lies in the area is left out.
 ///
 /// @param sports  sport=*: the first value of which a field fits counts.
 std::vector<Field> fields_of(ObjectId id, const Polygon& area, std::string_view sports);

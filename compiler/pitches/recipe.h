@@ -17,9 +17,6 @@ enum class FieldKind : std::uint8_t {
   kCount
 };
 
-/// The parts of ids of equipment begin here: a thing with such a part is derived from its area, not mapped.
-inline constexpr std::uint32_t kEquipmentPart = 0x4000;
-
 /// A rectangle with the lines of a sport.
 struct Field {
   ObjectId id;  ///< The area's; several fields of an area have the same id.

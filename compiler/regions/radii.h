@@ -20,6 +20,7 @@
 #include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/pieces/stretches.h"
 #include "compiler/scene/scene.h"
+#include "compiler/wires/plan.h"
 
 namespace citykiln::regions {
 
@@ -46,6 +47,7 @@ namespace citykiln::regions {
 // | ramps of storeys       | kStoreyRadius_m                |   1700 | two ramps of a railway that crosses a bridge   |
 // | paths to a bridge      | ground::kLongestApproach_m     |   2048 | a bridge or tunnel that moves the path         |
 // | knots                  | ground::kKnotStretch_m         |   1024 | heights along the same way                     |
+// | wires                  | wires::kSpanRadius_m           |    512 | a support, and the ground that it stands on    |
 //
 // Lanes of a transition follow from those of its neighbours as tagged, and assumed widths from what lies beside the
 // same way as its pavements, so their radii do not add up. Storeys and fronts change buildings alone.
@@ -62,13 +64,13 @@ inline constexpr double kAssumedRoads_m = assume::kPavementRadius_m + assume::kL
 static_assert(roads::kLongestFitted_m <= assume::kPavementRadius_m);
 
 /// The width of the data around a region that it is compiled with: at least the sum of radii along the longest chain of
-/// dependences, which is a tile, the roads and junctions of its chunk, their profiles, the bridges of these, and the
-/// bridges that cross them. A whole number of cells of 128 m.
-inline constexpr double kRegionHalo_m = 10240;
+/// dependences, which is a tile, the supports of its wires, the roads and junctions that grade the ground below these,
+/// their profiles, the bridges of these, and the bridges that cross them. A whole number of cells of 128 m.
+inline constexpr double kRegionHalo_m = 10752;
 
-static_assert(kRegionHalo_m >= scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m + kAssumedRoads_m +
-                                   ground::kProfileRadius_m + ground::kSpanEndRadius_m + kStoreyRadius_m +
-                                   ground::kKnotStretch_m);
+static_assert(kRegionHalo_m >= wires::kSpanRadius_m + scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m +
+                                   kAssumedRoads_m + ground::kProfileRadius_m + ground::kSpanEndRadius_m +
+                                   kStoreyRadius_m + ground::kKnotStretch_m);
 static_assert(kRegionHalo_m >= scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m + kAssumedRoads_m +
                                    ground::kLongestApproach_m + ground::kApproach_m + ground::kProfileRadius_m +
                                    ground::kSpanEndRadius_m);

@@ -69,8 +69,8 @@ ByTile by_touch(const TileGrid& grid, std::span<const Object> objects, BoxOf box
 }
 
 struct Sorted {
-  ByTile surfaces, roads, junctions, fields, watercourses, landforms, near_buildings, buildings, bridges, tunnels, trees,
-      tree_rows, corridors, barriers, lamps, things;
+  ByTile surfaces, roads, junctions, fields, watercourses, landforms, near_buildings, buildings, bridges, tunnels,
+      trees, tree_rows, corridors, barriers, lamps, things, wire_spans;
 };
 
 Box2 box_of_road(const roads::Road& road) {
@@ -167,7 +167,8 @@ Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<cons
                                    [](const auto& c) { return std::optional(c.width_m / 2); }),
           .barriers = barriers_by_tile(grid, recipes.props.barriers),
           .lamps = by_anchor(grid, std::span(recipes.props.lamps), [](const auto& lamp) { return lamp.at; }),
-          .things = by_anchor(grid, std::span(recipes.things), [](const auto& thing) { return thing.at; })};
+          .things = by_anchor(grid, std::span(recipes.things), [](const auto& thing) { return thing.at; }),
+          .wire_spans = by_anchor(grid, std::span(recipes.wire_spans), wires::middle_of)};
 }
 
 template <typename Object>
@@ -282,7 +283,7 @@ std::vector<map::ElementText> texts_for(std::span<const map::ElementText> texts,
     (add_kind(kinds), ...);
   };
   add(chunk.surfaces, chunk.roads, chunk.watercourses, chunk.landforms, chunk.bridges, chunk.tunnels, chunk.buildings,
-      chunk.trees, chunk.tree_rows, chunk.barriers, chunk.lamps, chunk.things);
+      chunk.trees, chunk.tree_rows, chunk.barriers, chunk.lamps, chunk.things, chunk.wire_spans);
   sort_unique(ids);
   std::vector<map::ElementText> here;
   for (const OsmId id : ids)
@@ -313,6 +314,7 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCover
   chunk.barriers = pick(recipes.props.barriers, sorted.barriers[t]);
   chunk.lamps = pick(recipes.props.lamps, sorted.lamps[t]);
   chunk.things = pick(recipes.things, sorted.things[t]);
+  chunk.wire_spans = pick(recipes.wire_spans, sorted.wire_spans[t]);
   chunk.texts = texts_for(recipes.texts, chunk);
   return chunk;
 }

@@ -9,6 +9,7 @@
 #include "compiler/scene/scene.h"
 #include "compiler/structures/plan.h"
 #include "compiler/things/recipe.h"
+#include "compiler/wires/recipe.h"
 
 namespace citykiln::scene {
 
@@ -26,6 +27,7 @@ struct Recipes {
   plants::Plants plants;
   props::Props props;
   std::vector<things::Thing> things;
+  std::vector<wires::WireSpan> wire_spans;
   std::vector<map::ElementText> texts;  ///< Sorted by id.
 };
 

@@ -25,6 +25,7 @@
 #include "compiler/structures/recipe.h"
 #include "compiler/surroundings/recipe.h"
 #include "compiler/things/recipe.h"
+#include "compiler/wires/recipe.h"
 
 namespace citykiln::scene {
 
@@ -96,7 +97,8 @@ struct Chunk {
   std::vector<props::Barrier> barriers;
   std::vector<props::Lamp> lamps;
   std::vector<things::Thing> things{};
-  std::vector<map::ElementText> texts{};  ///< Texts of the elements of these recipes; sorted by id.
+  std::vector<wires::WireSpan> wire_spans{};  ///< Whole; the ends may be up to wires::kSpanRadius_m away from the tile.
+  std::vector<map::ElementText> texts{};      ///< Texts of the elements of these recipes; sorted by id.
   bool operator==(const Chunk&) const = default;
 };
 

@@ -92,11 +92,14 @@ Vec2 traffic_of(const map::ThingFeature& thing) {
   return is_along ? thing.way.along : thing.way.along * -1.0;
 }
 
-Vec2 facing_of(const map::ThingFeature& thing, map::Facing facing, Vec2 p, const Axes& axes, std::uint64_t seed) {
-  if (thing.faces) return *thing.faces;
+namespace {
+
+Vec2 facing_without_outline(const map::ThingFeature& thing, map::Facing facing, Vec2 p, const Axes& axes,
+                            std::uint64_t seed) {
   if (thing.bearing_deg) return of_bearing(*thing.bearing_deg);
   const bool has_way = thing.way.along != Vec2{};
-  if (has_way && (thing.facing != 0 || facing == map::Facing::kAlong)) return traffic_of(thing) * -1.0;
+  const bool is_for_traffic = facing == map::Facing::kAlong || facing == map::Facing::kArms;
+  if (has_way && (thing.facing != 0 || is_for_traffic)) return traffic_of(thing) * -1.0;
   switch (facing) {
     case map::Facing::kTag:
       return kSouth;
@@ -105,10 +108,20 @@ Vec2 facing_of(const map::ThingFeature& thing, map::Facing facing, Vec2 p, const
     case map::Facing::kPlatform:
       return towards_axis(axes, p, AxisKind::kRoadsAndRails);
     case map::Facing::kAlong:
+    case map::Facing::kArms:
       return against_near_traffic(axes, p);
     default:
       return random_direction(thing, seed);
   }
+}
+
+}  // namespace
+
+Vec2 facing_of(const map::ThingFeature& thing, map::Facing facing, Vec2 p, const Axes& axes, std::uint64_t seed) {
+  const Vec2 wanted = facing_without_outline(thing, facing, p, axes, seed);
+  if (!thing.along) return wanted;
+  const Vec2 front = left_of(*thing.along);
+  return dot(front, wanted) >= 0 ? front : front * -1.0;
 }
 
 }  // namespace citykiln::things

@@ -47,7 +47,8 @@ std::optional<NearestAxis> nearest_axis(const Axes& axes, Vec2 p, AxisKind kind)
 /// thing.facing it is along a oneway, else towards the nearer end of the way, where a junction is likely.
 Vec2 traffic_of(const map::ThingFeature& thing);
 
-/// Returns the direction in which a thing at p looks, by its tags, else by its row.
+/// Returns the direction in which a thing at p looks, by its tags, else by its row. A thing with an outline looks
+/// across it, to the side nearer to this direction.
 Vec2 facing_of(const map::ThingFeature& thing, map::Facing facing, Vec2 p, const Axes& axes, std::uint64_t seed);
 
 }  // namespace citykiln::things

@@ -58,11 +58,16 @@ const FreePlaces::Block& FreePlaces::block_at(Vec2 at) {
   return *block;
 }
 
-bool FreePlaces::is_barred_at(Vec2 at) {
+std::optional<LandCoverClass> FreePlaces::surface_at(Vec2 at) {
   const Block& block = block_at(at);
-  if (block.surfaces.empty()) return false;
+  if (block.surfaces.empty()) return std::nullopt;
   const std::uint32_t top = ground::land_cover_at(block.index, at);
-  return top != ground::kNoLandCover && is_barred(block.surfaces[top].surface);
+  return top == ground::kNoLandCover ? std::nullopt : std::optional(block.surfaces[top].surface);
+}
+
+bool FreePlaces::is_barred_at(Vec2 at) {
+  const std::optional<LandCoverClass> surface = surface_at(at);
+  return surface && is_barred(*surface);
 }
 
 bool FreePlaces::is_free(Vec2 at, double radius_m) {
@@ -88,7 +93,7 @@ std::optional<Vec2> FreePlaces::first_free(Vec2 from, Vec2 direction, double rad
   return std::nullopt;
 }
 
-std::optional<WallPlace> FreePlaces::nearest_wall(Vec2 at) {
+std::optional<WallPlace> FreePlaces::nearest_wall(Vec2 at, double before_m) {
   std::optional<WallPlace> nearest;
   double nearest_m = kMaxWall_m;
   for (const ground::LandCoverPolygon& surface : block_at(at).surfaces) {
@@ -97,9 +102,10 @@ std::optional<WallPlace> FreePlaces::nearest_wall(Vec2 at) {
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()], on = nearest_point(a, b, at);
         if (a == b || distance(on, at) >= nearest_m) continue;
+        const Vec2 out = left_of(unit(b - a)) * -1.0;  // rings run with the building on their left
+        if (!is_free(snapped(on + out * before_m), 0)) continue;
         nearest_m = distance(on, at);
-        // rings run with the building on their left
-        nearest = WallPlace{on, left_of(unit(b - a)) * -1.0};
+        nearest = WallPlace{on, out};
       }
   }
   return nearest;

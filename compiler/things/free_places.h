@@ -1,8 +1,7 @@
 // Free places for things: beside carriageways, outside of walls and water.
 //
-//     =====carriageway======       a node of the way: across the axis to the side of its traffic, to the first free
-//     place
-//     - - - - - o - - - - ->       at most 20 m away
+//     =====carriageway======       a node of the way: across the axis to the side of its traffic,
+//     - - - - - o - - - - ->       to the first free place at most 20 m away
 //     =========:|===========
 //     ___kerb___x___________       another node: the nearest free place within 3 m
 #pragma once
@@ -40,14 +39,16 @@ class FreePlaces {
   /// @param cover  The land cover of the map, with buildings; must outlive the object.
   explicit FreePlaces(std::span<const ground::LandCoverPolygon> cover);
 
+  /// Returns the land cover at a place; nothing where there is none.
+  std::optional<map::LandCoverClass> surface_at(Vec2 at);
   /// True if a disc is outside of barred land cover, as far as its centre and eight points of its border say.
   bool is_free(Vec2 at, double radius_m);
   /// Returns `at` if it is free, else the nearest free one of places on circles around it.
   std::optional<Vec2> nearest_free(Vec2 at, double radius_m);
   /// Returns the first free place from `from` in a direction, at most kMaxOffAxis_m away.
   std::optional<Vec2> first_free(Vec2 from, Vec2 direction, double radius_m);
-  /// Returns the nearest place on the wall of a building.
-  std::optional<WallPlace> nearest_wall(Vec2 at);
+  /// Returns the nearest place on the wall of a building, of those with a free place at a distance before them.
+  std::optional<WallPlace> nearest_wall(Vec2 at, double before_m);
 
  private:
   struct Block {

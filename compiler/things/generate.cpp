@@ -69,7 +69,32 @@ grammars::DeriveOptions options_of(const Form& form, std::uint64_t seed, bool is
   return options;
 }
 
+// Terminals on which wires hang, at the upper or the lower end of their scope.
+struct HoldName {
+  std::string_view terminal;
+  WireKind kind;
+  bool is_above;
+};
+constexpr HoldName kHoldNames[] = {{"WireBelow", WireKind::kConductor, false},
+                                   {"WireAbove", WireKind::kConductor, true},
+                                   {"EarthWireAbove", WireKind::kEarthWire, true},
+                                   {"CableAbove", WireKind::kCable, true}};
+
+Vec3 middle_of_end(const grammars::Scope& scope, bool is_above) {
+  return scope.to_space(scope.size_m[0] / 2, scope.size_m[1] / 2, is_above ? scope.size_m[2] : 0);
+}
+
 }  // namespace
+
+std::vector<WireHold> wire_holds(const Form& form, const Kind& kind, std::uint64_t seed) {
+  grammars::DeriveOptions options = options_of(form, seed, false, 0);
+  options.prune_early = false;
+  std::vector<WireHold> holds;
+  for (const grammars::Terminal& terminal : grammars::derive(kind.rules, box_of_form(form), options).terminals)
+    for (const HoldName& name : kHoldNames)
+      if (terminal.name == name.terminal) holds.push_back({name.kind, middle_of_end(terminal.scope, name.is_above)});
+  return holds;
+}
 
 bool is_shown(const Form& form, const map::ThingRow& row, double tolerance_m) {
   return tolerance_m < std::max(form.height_m, row.detail_m.value_or(0));

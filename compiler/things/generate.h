@@ -27,6 +27,20 @@ struct GeneratedThing {
 /// @param is_night  The rules' attribute `night`.
 GeneratedThing generate(const Form& form, const Kind& kind, std::uint64_t seed, bool is_night, double tolerance_m);
 
+/// The kind of a wire that hangs on a thing.
+enum class WireKind : std::uint8_t { kConductor, kEarthWire, kCable, kCount };
+
+/// A place of a form where a wire hangs.
+struct WireHold {
+  WireKind kind{};
+  Vec3 at;  ///< In the frame of the mesh: metres, the middle of the base at the origin, -y in front.
+};
+
+/// Returns the places where wires hang on a form: the terminals of its rules that are named WireBelow (the middle of
+/// the lower end of their scope), WireAbove, EarthWireAbove and CableAbove. In the order of the rules. Cost: that of
+/// the derivation with all detail.
+std::vector<WireHold> wire_holds(const Form& form, const Kind& kind, std::uint64_t seed);
+
 /// True if a form has a mesh at a tolerance.
 bool is_shown(const Form& form, const map::ThingRow& row, double tolerance_m);
 

@@ -1,12 +1,17 @@
 #include "compiler/things/plan.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <iterator>
+#include <map>
 #include <optional>
 
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/things/facing.h"
 #include "compiler/things/free_places.h"
+#include "compiler/things/junction_signals.h"
+#include "compiler/things/parked_cars.h"
 
 namespace citykiln::things {
 namespace {
@@ -30,9 +35,10 @@ std::optional<Vec2> beside_way(const map::ThingFeature& thing, double radius_m, 
 }
 
 std::optional<Stance> on_wall(const map::ThingFeature& thing, FreePlaces& places) {
-  const std::optional<WallPlace> wall = places.nearest_wall(thing.at);
+  const double before_m = thing.depth_m / 2 + kOffWall_m;
+  const std::optional<WallPlace> wall = places.nearest_wall(thing.at, before_m);
   if (!wall) return std::nullopt;
-  return Stance{snapped(wall->at + wall->out * (thing.depth_m / 2 + kOffWall_m)), wall->out};
+  return Stance{snapped(wall->at + wall->out * before_m), wall->out};
 }
 
 std::optional<Vec2> place_of(const map::ThingFeature& thing, const map::ThingRow& row, FreePlaces& places) {
@@ -60,36 +66,86 @@ std::optional<Stance> stance_of(const map::ThingFeature& thing, const map::Thing
                                 FreePlaces& places, std::uint64_t seed) {
   if (row.stand == map::Stand::kWall)
     if (const auto stance = on_wall(thing, places)) return stance;
-  if (thing.faces) return places.is_free(thing.at, 0) ? std::optional(Stance{thing.at, *thing.faces}) : std::nullopt;
+  if (thing.faces) {
+    const bool may_stand = thing.is_in_way || places.is_free(thing.at, 0);
+    return may_stand ? std::optional(Stance{thing.at, *thing.faces}) : std::nullopt;
+  }
   const std::optional<Vec2> at = place_of(thing, row, places);
   if (!at) return std::nullopt;
   return Stance{*at, facing_of(thing, row.facing, *at, axes, seed)};
 }
 
+bool is_for_arms(const map::ThingFeature& thing, const Kinds& kinds) {
+  return kinds.find(thing.kind)->second.row.facing == map::Facing::kArms;
+}
+
+// The roads and their junctions.
+struct Network {
+  std::span<const roads::Road> roads;
+  std::span<const roads::Junction> junctions;
+};
+
+// The things, with those of Facing::kArms for each arm of their junctions, and with parked cars if there is such a
+// kind.
+std::vector<map::ThingFeature> with_derived(const map::Features& features, const Network& network, const Kinds& kinds,
+                                            FreePlaces& places, std::uint64_t seed) {
+  std::vector<map::ThingFeature> things, spaces;
+  std::map<std::string, std::vector<map::ThingFeature>> on_arms;
+  for (const map::ThingFeature& thing : features.things) {
+    const bool is_car = thing.kind == kCar;
+    (is_car ? spaces : is_for_arms(thing, kinds) ? on_arms[thing.kind] : things).push_back(thing);
+  }
+  const auto append = [&](std::vector<map::ThingFeature>&& more) {
+    std::ranges::move(more, std::back_inserter(things));
+  };
+  for (auto& [kind, mapped] : on_arms)
+    append(with_one_for_each_arm(std::move(mapped), network.roads, network.junctions));
+  if (kinds.contains(kCar)) append(parked_cars(spaces, features, network.roads, places, seed));
+  return things;
+}
+
+// Counts the things on the map as in, and the difference to these as split or merged.
+void count_derived(const map::Features& features, const std::vector<map::ThingFeature>& things, const Report& report,
+                   Account& account) {
+  const auto counted = [&](const std::vector<map::ThingFeature>& all) {
+    return std::ranges::count_if(all, [&](const map::ThingFeature& thing) { return report.counts(thing.id.osm); });
+  };
+  const auto before = counted(features.things), after = counted(things);
+  account.in += static_cast<std::uint64_t>(before);
+  (after > before ? account.split : account.merged) += static_cast<std::uint64_t>(std::abs(after - before));
+}
+
 }  // namespace
 
-std::set<std::string> kind_names(const map::Features& features) {
+std::set<std::string> kind_names(const map::Features& features, const map::ThingTable& table) {
   std::set<std::string> names;
+  for (const map::ThingRow& row : table)
+    if (row.name == kCar) names.insert(row.name);
   for (const map::ThingFeature& thing : features.things) names.insert(thing.kind);
+  for (const map::ThingFeature& thing : features.supports_beyond) names.insert(thing.kind);
   return names;
 }
 
 std::vector<Thing> plan(const map::Features& features, std::span<const roads::Road> roads,
-                        std::span<const ground::LandCoverPolygon> cover, const Kinds& kinds, std::uint64_t seed,
-                        Report& report) {
+                        std::span<const roads::Junction> junctions, std::span<const ground::LandCoverPolygon> cover,
+                        const Kinds& kinds, std::uint64_t seed, Report& report) {
   const Axes axes = axes_of(roads);
   FreePlaces places(cover);
   std::vector<Thing> things;
   Account account;
-  for (const map::ThingFeature& thing : features.things) {
-    const auto kind = kinds.find(thing.kind);
-    if (kind == kinds.end()) continue;
-    const map::ThingRow& row = kind->second.row;
+  const std::vector<map::ThingFeature> all = with_derived(features, {roads, junctions}, kinds, places, seed);
+  count_derived(features, all, report, account);
+  for (const map::ThingFeature& thing : all) {
+    const Kind& kind = kinds.find(thing.kind)->second;
+    const map::ThingRow& row = kind.row;
     const bool counts = report.counts(thing.id.osm);
-    account.in += counts;
     const std::optional<Stance> stance = stance_of(thing, row, axes, places, seed);
     if (!stance) {
       report.drop(account, {Code::kNoPlaceForThing, thing.id.osm, 0, {}, {}, row.name});
+      continue;
+    }
+    if (!features.extent.contains(stance->at)) {
+      report.drop(account, Code::kOutsideBounds, thing.id.osm);
       continue;
     }
     account.out += counts;
@@ -97,11 +153,27 @@ std::vector<Thing> plan(const map::Features& features, std::span<const roads::Ro
                       .at = stance->at,
                       .direction = nearest_direction(stance->facing),
                       .is_in_way = thing.is_in_way,
-                      .form = form_of(thing, kind->second, seed)});
+                      .form = form_of(thing, kind, seed)});
   }
   std::ranges::sort(things, {}, &Thing::id);
   report.account("things", "thing") = account;
   return things;
+}
+
+std::vector<Thing> plan_supports_beyond(const map::Features& features, const Kinds& kinds, std::uint64_t seed) {
+  const Axes no_axes = axes_of({});
+  std::vector<Thing> supports;
+  for (const map::ThingFeature& thing : features.supports_beyond) {
+    const auto kind = kinds.find(thing.kind);
+    if (kind == kinds.end()) continue;
+    const Vec2 facing = facing_of(thing, kind->second.row.facing, thing.at, no_axes, seed);
+    supports.push_back({.id = thing.id,
+                        .at = thing.at,
+                        .direction = nearest_direction(facing),
+                        .form = form_of(thing, kind->second, seed)});
+  }
+  std::ranges::sort(supports, {}, &Thing::id);
+  return supports;
 }
 
 }  // namespace citykiln::things

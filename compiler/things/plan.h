@@ -8,21 +8,28 @@
 
 #include "compiler/contract/report.h"
 #include "compiler/ground/recipe.h"
+#include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/recipe.h"
 #include "compiler/things/catalogue.h"
 #include "compiler/things/recipe.h"
 
 namespace citykiln::things {
 
-/// Returns the names of the kinds of a map's things.
-std::set<std::string> kind_names(const map::Features& features);
+/// Returns the names of the kinds of a map's things, and kCar if the table has it.
+std::set<std::string> kind_names(const map::Features& features, const map::ThingTable& table);
 
 /// Returns the things of a map, sorted by id. A thing that may not stand where it is mapped is moved to a free place
-/// (free_places.h), or dropped, kNoPlaceForThing. Ledger "things/thing". O(things · land cover near them).
+/// (free_places.h), or dropped, kNoPlaceForThing, and kOutsideBounds if the place is outside of the extent. Signals of
+/// a junction stand at its arms (junction_signals.h); cars are parked if their kind is given (parked_cars.h). Ledger
+/// "things/thing". O(things · land cover near them).
 /// @param cover  The land cover of the whole map, with buildings.
-/// @param kinds  The kinds of the map's things; see kinds_of().
+/// @param kinds  The kinds of all things of the map; see kinds_of().
 std::vector<Thing> plan(const map::Features& features, std::span<const roads::Road> roads,
-                        std::span<const ground::LandCoverPolygon> cover, const Kinds& kinds, std::uint64_t seed,
-                        Report& report);
+                        std::span<const roads::Junction> junctions, std::span<const ground::LandCoverPolygon> cover,
+                        const Kinds& kinds, std::uint64_t seed, Report& report);
+
+/// Returns the supports of power lines outside of the extent, where they are mapped. Sorted by id. They are not built.
+/// @param kinds  The kinds of the map's things.
+std::vector<Thing> plan_supports_beyond(const map::Features& features, const Kinds& kinds, std::uint64_t seed);
 
 }  // namespace citykiln::things

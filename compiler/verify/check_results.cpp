@@ -4,15 +4,31 @@ namespace citykiln::verify {
 namespace {
 
 // In the order of printing.
-constexpr Check CheckResults::*kChecks[] = {
-    &CheckResults::files,         &CheckResults::stale,          &CheckResults::ledger,
-    &CheckResults::glb_bytes,     &CheckResults::area,           &CheckResults::height,
-    &CheckResults::seams,         &CheckResults::jumps,          &CheckResults::roads,
-    &CheckResults::rivers,        &CheckResults::lakes,          &CheckResults::footing,
-    &CheckResults::standing,      &CheckResults::openings,       &CheckResults::land,
-    &CheckResults::trunks,        &CheckResults::things,         &CheckResults::assumed_pavements,
-    &CheckResults::assumed_lamps, &CheckResults::assumed_fronts, &CheckResults::tileset,
-    &CheckResults::tileset_boxes, &CheckResults::tileset_errors, &CheckResults::tileset_seams};
+constexpr Check CheckResults::*kChecks[] = {&CheckResults::files,
+                                            &CheckResults::stale,
+                                            &CheckResults::ledger,
+                                            &CheckResults::glb_bytes,
+                                            &CheckResults::area,
+                                            &CheckResults::height,
+                                            &CheckResults::seams,
+                                            &CheckResults::jumps,
+                                            &CheckResults::roads,
+                                            &CheckResults::rivers,
+                                            &CheckResults::lakes,
+                                            &CheckResults::footing,
+                                            &CheckResults::standing,
+                                            &CheckResults::openings,
+                                            &CheckResults::land,
+                                            &CheckResults::trunks,
+                                            &CheckResults::things,
+                                            &CheckResults::wires,
+                                            &CheckResults::assumed_pavements,
+                                            &CheckResults::assumed_lamps,
+                                            &CheckResults::assumed_fronts,
+                                            &CheckResults::tileset,
+                                            &CheckResults::tileset_boxes,
+                                            &CheckResults::tileset_errors,
+                                            &CheckResults::tileset_seams};
 constexpr Check CheckResults::*kUsdChecks[] = {&CheckResults::usd_layers, &CheckResults::usd_same,
                                                &CheckResults::usd_scene};
 

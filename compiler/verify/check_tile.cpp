@@ -21,8 +21,10 @@
 #include "compiler/verify/measure_things.h"
 #include "compiler/verify/measure_trunks.h"
 #include "compiler/verify/measure_ways.h"
+#include "compiler/verify/measure_wires.h"
 #include "compiler/verify/prepare_tile.h"
 #include "compiler/verify/water_levels.h"
+#include "compiler/wires/plan.h"
 #include "exporters/file.h"
 #include "exporters/gltf/write/encode_tile.h"
 
@@ -203,6 +205,18 @@ void check_things(TileUnderCheck& tile, const bake::BakedTile& level, const std:
                                   name});
 }
 
+void check_wires(TileUnderCheck& tile, const GroundIndex& ground, const std::string& name) {
+  const WiresOverRoads found = measure_wires(tile.chunk, tile.box, tile.cover, ground, wires::kLeastOverRoad_m);
+  tile.results().wires.test_all(
+      found.spans, found.low == 0,
+      {fmt::format("{}: {} of {} spans over roads, {} by {:.2f} m at {:.2f}, {:.2f}", name, found.low, found.spans,
+                   to_string(found.lowest), found.lowest_m, found.at.x, found.at.y),
+       found.at,
+       {found.lowest},
+       wires::kLeastOverRoad_m - found.lowest_m,
+       name});
+}
+
 void add_assumed(const AssumedPlaces& found, const char* what, const std::string& name, Check& check) {
   check.test_all(found.places, found.misplaced == 0,
                  {fmt::format("{}: {} of {} {}, {} on {} at {:.2f}, {:.2f}", name, found.misplaced, found.places, what,
@@ -287,6 +301,7 @@ Result<Done> check_glb_level(TileUnderCheck& tile, bake::PreparedTile& prepared,
   check_trunks(tile, *written, file.name);
   check_things(tile, *written, file.name);
   if (level == 0) check_buildings(tile, *written, ground, file.name), check_assumed(tile, *written, file.name);
+  if (level == 0) check_wires(tile, ground, file.name);
   check_ways(tile, *written, file.name);
   tile.checked.borders.push_back(borders_of(*written, tile.box));
   return Done{};

@@ -129,6 +129,28 @@ void serialise(auto& io, props::Lamp& l) {
   light(io, l.light);
 }
 
+void wire_end(auto& io, Vec3& end) {
+  quanta(io, "wire x", end.x, wires::kWireQuantum_m), quanta(io, "wire y", end.y, wires::kWireQuantum_m);
+  quanta(io, "wire z", end.z, wires::kWireQuantum_m);
+}
+
+void serialise(auto& io, wires::Wire& w) {
+  quanta(io, "wire sag", w.sag_m, wires::kWireQuantum_m);
+  io.number("wire radius", w.radius_mm);
+  enumerator(io, "wire kind", w.kind, wires::WireKind::kCount);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (w.sag_m < 0 || w.radius_mm == 0) io.fail("wire sag"), w.sag_m = 0, w.radius_mm = 1;
+}
+
+void serialise(auto& io, wires::WireSpan& s) {
+  id(io, s.id);
+  quanta(io, "wire height", s.above_m, 1);
+  list(io, "wires", s.wires, 1, [&](wires::Wire& wire) { serialise(io, wire); });
+  // ends beside each other are near
+  for (wires::Wire& wire : s.wires) wire_end(io, wire.from);
+  for (wires::Wire& wire : s.wires) wire_end(io, wire.to);
+}
+
 // The prediction of a height from its western, southern and south-western neighbours; the difference is written.
 std::int64_t predicted_field_height(const map::Heightfield& h, std::size_t i) {
   const auto across = static_cast<std::size_t>(h.columns);
@@ -210,6 +232,7 @@ void serialise(Io& io, Chunk& c) {
   list(io, "sports fields", c.fields, 0, [&](auto& o) { serialise(io, o); });
   list(io, "landforms", c.landforms, 0, [&](auto& o) { serialise(io, o); });
   things(io, c.things);
+  list(io, "wire spans", c.wire_spans, 0, [&](auto& o) { serialise(io, o); });
   texts(io, c.texts);
 }
 

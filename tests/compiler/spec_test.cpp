@@ -60,6 +60,8 @@ TEST(Spec, ParsesEverySetting) {
                                                       {"target", "three"},
                                                       {"split", "building"},
                                                       {"rules", "r"},
+                                                      {"things", "t"},
+                                                      {"cars", "true"},
                                                       {"drive-on", "left"},
                                                       {"seed", "18446744073709551615"},
                                                       {"threads", "2"},

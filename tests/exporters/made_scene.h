@@ -43,6 +43,7 @@ class SceneMaker {
       c.barriers.push_back({id(), line(), static_cast<map::BarrierKind>(below(6)), metres(3), metres(1)});
     for (auto i = below(3); i > 0; --i) c.lamps.push_back({id(), point(), metres(9), lamp_tags()});
     for (auto i = below(5); i > 0; --i) c.things.push_back(thing());
+    for (auto i = below(3); i > 0; --i) c.wire_spans.push_back(wire_span());
     for (auto i = below(3); i > 0; --i) {
       const Vec2 from = point();
       c.fields.push_back({id(), pick(pitches::FieldKind::kCount), from, from + Vec2{90, 8}, metres(70) + kQuantum_m});
@@ -69,6 +70,16 @@ class SceneMaker {
       form.colour = map::Srgb{static_cast<std::uint8_t>(below(256)), static_cast<std::uint8_t>(below(256)), 255};
     return {id(), point(), static_cast<std::uint16_t>(below(things::kDirections)), below(2) == 0, form};
   }
+
+  wires::WireSpan wire_span() {
+    wires::WireSpan span{id(), 1.0 + static_cast<double>(below(80)), {}};
+    const auto place = [&] { return Vec3{coarse(), coarse(), coarse()}; };
+    for (auto i = 1 + below(7); i > 0; --i)
+      span.wires.push_back({place(), place(), static_cast<double>(below(2000)) * wires::kWireQuantum_m,
+                            static_cast<std::uint8_t>(1 + below(40)), pick(wires::WireKind::kCount)});
+    return span;
+  }
+  double coarse() { return (static_cast<double>(below(200'000)) - 100'000) * wires::kWireQuantum_m; }
 
   map::LampTags lamp_tags() {
     if (below(2) == 0) return {};

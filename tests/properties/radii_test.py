@@ -194,6 +194,15 @@ def tagged_neighbours(distance):
     return made
 
 
+def power_line(distance):
+    made = base()
+    if distance is not None:
+        made.node(-distance, 40, power="tower")
+        made.node(distance + 10, 40, power="tower")
+        made.ways.append(([len(made.nodes) - 1, len(made.nodes)], {"power": "line"}))
+    return made
+
+
 # the map, its heights, what is looked at in the tile, and a distance from which the thing is seen
 CASES = {
     "chunk of a tile": (land_cover, None, lambda chunk: chunk.surfaces, 24),
@@ -204,6 +213,7 @@ CASES = {
     "profiles": (long_road, lambda distance: step_at(distance, 200), lambda chunk: [heights_of(road) for road in chunk.roads], 600),
     "bridges and tunnels": (tunnel, lambda distance: step_at(distance - 30, -60), lambda chunk: [heights_of(span) for span in chunk.tunnels], 2048),
     "paths to a bridge": (path_below_a_bridge, None, lambda chunk: [road[5] for road in chunk.roads], 1500),
+    "wires": (power_line, None, lambda chunk: chunk.wire_spans, 300),
     "ramps of storeys": (railway_bridge, None, lambda chunk: [heights_of(road) for road in chunk.roads], 200),
 }
 

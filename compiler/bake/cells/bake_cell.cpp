@@ -28,7 +28,7 @@ std::size_t cell_at(const Box2& tile, Vec2 place) {
 
 // The objects that one cell bakes at one level, as indices among the chunk's objects.
 struct CellObjects {
-  std::vector<std::uint32_t> buildings, barriers, bridges, tunnels;
+  std::vector<std::uint32_t> buildings, barriers, bridges, tunnels, wire_spans;
   std::shared_ptr<SharedByLevels> placed{};  // graded terrain, and the cell's own plants, lamps, pits and stairs
 };
 
@@ -82,6 +82,7 @@ class Sorter {
     number(chunk.barriers, &CellObjects::barriers, [&](const auto& b) { return bounds_of(b, chunk.heights); });
     number(chunk.bridges, &CellObjects::bridges, [](const auto& b) { return bounds_of(b); });
     number(chunk.tunnels, &CellObjects::tunnels, [](const auto& b) { return bounds_of(b); });
+    number(chunk.wire_spans, &CellObjects::wire_spans, [](const auto& s) { return bounds_of(s); });
     // levels with and without road surfaces have one each
     for (std::size_t part = 0; part < shared_.size(); ++part)
       if (part == 0 || shared_[part] != shared_[part - 1]) sort_placed(*shared_[part]);
@@ -181,6 +182,7 @@ scene::Chunk chunk_of(const scene::Chunk& all, const CellObjects& objects) {
   chunk.barriers = chosen(all.barriers, objects.barriers);
   chunk.bridges = chosen(all.bridges, objects.bridges);
   chunk.tunnels = chosen(all.tunnels, objects.tunnels);
+  chunk.wire_spans = chosen(all.wire_spans, objects.wire_spans);
   return chunk;
 }
 

@@ -43,6 +43,7 @@ class CellBoxes {
     for (const auto& barrier : chunk_.barriers) add(widened_bounds(bounds_of(barrier, chunk_.heights), kGraded_m));
     for (const auto* spans : {&chunk_.bridges, &chunk_.tunnels})
       for (const structures::Span& span : *spans) add(bounds_of(span));
+    for (const wires::WireSpan& span : chunk_.wire_spans) add(bounds_of(span));
     for (const things::Thing& thing : chunk_.things) add_thing(thing);
     for (const roads::Road& road : chunk_.roads)
       if (road.surface == map::LandCoverClass::kSteps) add_steps(road);

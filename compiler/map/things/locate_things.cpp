@@ -2,60 +2,17 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "compiler/geometry/snap.h"
 #include "compiler/map/for_each_line.h"
 #include "compiler/map/tag_values.h"
+#include "compiler/map/things/find_things.h"
 
 namespace citykiln::map {
 namespace {
 
-constexpr double kLeastThing_m = 0.05, kTallestThing_m = 400, kMostCapacity = 1000;
-
-// The rows that fit the nodes of an extract, by index.
-struct FoundThing {
-  const source::Node* node;
-  MatchedThing match;
-};
-
-// The numbers of the rows that may fit an element with a key.
-using RowsOfKeys = std::map<std::string_view, std::vector<std::size_t>>;
-
-RowsOfKeys rows_of_keys(const ThingTable& table) {
-  RowsOfKeys rows;
-  for (std::size_t row = 0; row < table.size(); ++row)
-    for (const std::vector<TagTest>& all : table[row].tags) rows[all.front().key].push_back(row);
-  return rows;
-}
-
-MatchedThing match_node(const ReadContext& context, const source::Node& node, const ThingTable& table,
-                        const RowsOfKeys& rows) {
-  std::vector<std::size_t> candidates;
-  for (const source::Tag& tag : context.osm.tags_of(node.tags))
-    if (const auto found = rows.find(context.osm.strings[tag.key]); found != rows.end())
-      candidates.insert(candidates.end(), found->second.begin(), found->second.end());
-  std::ranges::sort(candidates);
-  for (const std::size_t row : candidates) {
-    const auto value = matched_value(table[row], [&](std::string_view key) { return context.tag(node.tags, key); });
-    if (value) return {&table[row], *value};
-  }
-  return {};
-}
-
-std::vector<FoundThing> find_things(const ReadContext& context, const ThingTable& table, const Features& features) {
-  std::vector<OsmId> read;
-  for (const PointFeature& point : features.points)
-    if (point.kind == PointKind::kTree || point.kind == PointKind::kStreetLamp) read.push_back(point.id.osm);
-  std::ranges::sort(read);
-  const RowsOfKeys rows = rows_of_keys(table);
-  std::vector<FoundThing> found;
-  for (const source::Node& node : context.osm.nodes) {
-    const MatchedThing fit = match_node(context, node, table, rows);
-    if (fit.row != nullptr && !std::ranges::binary_search(read, OsmId{OsmType::kNode, node.id}))
-      found.push_back({&node, fit});
-  }
-  return found;
-}
+constexpr double kMostCapacity = 1000;
 
 bool is_road_of_things(const Track& track) {
   return values_of(track.surface).group == LandCoverGroup::kRoad || track.is_rail;
@@ -82,7 +39,8 @@ ThingWay way_at(const Track& track, std::size_t vertex) {
 // The way of each node: a road or railway, else a path; the first one by id.
 std::map<std::int64_t, ThingWay> ways_of_nodes(const std::vector<FoundThing>& found, const Features& features) {
   std::map<std::int64_t, ThingWay> ways;
-  for (const FoundThing& thing : found) ways[thing.node->id] = {};
+  for (const FoundThing& thing : found)
+    if (thing.id.osm.type == OsmType::kNode) ways[thing.id.osm.id] = {};
   for (const bool is_road : {true, false})
     for (const Track& track : features.tracks) {
       if (is_road_of_things(track) != is_road) continue;
@@ -94,22 +52,38 @@ std::map<std::int64_t, ThingWay> ways_of_nodes(const std::vector<FoundThing>& fo
   return ways;
 }
 
+// The direction of power lines at the points where they end: of two that meet, that of a line through both.
+std::map<Vec2, Vec2> directions_at_ends(const std::vector<PowerLine>& lines) {
+  std::map<Vec2, std::vector<Vec2>> outward;
+  for (const PowerLine& line : lines) {
+    outward[line.axis.front()].push_back(direction_at_vertex(line.axis, 0));
+    outward[line.axis.back()].push_back(direction_at_vertex(line.axis, line.axis.size() - 1) * -1.0);
+  }
+  std::map<Vec2, Vec2> directions;
+  for (const auto& [at, ends] : outward) {
+    const Vec2 through = ends.size() == 2 ? unit(ends[1] - ends[0]) : ends[0];
+    directions.emplace(at, through == Vec2{} ? ends[0] : through);
+  }
+  return directions;
+}
+
 // The direction of a power line at each of its points, and across walls and fences that of a way through them.
 std::map<Vec2, Vec2> directions_of_lines(const Features& features) {
   std::map<Vec2, Vec2> directions;
   for (const PowerLine& line : features.power_lines)
-    for (std::size_t i = 0; i < line.axis.size(); ++i)
+    for (std::size_t i = 1; i + 1 < line.axis.size(); ++i)
       directions.emplace(line.axis[i], direction_at_vertex(line.axis, i));
+  directions.merge(directions_at_ends(features.power_lines));
   for (const Barrier& barrier : features.barriers)
     for (std::size_t i = 0; i < barrier.axis.size(); ++i)
       directions.emplace(barrier.axis[i], left_of(direction_at_vertex(barrier.axis, i)));
   return directions;
 }
 
-double tagged_or_default_m(const ReadContext& context, OsmId id, source::Range tags, const TaggedLength& length) {
-  std::optional<double> tagged;
-  if (!length.key.empty()) tagged = tagged_length_m(context, id, tags, length.key, kLeastThing_m, kTallestThing_m);
-  return std::max(kQuantum_m, snapped(tagged.value_or(length.default_m)));
+std::set<std::int64_t> nodes_of_lines(const Features& features) {
+  std::set<std::int64_t> nodes;
+  for (const PowerLine& line : features.power_lines) nodes.insert(line.node_ids.begin(), line.node_ids.end());
+  return nodes;
 }
 
 // forward and backward are for the traffic; other values are bearings.
@@ -127,34 +101,43 @@ void read_direction(const ReadContext& context, OsmId id, source::Range tags, Th
 }
 
 ThingFeature thing_of(const ReadContext& context, const FoundThing& found, const ThingWay& way) {
-  const OsmId id{OsmType::kNode, found.node->id};
-  const source::Range tags = found.node->tags;
-  const ThingRow& row = *found.match.row;
-  ThingFeature thing{.id = {id, 0},
-                     .at = context.plane.snapped_forward(found.node->at),
-                     .kind = row.name,
+  const OsmId id = found.id.osm;
+  ThingFeature thing{.id = found.id,
+                     .at = found.at,
+                     .kind = found.match.row->name,
                      .value = std::string(found.match.value),
-                     .width_m = tagged_or_default_m(context, id, tags, row.width),
-                     .depth_m = tagged_or_default_m(context, id, tags, row.depth),
-                     .height_m = tagged_or_default_m(context, id, tags, row.height)};
-  thing.colour = parsed_tag(context, id, tags, "colour", colour_of);
-  thing.material = in_lower_case(context.tag(tags, "material"));
-  thing.text = digits_of(context.tag(tags, "maxspeed"), context.tag(tags, "traffic_sign"));
+                     .width_m = found.width_m,
+                     .depth_m = found.depth_m,
+                     .height_m = found.height_m,
+                     .along = found.along};
+  thing.colour = parsed_tag(context, id, found.tags, "colour", colour_of);
+  thing.material = in_lower_case(context.tag(found.tags, "material"));
+  thing.text = digits_of(context.tag(found.tags, "maxspeed"), context.tag(found.tags, "traffic_sign"));
   thing.capacity = static_cast<std::uint16_t>(
-      number_within(context, id, "capacity", context.tag(tags, "capacity"), 0, kMostCapacity).value_or(0));
-  read_direction(context, id, tags, thing);
+      number_within(context, id, "capacity", context.tag(found.tags, "capacity"), 0, kMostCapacity).value_or(0));
+  read_direction(context, id, found.tags, thing);
   thing.way = way;
-  thing.country = country_group_at(LonLat{found.node->at.lon_deg(), found.node->at.lat_deg()});
-  thing.is_in_way = row.stand == Stand::kInWay || row.stand == Stand::kOverRoad;
+  thing.country = country_group_at(LonLat{found.where.lon_deg(), found.where.lat_deg()});
+  thing.is_in_way = found.match.row->stand == Stand::kInWay || found.match.row->stand == Stand::kOverRoad;
   return thing;
 }
 
 // A thing on a bridge or in a tunnel has no ground to stand on yet.
 std::optional<Code> reason_without_thing(const ReadContext& context, const FoundThing& found, const ThingWay& way) {
   const std::string& key = found.match.row->tags.front().front().key;
-  if (const auto reason = reason_without(context, found.node->tags, key)) return reason;
+  if (const auto reason = reason_without(context, found.tags, key)) return reason;
   if (way.id.osm.type == OsmType::kNone || way.passage == Passage::kGround) return std::nullopt;
   return way.passage == Passage::kBridge ? Code::kAboveGround : Code::kUnderground;
+}
+
+// The way that a node belongs to, else the direction of the power line or fence at its place.
+ThingWay way_at_place(const FoundThing& found, const std::map<std::int64_t, ThingWay>& ways,
+                      const std::map<Vec2, Vec2>& lines) {
+  if (found.id.osm.type != OsmType::kNode) return {};
+  ThingWay way = ways.at(found.id.osm.id);
+  if (const auto line = lines.find(found.at); way.id.osm.type == OsmType::kNone && line != lines.end())
+    way.along = line->second;
+  return way;
 }
 
 }  // namespace
@@ -172,32 +155,33 @@ std::string digits_of(std::string_view maxspeed, std::string_view traffic_sign) 
   return std::string(digits.size() <= kMostDigits ? digits : "");
 }
 
-std::vector<ThingFeature> locate_things(const ReadContext& context, const ThingTable& table, const Features& features) {
+LocatedThings locate_things(const ReadContext& context, const ThingTable& table, const Features& features) {
   const std::vector<FoundThing> found = find_things(context, table, features);
   const std::map<std::int64_t, ThingWay> ways = ways_of_nodes(found, features);
   const std::map<Vec2, Vec2> lines = directions_of_lines(features);
-  std::vector<ThingFeature> things;
+  const std::set<std::int64_t> supports = nodes_of_lines(features);
+  LocatedThings located;
   Account account;
   for (const FoundThing& each : found) {
-    const OsmId id{OsmType::kNode, each.node->id};
-    const Vec2 at = context.plane.snapped_forward(each.node->at);
-    account.in += context.report.counts(id);
-    if (!context.extent.contains(at)) {
-      context.report.drop(account, Code::kOutsideBounds, id);
+    const bool counts = context.report.counts(each.id.osm);
+    (each.is_another ? account.split : account.in) += counts;
+    const ThingWay way = way_at_place(each, ways, lines);
+    const auto reason = reason_without_thing(context, each, way);
+    if (!context.extent.contains(each.at)) {
+      context.report.drop(account, Code::kOutsideBounds, each.id.osm);
+      const bool is_support = each.id.osm.type == OsmType::kNode && supports.contains(each.id.osm.id);
+      if (!reason && is_support) located.supports_beyond.push_back(thing_of(context, each, way));
       continue;
     }
-    ThingWay way = ways.at(each.node->id);
-    if (const auto line = lines.find(at); way.id.osm.type == OsmType::kNone && line != lines.end())
-      way.along = line->second;
-    if (const auto reason = reason_without_thing(context, each, way)) {
-      context.report.drop(account, *reason, id);
+    if (reason) {
+      context.report.drop(account, *reason, each.id.osm);
       continue;
     }
-    account.out += context.report.counts(id);
-    things.push_back(thing_of(context, each, way));
+    account.out += counts;
+    located.things.push_back(thing_of(context, each, way));
   }
   context.report.account("map", "thing") = account;
-  return things;
+  return located;
 }
 
 }  // namespace citykiln::map

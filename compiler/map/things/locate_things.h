@@ -9,6 +9,12 @@
 
 namespace citykiln::map {
 
+/// The things of a map.
+struct LocatedThings {
+  std::vector<ThingFeature> things;           ///< Inside the extent.
+  std::vector<ThingFeature> supports_beyond;  ///< Nodes of power lines outside of it.
+};
+
 /// Returns the nodes that have a row in the table and are not read as points with a body (trees, lamps), with the roads
 /// and rails that they belong to. A tag that cannot be read is diagnosed kBadTagValue. Dropped: kOutsideBounds, and
 /// what standing.h says. Ledger "map/thing". O(nodes · rows + points of tracks).
@@ -16,7 +22,7 @@ namespace citykiln::map {
 /// @param features  Their tracks, points, barriers and power lines are used.
 ///
 /// Source: wiki.openstreetmap.org, Key:direction: "forward" is for traffic along the way.
-std::vector<ThingFeature> locate_things(const ReadContext& context, const ThingTable& table, const Features& features);
+LocatedThings locate_things(const ReadContext& context, const ThingTable& table, const Features& features);
 
 /// Returns the digits that a sign shows: those of maxspeed=*, else those in brackets or after the last hyphen of
 /// traffic_sign=* ("DE:274[50]", "DE:274-50"); at most three, "" for none.

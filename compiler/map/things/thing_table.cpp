@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<std::string_view, 9> kColumns = {"name",  "tags",   "rule",   "size", "stands",
                                                       "faces", "clears", "detail", "class"};
 constexpr std::array<std::string_view, 5> kStandWords = {"ground", "pole", "wall", "over_road", "in_way"};
-constexpr std::array<std::string_view, 5> kFacingWords = {"tag", "street", "along", "platform", "any"};
+constexpr std::array<std::string_view, 6> kFacingWords = {"tag", "street", "along", "platform", "arms", "any"};
 constexpr double kLargest_m = 500;
 
 std::vector<std::string_view> words_of(std::string_view line) {

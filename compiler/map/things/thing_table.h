@@ -28,6 +28,7 @@ enum class Facing : std::uint8_t {
   kStreet,    ///< The nearest road or path within 30 m.
   kAlong,     ///< The traffic on the way that it belongs to, else on the nearest road.
   kPlatform,  ///< The nearest road or railway within 30 m.
+  kArms,      ///< The traffic, as kAlong; on a node of a junction that of each arm, by one thing each.
   kAny        ///< A random direction.
 };
 

@@ -82,7 +82,9 @@ TEST(AssumedFronts, AreNotNearMappedShops) {
   assume_fronts(features, 1, report);
   EXPECT_GT(houses_with_fronts(features), 0u);
   for (const map::FrontPoint& front : features.fronts)
-    if (front.is_assumed) EXPECT_GT(distance(front.at, {420, 3}), kFrontSearch_m - 14);
+    if (front.is_assumed) {
+      EXPECT_GT(distance(front.at, {420, 3}), kFrontSearch_m - 14);
+    }
   EXPECT_EQ(std::ranges::count(features.fronts, false, &map::FrontPoint::is_assumed), 1);
 }
 

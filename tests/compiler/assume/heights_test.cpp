@@ -119,7 +119,7 @@ TEST(AssumedHeights, TheTableHasARowForAllFacts) {
           for (const double row_share : {0.0, 0.5, 1.0}) {
             facts = {.building_class = building_class, .country = static_cast<map::CountryGroup>(group)};
             facts.area_m2 = facts.mean_area_m2 = area_m2, facts.built_share = built, facts.row_share = row_share;
-            const Storeys storeys = storeys_by_table(facts);
+            const StoreyQuartiles storeys = storeys_by_table(facts);
             EXPECT_LE(storeys.low, storeys.middle);
             EXPECT_LE(storeys.middle, storeys.high);
           }

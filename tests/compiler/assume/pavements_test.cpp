@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "compiler/assume/cut_way.h"
+
 namespace citykiln::assume {
 namespace {
 
@@ -223,7 +225,7 @@ TEST(AssumePavements, ALongWayIsCutAndItsEndDoesNotChangeItsBeginning) {
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     EXPECT_EQ(tracks[i].id.part, i);
     EXPECT_TRUE(tracks[i].is_piece);
-    EXPECT_LE(length_m(tracks[i].axis), kStretch_m);
+    EXPECT_LE(length_m(tracks[i].axis), 2 * kStretch_m);
     EXPECT_EQ(tracks[i].axis.size(), tracks[i].node_ids.size());
     points += tracks[i].points.size();
     for (const map::TrackPoint& point : tracks[i].points) EXPECT_EQ(tracks[i].axis[point.vertex].x, 350);
@@ -242,6 +244,18 @@ TEST(AssumePavements, ALongWayIsCutAndItsEndDoesNotChangeItsBeginning) {
   without.areas.back().polygon.outer = rectangle({1000, -200}, {3000, 200}), without.areas.back().area_m2 = 1;
   Report other;
   EXPECT_EQ(assume_pavements(without, other).front().section, tracks.front().section);
+}
+
+TEST(CutWay, ACutDependsOnTheNodesOfItsWindow) {
+  map::Track way = silent_street(2000);
+  const std::vector<map::Track> plain = cut_way(way, 512, 256, {});
+  ASSERT_EQ(plain.size(), 8U);
+  EXPECT_EQ(plain[0].axis.back().x, 250) << "the last node of the first window";
+  EXPECT_EQ(plain[1].axis.back().x, 500);
+  const std::vector<map::Track> crossed = cut_way(way, 512, 256, {way.node_ids[3]});
+  ASSERT_EQ(crossed.size(), 8U);
+  EXPECT_EQ(crossed[0].axis.back().x, 150) << "a common node";
+  for (std::size_t i = 1; i < 8; ++i) EXPECT_EQ(crossed[i].axis.back(), plain[i].axis.back()) << i;
 }
 
 TEST(AssumePavements, TheOrderOfFeaturesDoesNotMatter) {

@@ -27,7 +27,7 @@ map::Features suburb(map::CountryGroup country) {
 
 map::Track with_verges(const map::Features& features) {
   Report report;
-  return assume_verges(features, report).front();
+  return assume_verges(features, features.tracks, report).front();
 }
 
 TEST(AssumeVerges, SuburbsOfNorthAmericaHaveThemBetweenKerbAndPavement) {

@@ -126,12 +126,17 @@ TEST(Texture, IsNoneOnCoarseLevels) {
     EXPECT_TRUE(all_textures(tolerance_m).empty());
 }
 
+bool has_waves(const Texture& texture) {
+  return texture.material == Material::kWater || texture.material == Material::kSea ||
+         texture.material == Material::kPoolWater;
+}
+
 TEST(Texture, HasFewColoursAndNormalsSoThatAPaletteHoldsThem) {
   for (const Texture& texture : all_textures(0.02)) {
     const std::set<TextureImage::Texel> colours(texture.colour.texels.begin(), texture.colour.texels.end());
     EXPECT_LE(colours.size(), 16u) << name_of(texture);
     const std::set<TextureImage::Texel> normals(texture.normal.texels.begin(), texture.normal.texels.end());
-    const bool is_water = texture.material == Material::kWater || texture.material == Material::kSea;
+    const bool is_water = has_waves(texture);
     EXPECT_LE(normals.size(), is_water ? 10000u : 225u) << name_of(texture);
   }
 }
@@ -152,12 +157,12 @@ TEST(Texture, NormalsPointOutwardsAndUprightInTheMean) {
     EXPECT_NEAR(u / count, 0, 0.02) << name_of(texture);
     EXPECT_NEAR(v / count, 0, 0.02) << name_of(texture);
   }
-  EXPECT_EQ(shaped, 13);  // water, sea, fields, rock, masonry, tiles, slates, and six barks
+  EXPECT_EQ(shaped, 14);  // water, sea, pools, fields, rock, masonry, tiles, slates, and six barks
 }
 
 TEST(Texture, HasNormalsForWaterAloneOnCoarserLevels) {
   for (const Texture& texture : all_textures(0.1)) {
-    const bool is_water = texture.material == Material::kWater || texture.material == Material::kSea;
+    const bool is_water = has_waves(texture);
     EXPECT_EQ(texture.normal.texels.empty(), !is_water) << name_of(texture);
   }
 }

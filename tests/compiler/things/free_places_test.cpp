@@ -56,11 +56,20 @@ TEST(FreePlaces, ANodeOfARoadGoesAcrossItsAxisToTheKerb) {
 TEST(FreePlaces, AWallFacesOutOfItsBuilding) {
   const auto cover = kerbed_street();
   FreePlaces places(cover);
-  const std::optional<WallPlace> wall = places.nearest_wall({3, 6});
+  const std::optional<WallPlace> wall = places.nearest_wall({3, 6}, 0.3);
   ASSERT_TRUE(wall);
   EXPECT_EQ(wall->at, (Vec2{3, 8}));
   EXPECT_EQ(wall->out, (Vec2{0, -1}));
-  EXPECT_FALSE(places.nearest_wall({3, -10}));
+  EXPECT_FALSE(places.nearest_wall({3, -10}, 0.3));
+}
+
+TEST(FreePlaces, AWallBeforeWhichNothingMayStandIsNotUsed) {
+  auto cover = kerbed_street();
+  cover.push_back(rectangle(4, {-50, 6}, {50, 8}, LandCoverClass::kBuilding));
+  FreePlaces places(cover);
+  const std::optional<WallPlace> wall = places.nearest_wall({3, 7.5}, 0.3);
+  ASSERT_TRUE(wall);
+  EXPECT_EQ(wall->at, (Vec2{3, 6})) << "the walls at y = 8 touch";
 }
 
 }  // namespace

@@ -151,11 +151,18 @@ class Chunk:
         self.words = [""]
         self.thing_forms = self.all("thing forms", self.thing_form)
         self.things = self.all("things", lambda: (self.id(), self.point(), self.thing_forms[self.plain("thing form")], self.plain("thing direction"), self.plain("thing traits")))
+        self.wire_spans = self.all("wire spans", self.wire_span)
         self.names = [""]
         self.texts = self.all("texts", self.text)
 
     def plain(self, name):
         return self.streams[name].plain()
+
+    def wire_span(self):
+        span, above = self.id(), self.streams["wire height"].step()
+        wires = self.all("wires", lambda: (self.streams["wire sag"].step() * 2**-7, self.plain("wire radius"), self.plain("wire kind")))
+        ends = [[tuple(self.streams[f"wire {axis}"].step() * 2**-7 for axis in "xyz") for _ in wires] for _ in range(2)]
+        return (span, above, [(*wire, *both) for wire, *both in zip(wires, *ends, strict=True)])
 
     def thing_word(self):
         number = self.plain("thing word")
@@ -417,7 +424,7 @@ class Page(ProgramTest):
             for tile, chunk in chunks.items():
                 unread = [name for name, stream in chunk.streams.items() if stream.at != len(stream.data)]
                 self.assertEqual(unread, [], f"{case.name} {tile}")
-            for kind in ("bridges", "tunnels", "buildings", "trees", "barriers", "lamps", "things"):
+            for kind in ("bridges", "tunnels", "buildings", "trees", "barriers", "lamps", "things", "wire_spans"):
                 # a bridge or tunnel is in every chunk that it touches
                 read = len({thing[0] for chunk in chunks.values() for thing in getattr(chunk, kind)})
                 self.assertEqual(read, report["counts"][kind], f"{case.name}: {kind}")

@@ -128,6 +128,29 @@ TEST(LocateThings, NodesOfAWayKnowItAndItsDirection) {
   EXPECT_TRUE(report.balances());
 }
 
+TEST(LocateThings, LinesAndAreasAreThings) {
+  const ThingTable rows = table();
+  Options options;
+  options.things = &rows;
+  Report report;
+  const source::OsmData osm = MapText(R"(
+    w1 10:0 16:0 barrier=bollard
+    w2 30:0 33:0 amenity=bench
+    w3 40:0 43:0 43:1 40:1 40:0 amenity=bench
+    w4 60:0 72:0 72:9 60:9 60:0 building=yes amenity=bench
+    a4 60:0 72:0 72:9 60:9 building=yes amenity=bench)")
+                                  .take();
+  const Features features = locate(osm, Plane(kTestOrigin), box_around(500), options, report);
+  std::map<std::int64_t, int> things;
+  for (const ThingFeature& thing : features.things) {
+    ++things[thing.id.osm.id];
+    EXPECT_TRUE(thing.along);
+  }
+  EXPECT_EQ(things, (std::map<std::int64_t, int>{{1, 4}, {2, 1}, {3, 1}})) << "way 4 is a building";
+  EXPECT_TRUE(report.balances());
+  EXPECT_EQ(report.account("map", "thing").split, 3u);
+}
+
 TEST(LocateThings, DigitsAreThoseOfTheSpeedElseOfTheSign) {
   EXPECT_EQ(digits_of("50", ""), "50");
   EXPECT_EQ(digits_of("30 mph", "DE:274-50"), "30");

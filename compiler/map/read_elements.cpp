@@ -1,0 +1,23 @@
+#include "compiler/map/read_elements.h"
+
+#include <algorithm>
+
+namespace citykiln::map {
+
+std::vector<OsmId> read_elements(const Features& features, const Report& report) {
+  std::vector<OsmId> read;
+  const auto add = [&](const auto&... kinds) {
+    const auto add_kind = [&](const auto& kind) {
+      for (const auto& feature : kind) read.push_back(feature.id.osm);
+    };
+    (add_kind(kinds), ...);
+  };
+  add(features.tracks, features.footprints, features.areas, features.waterways, features.barriers, features.landforms,
+      features.points, features.things, features.tree_rows);
+  for (const Diagnosis& diagnosis : report.diagnoses())
+    if (severity_of(diagnosis.code) == Severity::kDropped) read.push_back(diagnosis.object);
+  std::ranges::sort(read);
+  return read;
+}
+
+}  // namespace citykiln::map

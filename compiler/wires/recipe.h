@@ -1,0 +1,48 @@
+// Wire recipes: the wires between two supports of a power line or of an electrified track.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "compiler/contract/stable_id.h"
+#include "compiler/geometry/vec.h"
+#include "compiler/things/generate.h"
+
+namespace citykiln::wires {
+
+using things::WireKind;
+
+/// Ends, sags and heights of wires are multiples of this.
+inline constexpr double kWireQuantum_m = 0x1p-7;
+
+/// One wire. It hangs in a parabola: at the share t of its length it is 4 t (1 - t) sag_m below the straight line
+/// between its ends.
+struct Wire {
+  Vec3 from, to;               ///< Plane metres.
+  double sag_m = 0;            ///< Not negative.
+  std::uint8_t radius_mm = 0;  ///< > 0.
+  WireKind kind{};
+  bool operator==(const Wire&) const = default;
+};
+
+/// All wires between two supports.
+struct WireSpan {
+  ObjectId id;              ///< The way, and the number of the span along it.
+  double above_m = 0;       ///< The greatest height of a wire above the ground.
+  std::vector<Wire> wires;  ///< At least one.
+  bool operator==(const WireSpan&) const = default;
+};
+
+/// The place of a wire at the share t of its length, 0 to 1.
+inline Vec3 place_on(const Wire& wire, double t) {
+  const Vec3 straight = wire.from + (wire.to - wire.from) * t;
+  return {straight.x, straight.y, straight.z - 4 * t * (1 - t) * wire.sag_m};
+}
+
+/// The place that decides to which tile a span belongs: the middle between the ends of its first wire.
+inline Vec2 middle_of(const WireSpan& span) {
+  const Wire& first = span.wires.front();
+  return (in_plan(first.from) + in_plan(first.to)) * 0.5;
+}
+
+}  // namespace citykiln::wires

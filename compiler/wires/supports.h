@@ -1,0 +1,37 @@
+// Supports of wires: things of whose rules wires hang, with their attachments in the plane.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "compiler/ground/grading/graded_terrain.h"
+#include "compiler/things/catalogue.h"
+#include "compiler/things/generate.h"
+
+namespace citykiln::wires {
+
+/// A thing that holds wires.
+struct Support {
+  Vec2 at;
+  std::vector<things::WireHold> holds;  ///< At least one; places in plane metres.
+};
+
+/// Supports by the number of their OSM node.
+using Supports = std::map<std::int64_t, Support>;
+
+/// Adds the things that hold wires, as they stand on the ground. Each form is derived once. O(things · log + forms).
+void add_supports(Supports& supports, std::span<const things::Thing> things, const things::Kinds& kinds,
+                  std::uint64_t seed, const ground::GradedTerrain& ground);
+
+/// Returns the attachments of one kind for wires in a direction: those on the left, then those in the middle, then
+/// those on the right; each from the highest to the lowest.
+std::vector<Vec3> ordered_holds(const Support& support, things::WireKind kind, Vec2 along);
+
+/// Returns `count` of the attachments, in their order: one side alone if that has enough of them, the right one, else
+/// the outermost. All of them if there are not more.
+/// @param holds  Result of ordered_holds().
+std::vector<Vec3> chosen_holds(std::vector<Vec3> holds, std::size_t count, Vec2 at, Vec2 along);
+
+}  // namespace citykiln::wires
