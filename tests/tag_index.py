@@ -158,7 +158,7 @@ def keys_of_things():
     """The keys of the columns "tags" and "size" of the table of things."""
     for row in (ROOT / THINGS).read_text(encoding="utf-8").splitlines():
         columns = row.partition("#")[0].split()
-        if columns:
+        if columns and columns[1] != "-":
             yield from (re.split("!?=", test)[0] for test in re.split("[&|]", columns[1]))
             yield from (length.rpartition(":")[0] for length in columns[3].split("x") if ":" in length)
 
