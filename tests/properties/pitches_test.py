@@ -69,7 +69,7 @@ class Pitches(ProgramTest):
 
     def test_tiles_agree_and_checks_hold(self):
         out = self.out_of("all", *AREAS, arguments=("--tile", "128", "--threads", "1"))
-        again = self.out_of("again", *AREAS, arguments=("--tile", "128", "--threads", "3"))
+        again = self.compiled("again", self.folder / "all.osm", "--lods", "0.1", "--tile", "128", "--threads", "3")
         self.assertEqual(bytes_of_outputs(out), bytes_of_outputs(again))
         done = run("check", out)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
