@@ -64,6 +64,20 @@ TEST(AssumeVerges, WhatLiesBeyondTheRadiusChangesNothing) {
   EXPECT_EQ(to_string(with_verges(features).section), alone);
 }
 
+TEST(AssumeVerges, AssumedPavementsOfOtherStreetsLeaveAsMuchRoomAsNone) {
+  map::Features features = suburb(map::CountryGroup::kNorthAmerica);
+  map::Track other = features.tracks.front();
+  other.id.osm.id = 2;
+  other.axis = {{0, 12.5}, {200, 12.5}}, other.node_ids = {3, 4};
+  const map::Track with_pavement = other;
+  other.section = {{{LaneKind::kDriving, map::LaneDirection::kBoth, 6}}, 3};
+  const std::vector<map::Track> mapped = {features.tracks.front(), other};
+  features.tracks.push_back(with_pavement);
+  Report report;
+  EXPECT_EQ(to_string(assume_verges(features, mapped, report).front().section), "sg|d|gs --|-|--");
+  EXPECT_EQ(to_string(with_verges(features).section), "s|d|gs -|-|--") << "a mapped pavement limits the room";
+}
+
 TEST(AssumeVerges, StreetsWithoutPavementsHaveNone) {
   map::Features features = suburb(map::CountryGroup::kNorthAmerica);
   features.tracks.front().section = {{{LaneKind::kDriving, map::LaneDirection::kBoth, 6}}, 3};
