@@ -64,8 +64,9 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
 
   // plan roads, land cover and their heights
   timer.enter("roads");
-  features = assume::assume(std::move(features), {spec.assume, spec.seed}, report);
+  // assumptions measure the room beside the fitted kerbs
   features.tracks = roads::fit_assumed_widths(features);
+  features = assume::assume(std::move(features), {spec.assume, spec.seed}, report);
   features.passageways = map::plan_passageways(features, report);
   recipes.roads = roads::plan(features, report);
   recipes.junctions = roads::plan_junctions(recipes.roads, report);

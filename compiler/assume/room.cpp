@@ -91,6 +91,13 @@ double room_before(const Range& range, double kerb_m, double half_m) {
   return std::max(0.0, range.least_m - half_m - kerb_m);
 }
 
+// True if the border of an area lies between axis and kerb, at least at one place, and the area beyond it. Rings have
+// their area on the left.
+bool covers_kerb(const MappedLine& line, const Range& range, Vec2 out, double kerb_m) {
+  const bool is_area = line.kind == LineKind::kWater || line.kind == LineKind::kSquare;
+  return is_area && range.most_m > 0 && range.most_m <= kerb_m && cross(line.b - line.a, out) > 0;
+}
+
 bool limits_strips(const MappedLine& line) { return line.kind != LineKind::kWall && line.kind != LineKind::kCarPark; }
 
 bool runs_beside(const MappedLine& line, Vec2 along) {
@@ -132,7 +139,9 @@ struct Measured {
              double& room_m) {
     if (within.is_empty()) return;
     for (const Part& part : parts_outside(line, places_of(line.way), std::max(0.0, kJunctionReach_m - line.half_m))) {
-      const double left_m = room_before(range_of(line, both(within, part), side), kerb_m, line.half_m);
+      const Range range = range_of(line, both(within, part), side);
+      const double left_m = room_before(range, kerb_m, line.half_m);
+      if (covers_kerb(line, range, side.out, kerb_m)) room_m = 0;
       const bool is_wall = line.kind == LineKind::kBuilding;
       if (is_wall && left_m < (is_tight ? kLeastInBends_m : kLeastBeforeWalls_m)) room_m = 0;
       if (!is_wall || is_tight) room_m = std::min(room_m, left_m);

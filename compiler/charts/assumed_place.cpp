@@ -114,10 +114,9 @@ Result<Place> read_place(const std::string& path, int threads) {
 
 map::Features guessed(const Place& place, LeftOut kind, const IsOut& is_out, Assumptions on) {
   Report ignored;
-  map::Features features =
-      assume::assume(located(place, without_tags(place.osm, kind, is_out)), {.on = on, .seed = 0}, ignored);
+  map::Features features = located(place, without_tags(place.osm, kind, is_out));
   features.tracks = roads::fit_assumed_widths(features);
-  return features;
+  return assume::assume(std::move(features), {.on = on, .seed = 0}, ignored);
 }
 
 }  // namespace citykiln::charts

@@ -33,7 +33,8 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 struct InspectRequest {
-  std::string path, layer, geojson_path, sheet_path, things_folder;
+  std::string path, layer, geojson_path;
+  ThingsSheet sheet;
 };
 
 // ---- descriptions ----
@@ -215,8 +216,8 @@ Result<Done> write_findings(const InspectRequest& request) {
 }
 
 Result<Exit> run_inspect(const InspectRequest& asked, const Console& console) {
-  if (!asked.sheet_path.empty()) {
-    const Result<Done> done = draw_things_sheet(asked.things_folder, asked.sheet_path, console);
+  if (!asked.sheet.path.empty()) {
+    const Result<Done> done = draw_things_sheet(asked.sheet, console);
     return done ? Result<Exit>(Exit::kDone) : done.error();
   }
   if (asked.path.empty()) return Error{"", "no file is given; expected a .kiln, a .glb, a map or the folder of a run"};
@@ -262,11 +263,14 @@ Verb inspect_verb() {
       {"--geojson", "FILE", "GeoJSON file for the layer, in longitude and latitude, for example for QGIS", false,
        store_text(request->geojson_path)},
       {"--sheet", "FILE.png", "draws a picture of all things (benches, bollards, ...) at 2, 10 and 50 cm", false,
-       store_text(request->sheet_path)},
+       store_text(request->sheet.path)},
       {"--things", "FOLDER", "for --sheet: folder with a table of things and rule files, as for compile", false,
-       store_text(request->things_folder)},
+       store_text(request->sheet.folder)},
+      {"--kind", "NAME", "for --sheet: a row of the table to draw, such as bench (default: all)", true,
+       append_text(request->sheet.names)},
   };
-  verb.examples = {"citykiln inspect --sheet things.png", "citykiln inspect out/town/scene.kiln",
+  verb.examples = {"citykiln inspect --sheet things.png --kind bench --kind bollard",
+                   "citykiln inspect out/town/scene.kiln",
                    "citykiln inspect out/town/scene.kiln --layer buildings --geojson buildings.geojson"};
   verb.run = [request](const Console& console) { return run_inspect(*request, console); };
   return verb;

@@ -218,7 +218,7 @@ Verb plan_verb() {
                           store_number(request->region_m, {})});
   verb.options.push_back({"--halo", "M",
                           "data around a region that are compiled with it; less than the default changes tiles at its "
-                          "sides (default: 10752)",
+                          "sides (default: 11264)",
                           false, store_number(request->halo_m, {})});
   verb.options.push_back({"--zone", "M",
                           "longest side of a zone, which has a plane of its own, in metres (default: 200000)", false,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace citykiln::commands {
 namespace {
 
 constexpr std::array kSheetTolerances_m = {0.02, 0.1, 0.5};
+constexpr int kTolerances = static_cast<int>(kSheetTolerances_m.size());
 constexpr int kThingPixels = 180, kThingsInRow = 4, kThingSamples = 24;
 
 // The form of a row without tags.
@@ -70,37 +72,63 @@ void put_picture(const preview::Image& from, int x0, int y0, preview::Image& to)
                 to.rgb.begin() + 3L * ((y0 + y) * to.width + x0));
 }
 
+// The rows of the table with these names, in the order of the table; all of them if no name is given.
+Result<std::vector<map::ThingRow>> rows_with(const std::vector<map::ThingRow>& table,
+                                             const std::vector<std::string>& names) {
+  if (names.empty()) return table;
+  for (const std::string& name : names)
+    if (std::ranges::find(table, name, &map::ThingRow::name) == table.end())
+      return Error{"--kind", fmt::format("no row of the table of things is called \"{}\"", name)};
+  std::vector<map::ThingRow> rows;
+  std::ranges::copy_if(table, std::back_inserter(rows),
+                       [&](const map::ThingRow& row) { return std::ranges::find(names, row.name) != names.end(); });
+  return rows;
+}
+
+preview::Image empty_sheet(int rows) {
+  preview::Image sheet{kThingPixels * kThingsInRow * kTolerances, kThingPixels * rows, {}};
+  sheet.rgb.resize(3UL * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height));
+  return sheet;
+}
+
+// Draws a thing at all tolerances, in the place of its number.
+void draw_thing(const map::ThingRow& row, const things::Kind& kind, int number, const sky::Sky& sky,
+                preview::Image& sheet) {
+  preview::Options options;
+  options.width = options.height = kThingPixels, options.samples = kThingSamples;
+  const things::Form form = default_form(row);
+  for (int k = 0; k < kTolerances; ++k) {
+    const bake::BakedTile tile = tile_of_thing(form, kind, kSheetTolerances_m[static_cast<std::size_t>(k)]);
+    put_picture(preview::render(std::span(&tile, 1), sky, camera_before(form), options),
+                kThingPixels * (number % kThingsInRow * kTolerances + k), kThingPixels * (number / kThingsInRow),
+                sheet);
+  }
+}
+
 }  // namespace
 
-Result<Done> draw_things_sheet(const std::string& folder, const std::string& path, const Console& console) {
+Result<Done> draw_things_sheet(const ThingsSheet& asked, const Console& console) {
   CompileSpec spec;
-  spec.things_folder = folder;
+  spec.things_folder = asked.folder;
   spec.cars = true;
   const Result<things::Catalogue> catalogue = read_things(spec);
   if (!catalogue) return catalogue.error();
   const Result<things::Kinds> kinds = things::kinds_of(*catalogue);
   if (!kinds) return kinds.error();
+  const Result<std::vector<map::ThingRow>> drawn = rows_with(catalogue->table, asked.names);
+  if (!drawn) return drawn.error();
   const Result<sky::Sky> sky = sky::plan({11, 48}, "2026-06-21T09:30");
   if (!sky) return sky.error();
-  constexpr int kAcross = static_cast<int>(kSheetTolerances_m.size());
-  const int rows = (static_cast<int>(catalogue->table.size()) + kThingsInRow - 1) / kThingsInRow;
-  preview::Image sheet{kThingPixels * kThingsInRow * kAcross, kThingPixels * rows, {}};
-  sheet.rgb.resize(3UL * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height));
-  preview::Options options;
-  options.width = options.height = kThingPixels, options.samples = kThingSamples;
+  const int rows = (static_cast<int>(drawn->size()) + kThingsInRow - 1) / kThingsInRow;
+  preview::Image sheet = empty_sheet(rows);
   std::vector<std::string> lines(static_cast<std::size_t>(rows));
-  for (int i = 0; i < static_cast<int>(catalogue->table.size()); ++i) {
-    const map::ThingRow& row = catalogue->table[static_cast<std::size_t>(i)];
-    const things::Form form = default_form(row);
+  for (int i = 0; i < static_cast<int>(drawn->size()); ++i) {
+    const map::ThingRow& row = (*drawn)[static_cast<std::size_t>(i)];
     lines[static_cast<std::size_t>(i / kThingsInRow)] += " " + row.name;
-    for (int k = 0; k < kAcross; ++k) {
-      const bake::BakedTile tile = tile_of_thing(form, kinds->at(row.name), kSheetTolerances_m[k]);
-      put_picture(preview::render(std::span(&tile, 1), *sky, camera_before(form), options),
-                  kThingPixels * (i % kThingsInRow * kAcross + k), kThingPixels * (i / kThingsInRow), sheet);
-    }
+    draw_thing(row, kinds->at(row.name), i, *sky, sheet);
   }
   for (std::size_t i = 0; i < lines.size(); ++i) console.print_line(fmt::format("row {}:{}", i + 1, lines[i]));
-  return preview::write_image(sheet, path);
+  return preview::write_image(sheet, asked.path);
 }
 
 }  // namespace citykiln::commands

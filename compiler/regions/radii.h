@@ -49,8 +49,8 @@ namespace citykiln::regions {
 // | knots                  | ground::kKnotStretch_m         |   1024 | heights along the same way                     |
 // | wires                  | wires::kSpanRadius_m           |    512 | a support, and the ground that it stands on    |
 //
-// Lanes of a transition follow from those of its neighbours as tagged, and assumed widths from what lies beside the
-// same way as its pavements, so their radii do not add up. Storeys and fronts change buildings alone.
+// A way has either a transition of lanes or a fitted width, so their radii do not add up. Assumed pavements depend on
+// the kerbs of the streets beside them, which are fitted before. Storeys and fronts change buildings alone.
 //
 // Some facts have no radius and are therefore found by the survey of the whole extent: coastlines, levels of standing
 // water, profiles of running water, and the heights that fill places without a heightmap. The header's fields also come
@@ -59,14 +59,15 @@ namespace citykiln::regions {
 /// The radius of one storey of bridges: two ramps of 850 m, as a railway needs (plan_profiles.h).
 inline constexpr double kStoreyRadius_m = 1700;
 
-/// The radius of what is assumed of a road: its own pavements and width, then those of a bridge.
-inline constexpr double kAssumedRoads_m = assume::kPavementRadius_m + assume::kLongestBridge_m;
-static_assert(roads::kLongestFitted_m <= assume::kPavementRadius_m);
+/// The radius of what is assumed of a road: the fitted widths of the streets beside it, its pavements, then those of a
+/// bridge.
+inline constexpr double kAssumedRoads_m =
+    roads::kLongestFitted_m + assume::kPavementRadius_m + assume::kLongestBridge_m;
 
 /// The width of the data around a region that it is compiled with: at least the sum of radii along the longest chain of
 /// dependences, which is a tile, the supports of its wires, the roads and junctions that grade the ground below these,
 /// their profiles, the bridges of these, and the bridges that cross them. A whole number of cells of 128 m.
-inline constexpr double kRegionHalo_m = 10752;
+inline constexpr double kRegionHalo_m = 11264;
 
 static_assert(kRegionHalo_m >= wires::kSpanRadius_m + scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m +
                                    kAssumedRoads_m + ground::kProfileRadius_m + ground::kSpanEndRadius_m +

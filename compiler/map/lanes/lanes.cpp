@@ -129,7 +129,8 @@ bool is_credible(double width_m, const PerFlow<std::vector<RoadsideLane>>& roads
   if (!moving.is_tagged) return true;
   double beside_m = inside_m(roadsides);
   for (const Flow flow : kFlows)
-    if (roadsides[flow].empty()) beside_m += kParkedRow_m;
+    if (std::ranges::all_of(roadsides[flow], [](const RoadsideLane& beside) { return beside.lane.is_raised; }))
+      beside_m += kParkedRow_m;
   return width_m - beside_m <= kWidestLane_m * moving.counted;
 }
 
@@ -142,8 +143,8 @@ std::optional<double> tagged_width_m(const LaneTags& tags) {
 }
 
 // Returns tagged_width_m() unless it is too large for the tagged number of lanes: each would be wider than
-// kWidestLane_m, even with a row of parked cars on every side without tags of the roadside. Some imports state the
-// width of the whole street, from house to house. Diagnosed: kBadTagValue.
+// kWidestLane_m, even with a row of parked cars on every side without tagged lanes inside the kerb. Some imports state
+// the width of the whole street, from house to house. Diagnosed: kBadTagValue.
 std::optional<double> credible_width_m(const LaneTags& tags, const PerFlow<std::vector<RoadsideLane>>& roadsides,
                                        const MovingLanes& moving) {
   const auto tagged_m = tagged_width_m(tags);

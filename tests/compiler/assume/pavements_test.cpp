@@ -161,6 +161,14 @@ TEST(AssumePavements, ItIsNowhereInWaterOrOnASquare) {
   }
 }
 
+TEST(AssumePavements, ItIsNowhereInWaterThatBeginsWithinTheCarriageway) {
+  map::Features features = town(silent_street(), 30);
+  features.areas.push_back(land(LandCoverClass::kLake, 60));
+  features.areas.back().polygon.outer = {{-100, -2}, {400, 2}, {400, 9}, {-100, 9}},
+  features.areas.back().area_m2 = 4000;
+  EXPECT_EQ(to_string(section_in(features)), "dd|s v^|-");
+}
+
 TEST(AssumePavements, AStreetThatMeetsTheStretchLeavesRoom) {
   map::Features features = town(silent_street(), 30);
   map::Track side_street = silent_street(50);
