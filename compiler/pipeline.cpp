@@ -143,7 +143,8 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
                                     .ground = graded,
                                     .seed = spec.seed},
                                    report);
-  recipes.wire_spans = wires::with_more(std::move(recipes.wire_spans), wires::contact_spans(contact_lines, graded));
+  recipes.wire_spans =
+      wires::with_more(std::move(recipes.wire_spans), wires::contact_spans(contact_lines, graded, report));
 
   // plan the land around the extent, describe the sky and the sources
   timer.enter("surroundings");

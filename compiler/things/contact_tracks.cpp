@@ -103,7 +103,8 @@ std::vector<double> stations_of(const ContactTrack& track) {
   std::vector<double> spans(1, 0);  // the number of spans up to each step
   for (int i = 0; i < steps; ++i) spans.push_back(spans.back() + step_m / longest_span_m(track, (i + 0.5) * step_m));
   if (spans.back() < kShortestWay) return {};
-  const int count = static_cast<int>(std::ceil(spans.back()));
+  // sums of shares such as 1 / 12 are not exact
+  const int count = std::max(1, static_cast<int>(std::ceil(spans.back() - 1e-6)));
   std::vector<double> stations;
   for (int i = 0, step = 0; i < count; ++i) {
     const double target = spans.back() * (i + 0.5) / count;

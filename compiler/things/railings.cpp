@@ -105,6 +105,14 @@ bool is_blocked(const EdgePlanner& planner, const EdgePlace& place, OsmId own, d
   return false;
 }
 
+// True if a way other than `own` crosses a line.
+bool is_crossed(const EdgePlanner& planner, Vec2 a, Vec2 b, OsmId own) {
+  return std::ranges::any_of(boxes_about(planner.obstacles.grid, box_of(std::array{a, b})), [&](std::uint32_t i) {
+    const Obstacle& o = planner.obstacles.all[i];
+    return o.is_only_across && o.way != own && crossing_shares(a, b, o.a, o.b).has_value();
+  });
+}
+
 // The height of the ground with its own layer; empty without ground that one can fall to.
 std::optional<double> foot_m(EdgePlanner& planner, Vec2 p, LandCoverClass from) {
   const LandCoverPolygon* below = planner.places.polygon_at(p);
@@ -177,8 +185,9 @@ void add_point(Polyline& axis, Vec2 p) {
   axis.push_back(p);
 }
 
-// The railing along the places first … last; it ends at the sides of squares.
-void add_run(std::span<const EdgePlace> run, ObjectId id, std::vector<props::Barrier>& railings) {
+// Adds the railing along places; it ends at the sides of squares and at ways that it would cross.
+void add_run(const EdgePlanner& planner, std::span<const EdgePlace> run, ObjectId id,
+             std::vector<props::Barrier>& railings) {
   if (distance(run.front().at, run.back().at) < kShortestRailing_m - kEdgeStep_m) return;
   Polyline axis;
   const auto end = [&] {
@@ -190,12 +199,16 @@ void add_run(std::span<const EdgePlace> run, ObjectId id, std::vector<props::Bar
                           .width_m = kThickness_m});
     axis.clear();
   };
+  const auto go_on_to = [&](Vec2 p) {
+    if (!axis.empty() && is_crossed(planner, axis.back(), p, id.osm)) end();
+    add_point(axis, p);
+  };
   for (std::size_t i = 0; i < run.size(); ++i) {
     if (i > 0 && run[i].out != run[i - 1].out)
-      if (const auto corner = corner_between(run[i - 1], run[i])) add_point(axis, *corner);
-    add_point(axis, inside_of(run[i]));
+      if (const auto corner = corner_between(run[i - 1], run[i])) go_on_to(*corner);
+    go_on_to(inside_of(run[i]));
     if (i + 1 < run.size() && square_of(run[i].at) != square_of(run[i + 1].at)) {
-      add_point(axis, inside_of(run[i + 1]));
+      go_on_to(inside_of(run[i + 1]));
       end();
     }
   }
@@ -203,7 +216,8 @@ void add_run(std::span<const EdgePlace> run, ObjectId id, std::vector<props::Bar
 }
 
 // Adds the runs of drops of a ring. A ring begins anywhere, so runs begin after a place that is none.
-void add_ring(std::vector<EdgePlace> places, ObjectId id, std::vector<props::Barrier>& railings) {
+void add_ring(const EdgePlanner& planner, std::vector<EdgePlace> places, ObjectId id,
+              std::vector<props::Barrier>& railings) {
   const auto is_no_drop = [](const EdgePlace& place) { return place.state != EdgeState::kDrop; };
   auto first = std::ranges::find_if(places, is_no_drop);
   if (first == places.end())
@@ -217,7 +231,7 @@ void add_ring(std::vector<EdgePlace> places, ObjectId id, std::vector<props::Bar
              (end == i || distance(places[end - 1].at, places[end].at) <= 2 * kEdgeStep_m);
     };
     while (follows()) ++end;
-    if (end > i) add_run(std::span(places).subspan(i, end - i), id, railings);
+    if (end > i) add_run(planner, std::span(places).subspan(i, end - i), id, railings);
     i = std::max(end, i + 1);
   }
 }
@@ -245,7 +259,7 @@ std::vector<props::Barrier> assumed_railings(const map::Features& features, cons
     if (!is_walked_on(polygon.surface)) continue;
     for (const Ring& ring : polygon.rings)
       if (std::vector<EdgePlace> places = places_on(planner, ring, polygon); !places.empty())
-        add_ring(std::move(places), polygon.id, railings);
+        add_ring(planner, std::move(places), polygon.id, railings);
   }
   std::ranges::sort(railings, {}, [](const props::Barrier& b) { return std::pair(b.id, b.axis); });
   std::set<OsmId> elements;

@@ -22,7 +22,7 @@
 namespace citykiln::things {
 
 /// The fall within kFallWithin_m beyond an edge from which on a railing is assumed, and the height of the railing.
-inline constexpr double kGuardedDrop_m = 1, kFallWithin_m = 1, kAssumedRailing_m = 1.1;
+inline constexpr double kGuardedDrop_m = 1, kFallWithin_m = 1, kAssumedRailing_m = 1.125;
 /// The distance of the railing from the edge.
 inline constexpr double kInsideEdge_m = 0.2;
 /// The distance within which a barrier or a door that is mapped leaves no room for a railing.

@@ -23,7 +23,7 @@ constexpr double kStraightOn = 0.7;
 constexpr int kMostWays = 8;
 // A wire across a street sags by this share of its length.
 constexpr double kCrossSag = 0.04;
-constexpr double kShortestContact_m = 1, kMarginAbove_m = 2;
+constexpr double kShortestContact_m = 1, kMarginAbove_m = 2, kLandStep_m = 2;
 
 Vec3 on_grid(Vec3 p) {
   return {snapped_to(kWireQuantum_m, p.x), snapped_to(kWireQuantum_m, p.y), snapped_to(kWireQuantum_m, p.z)};
@@ -40,6 +40,17 @@ double above_m_of(const std::vector<Wire>& wires, const ground::GradedTerrain& g
       greatest_m = std::max(greatest_m, place.z - land_m(ground, in_plan(place)));
     }
   return std::ceil(greatest_m + kMarginAbove_m);
+}
+
+// How much lower than kLeastOverTrack_m a wire is above the land; 0: nowhere.
+double too_low_m(const Wire& wire, const ground::GradedTerrain& ground) {
+  const int steps = std::max(1, static_cast<int>(distance(in_plan(wire.from), in_plan(wire.to)) / kLandStep_m));
+  double largest_m = 0;
+  for (int i = 0; i <= steps; ++i) {
+    const Vec3 place = place_on(wire, static_cast<double>(i) / steps);
+    largest_m = std::max(largest_m, kLeastOverTrack_m - (place.z - land_m(ground, in_plan(place))));
+  }
+  return largest_m;
 }
 
 std::vector<Wire> wires_between(const ContactSupport& a, const ContactSupport& b) {
@@ -174,13 +185,21 @@ auto order_of(const WireSpan& span) { return std::tuple(span.id, span.wires.fron
 
 }  // namespace
 
-std::vector<WireSpan> contact_spans(const ContactLines& lines, const ground::GradedTerrain& ground) {
+std::vector<WireSpan> contact_spans(const ContactLines& lines, const ground::GradedTerrain& ground, Report& report) {
   std::vector<WireSpan> spans;
+  Account account;
   for (const auto& [from, to] : joined_supports(lines)) {
     const ContactSupport &a = lines.supports[from], &b = lines.supports[to];
     const double long_m = distance(in_plan(a.contact), in_plan(b.contact));
     if (long_m < kShortestContact_m || long_m > things::kLongestContactSpan_m) continue;
     std::vector<Wire> wires = wires_between(a, b);
+    const OsmId way = span_id(lines, a).osm;
+    account.in += report.counts(way);
+    if (const double low_m = too_low_m(wires.front(), ground); low_m > 0) {
+      report.drop(account, Code::kWireTooLow, way, low_m);
+      continue;
+    }
+    account.out += report.counts(way);
     spans.push_back({.id = span_id(lines, a), .above_m = above_m_of(wires, ground), .wires = std::move(wires)});
   }
   for (const things::CrossWire& cross : lines.cross_wires) {
@@ -193,6 +212,7 @@ std::vector<WireSpan> contact_spans(const ContactLines& lines, const ground::Gra
     spans.push_back({.id = cross.id, .above_m = above_m_of(wires, ground), .wires = std::move(wires)});
   }
   std::ranges::sort(spans, {}, order_of);
+  report.account("wires", "contact span") = account;
   return spans;
 }
 

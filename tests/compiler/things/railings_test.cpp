@@ -16,9 +16,9 @@ constexpr OsmId kSquareId{OsmType::kWay, 7}, kOtherId{OsmType::kWay, 8};
 
 // Land at 10 m, which falls by drop_m between y = 30 and y = 31.
 ground::GradedTerrain terrace(double drop_m) {
-  map::Heightfield field{{0, 0}, {1, 1}, 129, 129, {}, 0};
+  map::Heightfield field{{0, 0}, {1, 1}, 257, 129, {}, 0};
   for (int y = 0; y < 129; ++y)
-    for (int x = 0; x < 129; ++x)
+    for (int x = 0; x < 257; ++x)
       field.heights.push_back(static_cast<std::int32_t>((10 - (y > 30 ? drop_m : 0)) / map::kHeightQuantum_m));
   return ground::GradedTerrain(std::move(field));
 }
@@ -36,7 +36,7 @@ struct Terrace {
   std::vector<buildings::Building> buildings;
   double drop_m = 3;
 
-  Terrace() { features.extent = {{0, 0}, {128, 128}}; }
+  Terrace() { features.extent = {{0, 0}, {256, 128}}; }
   std::vector<props::Barrier> railings(Report& report) const {
     const ground::GradedTerrain ground = terrace(drop_m);
     return assumed_railings(
@@ -133,6 +133,11 @@ TEST(Railings, LeaveOpenWhereAWayLeadsAcross) {
   terrace.roads = {path};
   EXPECT_FALSE(stands_at(terrace.railings(), 40));
   EXPECT_TRUE(stands_at(terrace.railings(), 30));
+  // a way that leads across so flatly that it is almost along the edge
+  terrace.roads[0].axis = {{20, 27}, {60, 31}};
+  for (const props::Barrier& railing : terrace.railings())
+    for (std::size_t i = 1; i < railing.axis.size(); ++i)
+      EXPECT_FALSE(crossing_shares(railing.axis[i - 1], railing.axis[i], Vec2{20, 27}, Vec2{60, 31}));
   terrace.roads[0].axis = {{10, 30}, {60, 30}};
   EXPECT_TRUE(stands_at(terrace.railings(), 40)) << "a way along the edge";
 }
@@ -152,19 +157,19 @@ TEST(Railings, DependOnNothingBeyondTheRadius) {
   const auto near_origin = [](const std::vector<props::Barrier>& railings) {
     std::vector<Polyline> axes;
     for (const props::Barrier& railing : railings)
-      if (railing.axis.front().x < 40) axes.push_back(railing.axis);
+      if (railing.axis.front().x < 65) axes.push_back(railing.axis);
     std::ranges::sort(axes);
     return axes;
   };
   Terrace wide;
-  wide.cover = {cover_of(kSquareId, LandCoverClass::kSquare, {10, 10}, {126, 30}),
+  wide.cover = {cover_of(kSquareId, LandCoverClass::kSquare, {10, 10}, {250, 30}),
                 cover_of(kOtherId, LandCoverClass::kPark, {0, 0}, {128, 9})};
   const auto base = near_origin(wide.railings());
   EXPECT_FALSE(base.empty());
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const RandomSequence random(seed, stable_id(ObjectId{}), "railings");
     Terrace changed = wide;
-    const double x = 40 + kRailingRadius_m + random.unit(1) * 10;
+    const double x = 65 + kRailingRadius_m + random.unit(1) * 40;
     changed.features.barriers = {{{kOtherId, 0}, {{x, 30}, {x + 5, 30}}, map::BarrierKind::kWall, 1, 0.3}};
     if (seed % 2 == 1) std::ranges::reverse(changed.cover);
     for (ground::LandCoverPolygon& polygon : changed.cover)

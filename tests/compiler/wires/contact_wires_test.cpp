@@ -30,7 +30,7 @@ std::vector<WireSpan> spans_of(std::vector<map::Track> tracks) {
   Report report;
   const things::ContactLines lines =
       things::plan_contact_lines(features, {.cover = {}, .roads = {}, .bridges = {}, .ground = land}, report);
-  return contact_spans(lines, land);
+  return contact_spans(lines, land, report);
 }
 
 TEST(ContactWires, HangBetweenTheMastsOfATrack) {
@@ -53,7 +53,7 @@ TEST(ContactWires, HangBetweenTheMastsOfATrack) {
 TEST(ContactWires, GoOnAcrossWaysAndSwitches) {
   // the second way continues the first; the third leaves it
   const std::vector<WireSpan> spans =
-      spans_of({electrified(1, {{0, 0}, {300, 0}}, {1, 2}), electrified(2, {{300, 0}, {500, 0}, {700, 0}}, {2, 3, 4}),
+      spans_of({electrified(1, {{0, 0}, {300, 0}}, {1, 2}), electrified(2, {{300, 0}, {500, 0}, {720, 0}}, {2, 3, 4}),
                 electrified(3, {{500, 0}, {800, 60}}, {3, 5})});
   const auto joins = [&](double from, double to, double y) {
     return std::ranges::any_of(spans, [&](const WireSpan& span) {
