@@ -16,9 +16,7 @@ constexpr double kParallelTracks = 0.94;  // the cosine of 20 degrees
 constexpr double kShortestWay = 0.4;      // in spans
 
 bool is_in_open(const map::Track& track) {
-  const bool is_of_kind = track.surface == map::LandCoverClass::kRailway || track.surface == map::LandCoverClass::kTram;
-  return track.is_rail && is_of_kind && track.passage != map::Passage::kTunnel && !track.is_covered &&
-         !track.is_through_building && !track.is_indoor && track.axis.size() > 1;
+  return track.passage != map::Passage::kTunnel && !track.is_indoor && track.axis.size() > 1 && track.is_rail;
 }
 
 ContactTrack contact_track_of(const map::Track& track) {
@@ -28,7 +26,7 @@ ContactTrack contact_track_of(const map::Track& track) {
           .node_ids = track.node_ids,
           .is_tram = track.surface == map::LandCoverClass::kTram,
           .is_on_bridge = track.passage == map::Passage::kBridge,
-          .has_contact_line = track.has_contact_line};
+          .has_contact_line = track.has_contact_line && !track.is_covered && !track.is_through_building};
 }
 
 void add_segments(TrackIndex& index) {

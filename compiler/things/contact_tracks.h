@@ -20,14 +20,14 @@
 
 namespace citykiln::things {
 
-/// A railway or tramway that is neither in a tunnel nor covered.
+/// A railway or tramway that is not in a tunnel.
 struct ContactTrack {
   ObjectId id;
   Polyline axis;
   std::vector<double> along_m;         ///< The distance of each vertex along the way.
   std::vector<std::int64_t> node_ids;  ///< The OSM node of each vertex.
   bool is_tram = false, is_on_bridge = false;
-  bool has_contact_line = false;
+  bool has_contact_line = false;            ///< False below covers and in buildings.
   std::vector<const roads::Road*> parts{};  ///< The roads, or the bridge, that have its heights.
 };
 

@@ -248,7 +248,7 @@ RailingObstacles railing_obstacles(const scene::Chunk& chunk) {
   return obstacles;
 }
 
-// The mapped way, or the element of the land cover, that a railing is in the way of. Of OsmType::kNode: a door.
+// The mapped way, or the element of the land cover, that a railing is in the way of. An empty id stands for a door.
 std::optional<OsmId> blocked_by(const RailingObstacles& obstacles, const ground::LandCoverIndex& land_cover, Vec2 p) {
   const auto is_at_door = [&](std::uint32_t i) { return distance(obstacles.doors[i], p) < kDoorClear_m; };
   if (std::ranges::any_of(boxes_about(obstacles.door_grid, p), is_at_door)) return OsmId{};

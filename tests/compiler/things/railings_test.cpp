@@ -152,7 +152,7 @@ TEST(Railings, AreNotAtWallsAndPlatformsBesideTracks) {
   EXPECT_TRUE(terrace.railings().empty());
 }
 
-// What lies beyond the radius changes nothing, nor does the order of the elements.
+// Elements beyond the radius change nothing, nor does the order of the elements.
 TEST(Railings, DependOnNothingBeyondTheRadius) {
   const auto near_origin = [](const std::vector<props::Barrier>& railings) {
     std::vector<Polyline> axes;
