@@ -188,7 +188,7 @@ void add_point(Polyline& axis, Vec2 p) {
 // Adds the railing along places; it ends at the sides of squares and at ways that it would cross.
 void add_run(const EdgePlanner& planner, std::span<const EdgePlace> run, ObjectId id,
              std::vector<props::Barrier>& railings) {
-  if (distance(run.front().at, run.back().at) < kShortestRailing_m - kEdgeStep_m) return;
+  if (distance(run.front().at, run.back().at) < kShortestRailing_m) return;
   Polyline axis;
   const auto end = [&] {
     if (length_m(axis) >= kEdgeStep_m / 2)
