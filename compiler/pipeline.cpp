@@ -25,8 +25,11 @@
 #include "compiler/structures/plan_piers.h"
 #include "compiler/structures/risers.h"
 #include "compiler/structures/within_extent.h"
+#include "compiler/things/contact_masts.h"
 #include "compiler/things/plan.h"
+#include "compiler/things/railings.h"
 #include "compiler/whole_map.h"
+#include "compiler/wires/contact_wires.h"
 #include "compiler/wires/plan.h"
 
 namespace citykiln {
@@ -101,15 +104,34 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   timer.enter("props");
   recipes.props = props::plan(features, report);
   timer.enter("things");
+  const std::vector<ground::LandCoverPolygon> cover = thing_obstacles(recipes);
+  if (has(spec.assume, Assumption::kRailings)) {
+    std::vector<props::Barrier> railings = things::assumed_railings(features,
+                                                                    {.cover = cover,
+                                                                     .roads = recipes.roads,
+                                                                     .bridges = recipes.structures.bridges,
+                                                                     .buildings = recipes.buildings,
+                                                                     .ground = graded},
+                                                                    report);
+    recipes.props.barriers = props::with_more(std::move(recipes.props.barriers), std::move(railings));
+  }
   recipes.fields = pitches::plan(features);
   for (map::ThingFeature& thing : pitches::things_of(recipes.fields, catalogue->table, features))
     features.things.push_back(std::move(thing));
+  things::ContactLines contact_lines;
+  if (has(spec.assume, Assumption::kMasts))
+    contact_lines = things::plan_contact_lines(
+        features, {.cover = cover, .roads = recipes.roads, .bridges = recipes.structures.bridges, .ground = graded},
+        report);
+  std::erase_if(features.things, [&](const auto& thing) { return contact_lines.replaced.contains(thing.id.osm); });
   Result<things::Kinds> kinds = things::Kinds{};
-  if (const auto names = things::kind_names(features, catalogue->table); !names.empty()) {
+  auto names = things::kind_names(features, catalogue->table);
+  for (const things::Thing& mast : contact_lines.masts) names.insert(mast.form.kind);
+  if (!names.empty()) {
     kinds = things::kinds_of(*catalogue, names);
     if (!kinds) return kinds.error();
-    recipes.things =
-        things::plan(features, recipes.roads, recipes.junctions, thing_obstacles(recipes), *kinds, spec.seed, report);
+    recipes.things = things::plan(features, recipes.roads, recipes.junctions, cover, *kinds, spec.seed, report);
+    recipes.things = things::with_more(std::move(recipes.things), contact_lines.masts);
   }
   timer.enter("wires");
   const std::vector<things::Thing> supports_beyond = things::plan_supports_beyond(features, *kinds, spec.seed);
@@ -122,6 +144,8 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
                                     .ground = graded,
                                     .seed = spec.seed},
                                    report);
+  recipes.wire_spans =
+      wires::with_more(std::move(recipes.wire_spans), wires::contact_spans(contact_lines, graded, report));
 
   // plan the land around the extent, describe the sky and the sources
   timer.enter("surroundings");

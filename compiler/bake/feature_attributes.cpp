@@ -5,6 +5,7 @@
 
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/land_cover_class.h"
+#include "compiler/things/contact_masts.h"
 
 namespace citykiln::bake {
 namespace {
@@ -65,14 +66,24 @@ std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::spa
   add_buildings(table, chunk.buildings);
   add_roads(table, chunk.bridges), add_roads(table, chunk.tunnels), add_roads(table, chunk.roads);
   add_covers(table, chunk.watercourses), add_covers(table, chunk.landforms);
-  for (const props::Barrier& b : chunk.barriers) table.add(b.id.osm, map::name_of(b.kind), b.height_m);
+  for (const props::Barrier& b : chunk.barriers)
+    if (b.kind == map::BarrierKind::kRailing)
+      table.add(b.id.osm, "", 0, bit_of(Assumption::kRailings));  // of an element that is walked on
+    else
+      table.add(b.id.osm, map::name_of(b.kind), b.height_m);
   add_plants(table, chunk.trees), add_plants(table, chunk.tree_rows);
   for (const props::Lamp& lamp : chunk.lamps) table.add(lamp.id.osm, "StreetLamp", lamp.height_m);
   // equipment of a sports field belongs to the field's area
   for (const things::Thing& thing : chunk.things)
-    if (thing.id.part < map::kDerivedPart)
+    if (things::is_contact_kind(thing.form.kind) && thing.id.part >= map::kDerivedPart)
+      table.add(thing.id.osm, "", 0, bit_of(Assumption::kMasts));  // of the track
+    else if (thing.id.part < map::kDerivedPart)
       table.add(thing.id.osm, class_of_thing(classes, thing.form.kind), thing.form.height_m);
   for (const wires::WireSpan& span : chunk.wire_spans) {
+    if (span.id.part >= map::kDerivedPart) {
+      table.add(span.id.osm, "", 0, bit_of(Assumption::kMasts));
+      continue;
+    }
     const bool is_aerialway = span.wires.front().kind == wires::WireKind::kCable;
     table.add(span.id.osm, is_aerialway ? "Aerialway" : "PowerLine", span.above_m);
   }

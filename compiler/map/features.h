@@ -76,6 +76,7 @@ struct Track {
   bool is_arcade = false;            ///< By covered=arcade or colonnade, arcade=*: open on its outer side.
   bool is_indoor = false;            ///< By indoor=*, highway=corridor, a level above or below the ground.
   bool has_tagged_layer = false;
+  bool has_contact_line = false;      ///< Railways: by electrified=contact_line; tramways also by electrified=yes.
   std::uint16_t step_count = 0;       ///< Steps of stairs, by step_count=*; 0: untagged.
   std::uint8_t handrails = 0;         ///< Handrails of stairs: bits of Handrail.
   double clear_m = 0;                 ///< Height below what covers it, by maxheight=* or height=*; 0: untagged.
@@ -162,11 +163,15 @@ struct Waterway {
 };
 
 /// The form of a barrier.
-enum class BarrierKind : std::uint8_t { kWall, kFence, kHedge, kRetainingWall, kGuardRail, kCityWall };
+///
+/// Lines of the map are never kRailing: these are assumed along drops (things/railings.h).
+enum class BarrierKind : std::uint8_t { kWall, kFence, kHedge, kRetainingWall, kGuardRail, kCityWall, kRailing };
+/// The number of kinds.
+inline constexpr std::size_t kBarrierKinds = 7;
 
 /// The name of a kind in output files, such as "RetainingWall".
 constexpr std::string_view name_of(BarrierKind kind) {
-  constexpr std::string_view kNames[] = {"Wall", "Fence", "Hedge", "RetainingWall", "GuardRail", "CityWall"};
+  constexpr std::string_view kNames[] = {"Wall", "Fence", "Hedge", "RetainingWall", "GuardRail", "CityWall", "Railing"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -116,6 +116,12 @@ void read_stairs(const ReadContext& context, source::Range tags, Track& track) {
   track.handrails = tagged_handrails(context, tags);
 }
 
+// Tramways have no other line than one above the track. The value may be a list, such as "contact_line;rail".
+bool has_contact_line(std::string_view electrified, LandCoverClass surface) {
+  if (surface == LandCoverClass::kTram && electrified == "yes") return true;
+  return electrified.find("contact_line") != std::string_view::npos;
+}
+
 void tell_layer(const Track& track, Report& report) {
   if (track.passage == Passage::kBridge && track.layer == 0) report.add(Code::kBridgeWithoutLayer, track.id.osm);
   // paths in tunnels without a layer are corridors in buildings
@@ -152,6 +158,7 @@ Track track_of(const ReadContext& context, std::optional<DrivingSide> driving_si
   track.is_lit = says_yes(context.tag(way.tags, "lit"));
   track.has_tagged_lighting = !context.tag(way.tags, "lit").empty();
   track.is_rail = row.key == "railway";
+  track.has_contact_line = track.is_rail && has_contact_line(context.tag(way.tags, "electrified"), track.surface);
   track.trees = tree_sides_of(context.tag(way.tags, "tree_lined"));
   const std::string_view junction = context.tag(way.tags, "junction");
   track.is_roundabout = junction == "roundabout" || junction == "circular";

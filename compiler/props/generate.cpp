@@ -6,6 +6,7 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/props/drape_line.h"
+#include "compiler/props/railing_mesh.h"
 
 namespace citykiln::props {
 namespace {
@@ -74,6 +75,7 @@ void add_profile(Mesh& mesh, Vec3 at, Vec2 side, FootAndTop heights) {
 
 GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& ground, double tolerance_m) {
   assert(tolerance_m > 0);
+  if (barrier.kind == BarrierKind::kRailing) return railing_mesh(barrier, ground, tolerance_m);
   if (barrier.height_m <= tolerance_m) return {{}, barrier.height_m};
   const std::vector<Vec3> axis = drape_line(barrier.axis, ground);
   if (axis.size() < 2) return {};

@@ -19,7 +19,8 @@ struct GeneratedProp {
 };
 
 /// Generates a wall, fence or hedge: a rectangular cross-section swept along its axis, which is draped over the ground.
-/// A barrier that is not higher than the tolerance gets no mesh, and its height is the error.
+/// A railing has posts and rails (railing_mesh.h). A barrier that is not higher than the tolerance gets no mesh, and
+/// its height is the error.
 GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& ground, double tolerance_m);
 
 /// Generates a lamp of 1 m height, to be scaled by height_m: its foot at the origin, its arm 0.21 m long along +x.

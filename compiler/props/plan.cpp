@@ -1,6 +1,9 @@
 #include "compiler/props/plan.h"
 
 #include <algorithm>
+#include <iterator>
+#include <tuple>
+#include <utility>
 
 #include "compiler/geometry/clip_polyline.h"
 #include "compiler/map/plane/plane.h"
@@ -53,6 +56,12 @@ Props plan(const map::Features& features, Report& report) {
   report.account("props", "barrier") = barriers;
   report.account("props", "point") = points;
   return props;
+}
+
+std::vector<Barrier> with_more(std::vector<Barrier> barriers, std::vector<Barrier> more) {
+  std::ranges::move(more, std::back_inserter(barriers));
+  std::ranges::sort(barriers, {}, [](const Barrier& barrier) { return std::tie(barrier.id, barrier.axis); });
+  return barriers;
 }
 
 bool has_hedges(const Props& props) {

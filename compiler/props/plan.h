@@ -17,6 +17,9 @@ struct Props {
 /// True if a barrier is a hedge.
 bool has_hedges(const Props& props);
 
+/// Returns two lists of barriers as one, sorted by id, then by axis.
+std::vector<Barrier> with_more(std::vector<Barrier> barriers, std::vector<Barrier> more);
+
 /// Returns the props of a map. Barriers are cut 4 m outside of the extent; their parts are numbered. Ledger
 /// "props/barrier", "props/point". Dropped: kOutsideBounds. Cannot fail.
 Props plan(const map::Features& features, Report& report);

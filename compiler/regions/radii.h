@@ -20,6 +20,8 @@
 #include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/pieces/stretches.h"
 #include "compiler/scene/scene.h"
+#include "compiler/things/contact_masts.h"
+#include "compiler/things/railings.h"
 #include "compiler/wires/plan.h"
 
 namespace citykiln::regions {
@@ -47,6 +49,8 @@ namespace citykiln::regions {
 // | ramps of storeys       | kStoreyRadius_m                |   1700 | two ramps of a railway that crosses a bridge   |
 // | paths to a bridge      | ground::kLongestApproach_m     |   2048 | a bridge or tunnel that moves the path         |
 // | knots                  | ground::kKnotStretch_m         |   1024 | heights along the same way                     |
+// | assumed railings       | things::kRailingRadius_m       |     72 | barriers, ways and heights beside the edge     |
+// | assumed contact lines  | things::kContactRadius_m       |    384 | tracks beside those at the other support       |
 // | wires                  | wires::kSpanRadius_m           |    512 | a support, and the ground that it stands on    |
 //
 // A way has either a transition of lanes or a fitted width, so their radii do not add up. Assumed pavements depend on
@@ -75,6 +79,8 @@ static_assert(kRegionHalo_m >= wires::kSpanRadius_m + scene::kHalo_m + scene::kR
 static_assert(kRegionHalo_m >= scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m + kAssumedRoads_m +
                                    ground::kLongestApproach_m + ground::kApproach_m + ground::kProfileRadius_m +
                                    ground::kSpanEndRadius_m);
+// what is assumed by heights takes the place of wires in this chain
+static_assert(things::kRailingRadius_m <= wires::kSpanRadius_m && things::kContactRadius_m <= wires::kSpanRadius_m);
 static_assert(map::kLongestTransition_m <= roads::kLongestFitted_m);
 static_assert(kRegionHalo_m >= scene::kHalo_m + ground::kMaxInfluence_m + plants::kInfluenceRadius_m);
 

@@ -58,11 +58,16 @@ const FreePlaces::Block& FreePlaces::block_at(Vec2 at) {
   return *block;
 }
 
-std::optional<LandCoverClass> FreePlaces::surface_at(Vec2 at) {
+const ground::LandCoverPolygon* FreePlaces::polygon_at(Vec2 at) {
   const Block& block = block_at(at);
-  if (block.surfaces.empty()) return std::nullopt;
+  if (block.surfaces.empty()) return nullptr;
   const std::uint32_t top = ground::land_cover_at(block.index, at);
-  return top == ground::kNoLandCover ? std::nullopt : std::optional(block.surfaces[top].surface);
+  return top == ground::kNoLandCover ? nullptr : &block.surfaces[top];
+}
+
+std::optional<LandCoverClass> FreePlaces::surface_at(Vec2 at) {
+  const ground::LandCoverPolygon* top = polygon_at(at);
+  return top == nullptr ? std::nullopt : std::optional(top->surface);
 }
 
 bool FreePlaces::is_barred_at(Vec2 at) {

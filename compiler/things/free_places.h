@@ -41,6 +41,9 @@ class FreePlaces {
 
   /// Returns the land cover at a place; nothing where there is none.
   std::optional<map::LandCoverClass> surface_at(Vec2 at);
+  /// Returns the polygon on top at a place, trimmed to the surroundings of the place; nullptr where there is none. It
+  /// is valid as long as the object.
+  const ground::LandCoverPolygon* polygon_at(Vec2 at);
   /// True if a disc is outside of barred land cover, as far as its centre and eight points of its border say.
   bool is_free(Vec2 at, double radius_m);
   /// Returns `at` if it is free, else the nearest free one of places on circles around it.

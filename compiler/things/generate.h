@@ -28,7 +28,7 @@ struct GeneratedThing {
 GeneratedThing generate(const Form& form, const Kind& kind, std::uint64_t seed, bool is_night, double tolerance_m);
 
 /// The kind of a wire that hangs on a thing.
-enum class WireKind : std::uint8_t { kConductor, kEarthWire, kCable, kCount };
+enum class WireKind : std::uint8_t { kConductor, kEarthWire, kCable, kContactWire, kMessenger, kCount };
 
 /// A place of a form where a wire hangs.
 struct WireHold {

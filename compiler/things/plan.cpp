@@ -5,6 +5,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/snap.h"
@@ -157,6 +158,12 @@ std::vector<Thing> plan(const map::Features& features, std::span<const roads::Ro
   }
   std::ranges::sort(things, {}, &Thing::id);
   report.account("things", "thing") = account;
+  return things;
+}
+
+std::vector<Thing> with_more(std::vector<Thing> things, const std::vector<Thing>& more) {
+  things.insert(things.end(), more.begin(), more.end());
+  std::ranges::sort(things, {}, [](const Thing& thing) { return std::tie(thing.id, thing.at); });
   return things;
 }
 

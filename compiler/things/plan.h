@@ -28,6 +28,9 @@ std::vector<Thing> plan(const map::Features& features, std::span<const roads::Ro
                         std::span<const roads::Junction> junctions, std::span<const ground::LandCoverPolygon> cover,
                         const Kinds& kinds, std::uint64_t seed, Report& report);
 
+/// Returns two lists of things as one, sorted by id.
+std::vector<Thing> with_more(std::vector<Thing> things, const std::vector<Thing>& more);
+
 /// Returns the supports of power lines outside of the extent, where they are mapped. Sorted by id. They are not built.
 /// @param kinds  The kinds of the map's things.
 std::vector<Thing> plan_supports_beyond(const map::Features& features, const Kinds& kinds, std::uint64_t seed);

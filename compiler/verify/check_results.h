@@ -74,6 +74,11 @@ struct CheckResults {
   Check wires{"no wire hangs lower than 4.5 m above a carriageway or railway", 0, {}};
   Check assumed_pavements{"no assumed pavement lies in water, a building, a railway or another road", 0, {}};
   Check assumed_lamps{"no assumed lamp stands on a carriageway, a railway, a building or water", 0, {}};
+  Check assumed_railings{
+      "no assumed railing stands in a carriageway, on steps, across a way, before a door, in a building or water",
+      0,
+      {}};
+  Check assumed_masts{"no assumed mast stands in a carriageway, a building, water or the clearance of a track", 0, {}};
   Check assumed_fronts{"every assumed shop front lies on a free part of its wall", 0, {}};
   // only for runs that wrote USD
   Check usd_layers{"every USD layer holds together: indices, extents, prototypes, materials, textures", 0, {}};

@@ -12,6 +12,8 @@
 #include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/width_limits/narrowed_section.h"
 #include "compiler/scene/land_cover.h"
+#include "compiler/things/contact_masts.h"
+#include "compiler/things/facing.h"
 
 namespace citykiln::verify {
 namespace {
@@ -205,6 +207,106 @@ OsmId no_place_for_lamp(const ground::LandCoverIndex& land_cover, Vec2 p) {
   return is_taken && surface.surface != LandCoverClass::kPedestrianStreet ? surface.id.osm : OsmId{};
 }
 
+// The axes of ways on the ground, and doors.
+struct RailingObstacles {
+  struct Axis {
+    Vec2 a, b;
+    OsmId way;
+  };
+  std::vector<Axis> axes;
+  BoxGrid grid;
+  std::vector<Vec2> doors;
+  BoxGrid door_grid;
+};
+
+constexpr double kDoorClear_m = 1;
+
+std::vector<Vec2> doors_of(const scene::Chunk& chunk) {
+  std::vector<Vec2> doors;
+  for (const buildings::Building& building : chunk.buildings) {
+    const Ring& ring = building.footprint.outer;
+    for (std::size_t e = 0; e < building.facade_edges.size(); ++e)
+      for (std::uint32_t slot = 0; slot < buildings::kDoorSlots; ++slot)
+        if ((building.facade_edges[e].doors >> slot & 1) != 0)
+          doors.push_back(ring[e] + (ring[(e + 1) % ring.size()] - ring[e]) * ((slot + 0.5) / buildings::kDoorSlots));
+  }
+  return doors;
+}
+
+RailingObstacles railing_obstacles(const scene::Chunk& chunk) {
+  RailingObstacles obstacles;
+  std::vector<Box2> boxes, door_boxes;
+  for (const Road& road : chunk.roads)
+    for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
+      obstacles.axes.push_back({road.axis[i], road.axis[i + 1], road.id.osm});
+      boxes.push_back(box_of(std::array{road.axis[i], road.axis[i + 1]}));
+    }
+  obstacles.grid = grid_of(boxes, 16);
+  obstacles.doors = doors_of(chunk);
+  for (const Vec2 door : obstacles.doors) door_boxes.push_back(Box2{door, door}.widened(kDoorClear_m));
+  obstacles.door_grid = grid_of(door_boxes, 16);
+  return obstacles;
+}
+
+// The mapped way, or the element of the land cover, that a railing is in the way of. An empty id stands for a door.
+std::optional<OsmId> blocked_by(const RailingObstacles& obstacles, const ground::LandCoverIndex& land_cover, Vec2 p) {
+  const auto is_at_door = [&](std::uint32_t i) { return distance(obstacles.doors[i], p) < kDoorClear_m; };
+  if (std::ranges::any_of(boxes_about(obstacles.door_grid, p), is_at_door)) return OsmId{};
+  const std::uint32_t top = ground::land_cover_at(land_cover, p);
+  if (top == ground::kNoLandCover) return std::nullopt;
+  const ground::LandCoverPolygon& surface = land_cover.surfaces[top];
+  if (surface.surface == LandCoverClass::kSteps) return surface.id.osm;
+  const OsmId taken = no_place_for_lamp(land_cover, p);
+  return taken.type == OsmType::kNone ? std::nullopt : std::optional(taken);
+}
+
+std::optional<OsmId> way_across(const RailingObstacles& obstacles, OsmId own, Vec2 a, Vec2 b) {
+  for (const std::uint32_t i : boxes_about(obstacles.grid, box_of(std::array{a, b}))) {
+    const RailingObstacles::Axis& axis = obstacles.axes[i];
+    if (axis.way != own && crossing_shares(a, b, axis.a, axis.b)) return axis.way;
+  }
+  return std::nullopt;
+}
+
+void test_railing(const props::Barrier& railing, const RailingObstacles& obstacles,
+                  const ground::LandCoverIndex& land_cover, const Box2& box, AssumedPlaces& found) {
+  const auto test = [&](std::optional<OsmId> on, Vec2 at) {
+    ++found.places;
+    if (on && found.misplaced++ == 0) found.at = at, found.first = railing.id.osm, found.on = *on;
+  };
+  for (std::size_t i = 0; i + 1 < railing.axis.size(); ++i) {
+    const Vec2 a = railing.axis[i], b = railing.axis[i + 1];
+    if (!box.contains(a) || !box.contains(b)) continue;
+    test(way_across(obstacles, railing.id.osm, a, b), a);
+    const int steps = std::max(1, static_cast<int>(std::ceil(distance(a, b))));
+    for (int k = 0; k <= steps; ++k) {
+      const Vec2 p = a + (b - a) * (static_cast<double>(k) / steps);
+      test(blocked_by(obstacles, land_cover, p), p);
+    }
+  }
+}
+
+// The places where an assumed mast stands on the ground; none for other things.
+std::vector<Vec2> feet_of(const things::Thing& thing) {
+  if (thing.id.part < map::kDerivedPart || !things::is_contact_kind(thing.form.kind)) return {};
+  if (thing.form.kind == things::kContactHanger) return {};
+  if (thing.form.kind != things::kContactPortal) return {thing.at};
+  const Vec2 half = left_of(things::unit_vector(thing.direction)) * (thing.form.width_m / 2);
+  return {thing.at + half, thing.at - half};
+}
+
+// The clear space beside a track: 2.5 m of a railway, 1.65 m of a tramway, and what half a mast is at least.
+constexpr double kClearOfRailway_m = 2.6, kClearOfTramway_m = 1.75;
+
+OsmId track_too_near(const scene::Chunk& chunk, Vec2 p) {
+  for (const Road& road : chunk.roads) {
+    if (group_of_class(road.surface) != LandCoverGroup::kRail) continue;
+    const double clear_m = road.surface == LandCoverClass::kTram ? kClearOfTramway_m : kClearOfRailway_m;
+    if (distance_to_polyline(road.axis, p) < clear_m) return road.id.osm;
+  }
+  return {};
+}
+
 bool has_assumed_strips(const Road& road) {
   return has(road.assumed, Assumption::kPavements) || has(road.assumed, Assumption::kVerges);
 }
@@ -241,6 +343,32 @@ AssumedPlaces measure_assumed_lamps(const bake::BakedTile& tile, const scene::Ch
       if (found.misplaced++ == 0) found.at = at, found.first = way, found.on = on;
     }
   }
+  return found;
+}
+
+AssumedPlaces measure_assumed_railings(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                       const Box2& box) {
+  AssumedPlaces found;
+  const auto is_railing = [](const props::Barrier& b) { return b.kind == map::BarrierKind::kRailing; };
+  if (std::ranges::none_of(chunk.barriers, is_railing)) return found;
+  const RailingObstacles obstacles = railing_obstacles(chunk);
+  for (const props::Barrier& railing : chunk.barriers)
+    if (is_railing(railing)) test_railing(railing, obstacles, land_cover, box, found);
+  return found;
+}
+
+AssumedPlaces measure_assumed_masts(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                    const Box2& box) {
+  AssumedPlaces found;
+  for (const things::Thing& mast : chunk.things)
+    for (const Vec2 foot : feet_of(mast)) {
+      if (!box.contains(foot)) continue;
+      ++found.places;
+      OsmId on = no_place_for_lamp(land_cover, foot);
+      if (on.type == OsmType::kNone) on = track_too_near(chunk, foot);
+      if (on.type == OsmType::kNone) continue;
+      if (found.misplaced++ == 0) found.at = foot, found.first = mast.id.osm, found.on = on;
+    }
   return found;
 }
 

@@ -32,6 +32,20 @@ AssumedPlaces measure_assumed_pavements(const scene::Chunk& chunk, const Box2& b
 AssumedPlaces measure_assumed_lamps(const bake::BakedTile& tile, const scene::Chunk& chunk,
                                     const ground::LandCoverIndex& land_cover);
 
+/// Tests every assumed railing every metre: it lies neither on a carriageway, a railway, steps, a building or water,
+/// nor within 1 m of a door, and crosses the axis of no other road or path on the ground. O(length · roads near).
+/// @param land_cover  Land cover of the tile.
+/// @param box         The box in which land cover is known.
+AssumedPlaces measure_assumed_railings(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                       const Box2& box);
+
+/// Tests the feet of every assumed mast of a contact line: none stands on a carriageway, a railway, a building or
+/// water, nor nearer to the axis of a railway than 2.6 m, of a tramway than 1.75 m. O(masts · tracks near).
+/// @param land_cover  Land cover of the tile.
+/// @param box         The box in which land cover is known.
+AssumedPlaces measure_assumed_masts(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                    const Box2& box);
+
 /// Tests every assumed shop front of the chunk's buildings: it lies within its wall, and neither on a party wall, nor
 /// on another front, nor across the opening for a way. O(fronts · what is on their walls).
 AssumedPlaces measure_assumed_fronts(const scene::Chunk& chunk);

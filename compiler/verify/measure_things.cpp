@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "compiler/things/contact_masts.h"
+
 namespace citykiln::verify {
 namespace {
 
@@ -21,7 +23,7 @@ StandingThings measure_things(const bake::BakedTile& tile, const scene::Chunk& c
                               const ground::LandCoverIndex& land_cover) {
   std::set<OsmId> tested;
   for (const things::Thing& thing : chunk.things)
-    if (!thing.is_in_way) tested.insert(thing.id.osm);
+    if (!thing.is_in_way && !things::is_contact_kind(thing.form.kind)) tested.insert(thing.id.osm);
   StandingThings found;
   for (const bake::InstancedMesh& instanced : tile.instanced)
     for (std::size_t i = 0; i < instanced.translations.size(); ++i) {

@@ -91,7 +91,7 @@ void serialise(auto& io, plants::PowerLineCorridor& l) {
 void serialise(auto& io, props::Barrier& b) {
   id(io, b.id);
   points(io, "barrier points", b.axis, 2);
-  enumerator(io, "barrier kind", b.kind, static_cast<map::BarrierKind>(6));
+  enumerator(io, "barrier kind", b.kind, static_cast<map::BarrierKind>(map::kBarrierKinds));
   io.metres("barrier height", b.height_m), io.metres("barrier width", b.width_m);
 }
 

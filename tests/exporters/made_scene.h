@@ -40,7 +40,8 @@ class SceneMaker {
     for (auto i = below(3); i > 0; --i) c.tree_rows.push_back({id(), line(), species_mix(), eighths(90), eighths(90)});
     for (auto i = below(2); i > 0; --i) c.corridors.push_back({id(), line(), eighths(300)});
     for (auto i = below(3); i > 0; --i)
-      c.barriers.push_back({id(), line(), static_cast<map::BarrierKind>(below(6)), metres(3), metres(1)});
+      c.barriers.push_back(
+          {id(), line(), static_cast<map::BarrierKind>(below(map::kBarrierKinds)), metres(3), metres(1)});
     for (auto i = below(3); i > 0; --i) c.lamps.push_back({id(), point(), metres(9), lamp_tags()});
     for (auto i = below(5); i > 0; --i) c.things.push_back(thing());
     for (auto i = below(3); i > 0; --i) c.wire_spans.push_back(wire_span());

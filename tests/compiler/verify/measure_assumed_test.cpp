@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "compiler/things/contact_masts.h"
+
 namespace citykiln::verify {
 namespace {
 
@@ -136,6 +138,63 @@ TEST(MeasureAssumed, FindsFrontsOnWallsThatAreNotFree) {
   EXPECT_EQ(measure_assumed_fronts(chunk).misplaced, 1u);
   house.fronts = {{.edge = 0, .from_m = 5, .to_m = 11, .is_assumed = true}, {.edge = 0, .from_m = 10, .to_m = 15}};
   EXPECT_EQ(measure_assumed_fronts(chunk).misplaced, 1u);
+}
+
+scene::Chunk chunk_with_railing(Polyline axis) {
+  scene::Chunk chunk;
+  chunk.barriers = {{{kMappedWay, map::kDerivedPart}, std::move(axis), map::BarrierKind::kRailing, 1.1, 0.06}};
+  return chunk;
+}
+
+TEST(MeasureAssumed, FindsRailingsAcrossWaysBeforeDoorsAndOnCarriageways) {
+  const scene::Chunk free = chunk_with_railing({{10, 30}, {50, 30}});
+  const auto measured = [](const scene::Chunk& chunk, const std::vector<ground::LandCoverPolygon>& surfaces) {
+    return measure_assumed_railings(chunk, ground::index_land_cover(surfaces, kTile), kTile);
+  };
+  EXPECT_GT(measured(free, {}).places, 40u);
+  EXPECT_EQ(measured(free, {}).misplaced, 0u);
+  const Ring around = {{20, 25}, {30, 25}, {30, 35}, {20, 35}};
+  for (const LandCoverClass surface : {LandCoverClass::kResidentialRoad, LandCoverClass::kSteps, LandCoverClass::kLake,
+                                       LandCoverClass::kBuilding, LandCoverClass::kSquare}) {
+    const bool is_free = surface == LandCoverClass::kSquare;
+    EXPECT_EQ(measured(free, {{{kMainStreet, 0}, surface, 100, {around}}}).misplaced == 0, is_free);
+  }
+  scene::Chunk crossed = free;
+  crossed.roads = {way_along(kMainStreet, {{30, 10}, {30, 50}}, LandCoverClass::kPavedFootPath, 2)};
+  EXPECT_EQ(measured(crossed, {}).misplaced, 1u);
+  crossed.roads[0].id.osm = kMappedWay;
+  EXPECT_EQ(measured(crossed, {}).misplaced, 0u) << "its own way";
+  scene::Chunk with_door = free;
+  with_door.buildings.resize(1);
+  with_door.buildings[0].footprint.outer = {{29, 33}, {29, 30.5}, {31, 30.5}, {31, 33}};
+  with_door.buildings[0].facade_edges.assign(4, {});
+  EXPECT_EQ(measured(with_door, {}).misplaced, 0u);
+  with_door.buildings[0].facade_edges[1].doors = 1 << 8;
+  EXPECT_GT(measured(with_door, {}).misplaced, 0u);
+}
+
+TEST(MeasureAssumed, FindsMastsInTheClearSpaceOfATrack) {
+  scene::Chunk chunk;
+  chunk.roads = {way_along(kMainStreet, {{0, 50}, {120, 50}}, LandCoverClass::kRailway, 3)};
+  chunk.things = {{.id = {kMainStreet, map::kDerivedPart + 1},
+                   .at = {40, 53},
+                   .form = {.kind = std::string(things::kContactMast), .width_m = 0.5, .depth_m = 0.5}}};
+  const std::vector<ground::LandCoverPolygon> none;
+  const ground::LandCoverIndex index = ground::index_land_cover(none, kTile);
+  const auto measured = [&] { return measure_assumed_masts(chunk, index, kTile); };
+  EXPECT_EQ(measured().places, 1u);
+  EXPECT_EQ(measured().misplaced, 0u);
+  chunk.things[0].at.y = 52;
+  EXPECT_EQ(measured().misplaced, 1u);
+  // the feet of a portal are half its width beside its middle
+  chunk.things[0].form.kind = things::kContactPortal, chunk.things[0].at = {40, 50};
+  chunk.things[0].direction = 0, chunk.things[0].form.width_m = 8;
+  EXPECT_EQ(measured().places, 2u);
+  EXPECT_EQ(measured().misplaced, 0u);
+  chunk.things[0].form.width_m = 4;
+  EXPECT_EQ(measured().misplaced, 2u);
+  chunk.things[0].id.part = 0;
+  EXPECT_EQ(measured().places, 0u) << "mapped masts are not tested";
 }
 
 }  // namespace
