@@ -13,7 +13,7 @@
 namespace citykiln::climate {
 namespace {
 
-constexpr int kRows = 360, kColumns = 720;
+constexpr int kCellRows = 360, kCellColumns = 720;
 constexpr double kCell_deg = 0.5;
 
 struct CellRow {
@@ -65,8 +65,8 @@ void for_each_run(int row, Visit visit) {
 
 Cell cell_at(double lon_deg, double lat_deg) {
   const double from_west = lon_deg + 180 - 360 * std::floor((lon_deg + 180) / 360);
-  return {std::min(static_cast<int>(from_west / kCell_deg), kColumns - 1),
-          std::clamp(static_cast<int>((90 - lat_deg) / kCell_deg), 0, kRows - 1)};
+  return {std::min(static_cast<int>(from_west / kCell_deg), kCellColumns - 1),
+          std::clamp(static_cast<int>((90 - lat_deg) / kCell_deg), 0, kCellRows - 1)};
 }
 
 std::optional<ClimateClass> class_of(Cell cell) {
@@ -80,16 +80,16 @@ std::optional<ClimateClass> class_of(Cell cell) {
 // Cells between a column and the nearest one of a run, around the Earth.
 int columns_away(const Run& run, int column) {
   if (run.first <= column && column <= run.last) return 0;
-  const auto forwards = [](int from, int to) { return (to - from + kColumns) % kColumns; };
+  const auto forwards = [](int from, int to) { return (to - from + kCellColumns) % kCellColumns; };
   return std::min(forwards(column, run.first), forwards(run.last, column));
 }
 
 // The class of the nearest cell of land; of equally near ones the first from north-west.
 ClimateClass nearest_class(Cell cell) {
   const double narrow = cosine(90 - kCell_deg * (cell.row + 0.5));
-  double least2 = 4.0 * kRows * kRows;
+  double least2 = 4.0 * kCellRows * kCellRows;
   ClimateClass nearest{};
-  for (int down = 0; down * down <= least2 && down < kRows; ++down)
+  for (int down = 0; down * down <= least2 && down < kCellRows; ++down)
     for (const int row : {cell.row - down, cell.row + down})
       for_each_run(row, [&](const Run& run) {
         if (!run.climate) return;
@@ -116,8 +116,8 @@ ClimateMix climate_mix_at(double lon_deg, double lat_deg) {
   std::size_t count = 0;
   for (const int right : {0, 1})
     for (const int down : {0, 1}) {
-      const int column = (static_cast<int>(left) + right + 2 * kColumns) % kColumns;
-      const int row = std::clamp(static_cast<int>(top) + down, 0, kRows - 1);
+      const int column = (static_cast<int>(left) + right + 2 * kCellColumns) % kCellColumns;
+      const int row = std::clamp(static_cast<int>(top) + down, 0, kCellRows - 1);
       const double share = (right ? x - left : 1 - (x - left)) * (down ? y - top : 1 - (y - top));
       const std::optional<ClimateClass> own = class_of({column, row});
       if (own && share > 0) corners[count++] = {*own, share}, land += share;

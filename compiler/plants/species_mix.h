@@ -62,7 +62,7 @@ double belt_m_at(double latitude_deg, double height_m);
 /// The growing conditions at a position.
 struct Habitat {
   climate::ClimateMix climate;
-  double belt_m = 0;         ///< As belt_m_at().
+  double belt_m = 0;         ///< The result of belt_m_at().
   double shade = 0;          ///< From -1 on a steep slope towards the noon sun to 1 on one away from it.
   bool is_by_water = false;  ///< A lake or river is within a few metres.
   Vec2 at;                   ///< The position, plane metres: species stand in groups.

@@ -14,12 +14,12 @@ constexpr TintFactor kStraw = {0.300, 0.230, 0.115};
 // Less than this changes a colour by less than its noise.
 constexpr double kLeastDry = 0.02;
 
-TintFactor colour_of(Material material) {
+TintFactor base_colour_of(Material material) {
   const auto& colour = materials::values_of(material).base_colour;
   return {colour[0], colour[1], colour[2]};
 }
 
-TintFactor mixed(const TintFactor& a, const TintFactor& b, double share) {
+TintFactor between(const TintFactor& a, const TintFactor& b, double share) {
   return {std::lerp(a.red, b.red, share), std::lerp(a.green, b.green, share), std::lerp(a.blue, b.blue, share)};
 }
 
@@ -31,9 +31,9 @@ Material dry_material_of(map::LandCoverClass cover, const ground::DryShares& dry
 }
 
 TintFactor dry_tint(map::LandCoverClass cover, const ground::DryShares& dry) {
-  const TintFactor soil = colour_of(Material::kDryGround);
-  const TintFactor grass = mixed(colour_of(values_of(cover).material), kStraw, dry.straw);
-  const TintFactor colour = mixed(grass, soil, dry.bare);
+  const TintFactor soil = base_colour_of(Material::kDryGround);
+  const TintFactor grass = between(base_colour_of(values_of(cover).material), kStraw, dry.straw);
+  const TintFactor colour = between(grass, soil, dry.bare);
   return {std::min(colour.red / soil.red, 1.0), std::min(colour.green / soil.green, 1.0),
           std::min(colour.blue / soil.blue, 1.0)};
 }

@@ -16,7 +16,7 @@ struct GroundFace {
   Vec3 centre;                  ///< Plane metres.
   bool is_beside_road = false;  ///< True if it shares a corner with a paved surface.
   bool is_vertical = false;     ///< True for built vertical faces: retaining walls, quays, kerbs.
-  ground::DryShares dry{};      ///< Of its class at its place.
+  ground::DryShares dry{};      ///< The straw and bare ground of its class at its place.
 };
 
 /// The cosine of the steepest slope with soil and grass, 48°. The angle of repose of scree is 35 to 40°; grass holds on

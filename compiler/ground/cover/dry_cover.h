@@ -8,8 +8,8 @@ namespace citykiln::ground {
 
 /// Shares of dry grass and bare ground, each within 0 … 1.
 struct DryShares {
-  double straw = 0;  ///< Of the grass.
-  double bare = 0;   ///< Of the ground.
+  double straw = 0;  ///< The share of the grass.
+  double bare = 0;   ///< The share of the ground.
   bool operator==(const DryShares&) const = default;
 };
 

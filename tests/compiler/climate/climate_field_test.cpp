@@ -29,7 +29,7 @@ TEST(ClimateField, HasTheOriginsClassAndSoundNodes) {
   EXPECT_EQ(field.nodes.size(), 9u);
 }
 
-// The same bits from two extents that overlap: a place's climate does not depend on the extent.
+// Two extents that overlap give the same bits: a place's climate does not depend on the extent.
 TEST(ClimateField, IsTheSameFromAnyExtent) {
   const ClimateField small = make_climate_field({{2048, -4096}, {9216, 20480}}, degrees_about(kLagos));
   const ClimateField large = make_climate_field({{-60000, -80000}, {50000, 120000}}, degrees_about(kLagos));

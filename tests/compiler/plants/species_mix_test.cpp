@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "compiler/climate/climate_at.h"
+
 namespace citykiln::plants {
 namespace {
 
@@ -140,6 +142,21 @@ TEST(SpeciesMix, ChangesGraduallyBetweenClimates) {
       }
     before = now;
   }
+}
+
+// Places a degree apart on the whole Earth: woods, parks, gardens and streets have a tree that grows in the climate.
+TEST(SpeciesMix, HasASpeciesThatGrowsThereAtEveryPlace) {
+  for (double lat_deg = -59.7; lat_deg < 84; ++lat_deg)
+    for (double lon_deg = -179.7; lon_deg < 180; ++lon_deg) {
+      const ClimateMix mix = climate::climate_mix_at(lon_deg, lat_deg);
+      for (const PlantCommunity community : {PlantCommunity::kAnyWood, PlantCommunity::kParkTrees,
+                                             PlantCommunity::kGardenTrees, PlantCommunity::kTownTrees}) {
+        const Habitat habitat = habitat_at(mix, lat_deg, {}, 10, {0, 0, 1}, false);
+        const Species drawn = draw_species(species_mix_of(community), habitat, 5, 0.4);
+        const double share = mix.mean([&](auto each) { return climate_share(community, drawn, each); });
+        ASSERT_GT(share, 0) << lon_deg << ' ' << lat_deg << ' ' << values_of(drawn).file;
+      }
+    }
 }
 
 TEST(SpeciesMix, HasMountainTreesInValleysOnlyWhereWintersAreCold) {
