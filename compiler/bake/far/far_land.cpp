@@ -33,7 +33,7 @@ constexpr double kRockFrom_m = 2400, kRockUpTo_m = 2900, kRockShare = 0.7;
 // Woods and open land in patches of these wavelengths.
 constexpr double kPatch_m = 900, kSmallPatch_m = 260;
 
-// As light as what they are tinted to.
+// The material of the land, as light as the colours to which it is tinted.
 Material base_of(const scene::Header& header) {
   const bool is_dry = ground::is_dry_anywhere(header.climate, local_month_of(header));
   return is_dry ? Material::kDryGround : Material::kScree;
