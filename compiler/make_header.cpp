@@ -62,6 +62,16 @@ double mean_height_m(const map::Heightfield& heights) {
   return std::floor(static_cast<double>(sum) / static_cast<double>(heights.heights.size()) * map::kHeightQuantum_m);
 }
 
+climate::ClimateField climate_of(const map::Plane& plane, const Box2& extent) {
+  return climate::make_climate_field(extent, [&](Vec2 at) {
+    const map::LonLat place = plane.backward(at);
+    return climate::Degrees{place.lon_deg, place.lat_deg};
+  });
+}
+
+// The snow line where all land is under snow.
+constexpr double kBelowAllLand_m = -1000;
+
 }  // namespace
 
 Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& extent,
@@ -87,7 +97,10 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
                        .sources = {file_name_of(spec.map_path)},
                        .attributions = {std::string(kOsmCredit)},
                        .snow_line_m = spec.snow_line_m,
-                       .around = std::move(*around)};
+                       .around = std::move(*around),
+                       .climate = climate_of(plane, extent)};
+  if (!header.snow_line_m && climate::is_under_snow(header.climate.own, scene::local_month_of(header)))
+    header.snow_line_m = kBelowAllLand_m;
   for (const source::RasterSpec& raster : spec.rasters) header.sources.push_back(file_name_of(raster.path));
   for (const source::RasterSpec& raster : spec.rasters) {
     const bool is_new = std::ranges::find(header.attributions, raster.credit) == header.attributions.end();

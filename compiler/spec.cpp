@@ -383,8 +383,11 @@ constexpr Setting kSettings[] = {
      false, set_clouds},
     {"seed", "N", "seed of all random choices, a whole number (default: {})", false, set_seed,
      [](const CompileSpec& spec) { return fmt::format("{}", spec.seed); }},
-    {"snow-line", "M", "land above this height in metres is covered by snow, such as 2800 (default: no snow)", false,
-     set_snow_line},
+    {"snow-line", "M",
+     "land above this height in metres is covered by snow, such as 2800 (default: all land in the winter of cold "
+     "climates, "
+     "else none)",
+     false, set_snow_line},
     {"rules", "FOLDER", "folder of rule files (.cga) that replace shipped files of the same name", false,
      set_text<&CompileSpec::rules_folder>},
     {"things", "FOLDER",

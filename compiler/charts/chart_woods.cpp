@@ -34,7 +34,7 @@ Woods woods_of(const scene::Header& header, const scene::Chunk& chunk) {
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begin);
   const plants::PlacedPlants placed =
       plants::generate({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.corridors},
-                       {map, graded, box, header.seed, header.origin.lat_deg}, ignored);
+                       {map, graded, box, header.seed, header.origin.lat_deg, header.climate}, ignored);
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
   woods.expand_seconds =
       static_cast<double>(end.tv_sec - begin.tv_sec) + static_cast<double>(end.tv_nsec - begin.tv_nsec) * 1e-9;

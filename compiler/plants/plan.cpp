@@ -26,19 +26,19 @@ constexpr WoodRow kWoods[] = {
 
 struct PlantingRow {
   LandCoverClass surface;
-  Species species;
+  SpeciesMix species_mix;
   double row_spacing_m, plant_spacing_m, height_m;
 };
 constexpr PlantingRow kPlantings[] = {
 #define PLANTING(surface, species, row_spacing_m, plant_spacing_m, height_m) \
-  {LandCoverClass::surface, Species::species, row_spacing_m, plant_spacing_m, height_m},
+  {LandCoverClass::surface, species_mix_of(species), row_spacing_m, plant_spacing_m, height_m},
 #include "compiler/plants/planting_defaults.inc"
 };
 
 // Crops of farmland whose tags name them.
-constexpr PlantingRow kCrops[] = {{LandCoverClass::kFarmland, Species::kWheat, 0.5, 0.375, 0.875},
-                                  {LandCoverClass::kFarmland, Species::kMaize, 0.75, 0.375, 2.25},
-                                  {LandCoverClass::kFarmland, Species::kGrass, 1, 1, 0.375}};
+constexpr PlantingRow kCrops[] = {{LandCoverClass::kFarmland, species_mix_of(Species::kWheat), 0.5, 0.375, 0.875},
+                                  {LandCoverClass::kFarmland, species_mix_of(Species::kMaize), 0.75, 0.375, 2.25},
+                                  {LandCoverClass::kFarmland, species_mix_of(Species::kGrass), 1, 1, 0.375}};
 
 // Distance of an avenue's trunks from the kerb.
 constexpr double kBehindKerb_m = 1;
@@ -88,7 +88,7 @@ std::vector<Wood> plan_woods(const map::Features& features, std::span<const grou
 // Orchards and plant nurseries have the tagged species, spaced by its crown width.
 Planting planting_on(const ground::LandCoverPolygon& surface, const PlantingRow& row, const map::PlantTags& plant_tags,
                      const map::Heightfield& terrain) {
-  const SpeciesMix usual = species_mix_of(row.species);
+  const SpeciesMix usual = row.species_mix;
   Planting planting{.surface = surface.id,
                     .species_mix = usual,
                     .heading = row_heading(surface, terrain),
@@ -115,7 +115,7 @@ std::vector<Planting> plan_plantings(const map::Features& features, std::span<co
       if (row.surface == surface.surface) plantings.push_back(planting_on(surface, row, plant_tags, terrain));
     for (const PlantingRow& row : kCrops)
       if (row.surface == surface.surface && plant_tags.kind != map::PlantKind::kUnknown &&
-          species_mix_for(plant_tags, {}) == species_mix_of(row.species))
+          species_mix_for(plant_tags, {}) == row.species_mix)
         plantings.push_back(planting_on(surface, row, plant_tags, terrain));
   }
   return plantings;

@@ -1,12 +1,9 @@
 #include "compiler/plants/season.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace citykiln::plants {
 namespace {
-
-constexpr double kTropic_deg = 23.4;
 
 struct StateRow {
   char letter;
@@ -42,10 +39,14 @@ int digit(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-Month month_for(std::string_view time, double latitude_deg) {
+climate::LocalMonth local_month_of(std::string_view time, double latitude_deg) {
   const int tens = digit(time, 5), ones = digit(time, 6), month = 10 * tens + ones;
-  if (tens < 0 || ones < 0 || month < 1 || month > 12 || std::abs(latitude_deg) < kTropic_deg) return kMidsummer;
-  return static_cast<Month>(latitude_deg > 0 ? month : (month + 5) % 12 + 1);
+  if (tens < 0 || ones < 0 || month < 1 || month > 12) return climate::LocalMonth{6};
+  return static_cast<climate::LocalMonth>(latitude_deg < 0 ? (month + 5) % 12 + 1 : month);
+}
+
+Month month_for(std::string_view time, double latitude_deg, climate::ClimateClass climate) {
+  return Month{climate::month_by_leaves(climate, local_month_of(time, latitude_deg))};
 }
 
 SeasonState season_state_of(Prototype prototype, Month month) {

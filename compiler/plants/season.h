@@ -4,17 +4,22 @@
 #include <cstdint>
 #include <string_view>
 
+#include "compiler/climate/climate_class.h"
 #include "compiler/plants/species.h"
 
 namespace citykiln::plants {
 
-/// A month of the northern hemisphere's year, 1 to 12: 1 is January in the north and July in the south.
+/// A month of central Europe, 1 to 12, whose leaves, crops and grass those of a place look like. In the tropics it is
+/// always kMidsummer (climate::month_by_leaves).
 enum class Month : std::uint8_t {};
 inline constexpr Month kMidsummer{6};
 
-/// Returns the month of a time like "2026-10-21T12:00" at a latitude. Returns kMidsummer between the tropics, and for a
+/// Returns the month of a time like "2026-10-21T12:00" at a latitude, by whose sign the hemisphere is known; June for a
 /// text without a month.
-Month month_for(std::string_view time, double latitude_deg);
+climate::LocalMonth local_month_of(std::string_view time, double latitude_deg);
+
+/// Returns the month of the leaves at a time.
+Month month_for(std::string_view time, double latitude_deg, climate::ClimateClass climate);
 
 /// The state of a plant in a month.
 struct SeasonState {

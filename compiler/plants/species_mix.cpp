@@ -1,9 +1,13 @@
 #include "compiler/plants/species_mix.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <span>
+#include <string_view>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/materials/noise.h"
 
 namespace citykiln::plants {
@@ -22,7 +26,44 @@ constexpr Member kMembers[] = {
 #include "compiler/plants/plant_communities.inc"
 };
 
-constexpr double kReferenceLatitude_deg = 42.5, kMetresADegree = 100;
+// True for the communities of planted trees, by number.
+constexpr bool kIsPlanted[] = {
+#define WILD_COMMUNITY(community) false,
+#define PLANTED_COMMUNITY(community) true,
+#include "compiler/plants/plant_communities.inc"
+};
+
+struct ClimateRow {
+  bool is_planted;
+  Species species;
+  double share;
+  std::string_view classes;
+};
+constexpr ClimateRow kClimateRows[] = {
+#define WILD(species, share, classes) {false, Species::species, share, classes},
+#define PLANTED(species, share, classes) {true, Species::species, share, classes},
+#include "compiler/plants/species_climates.inc"
+};
+
+// Shares by species and class.
+using ClimateShares =
+    std::array<std::array<double, climate::kClimateClasses>, static_cast<std::size_t>(Species::kCount)>;
+
+ClimateShares climate_shares(bool is_planted) {
+  ClimateShares shares{};
+  for (const ClimateRow& row : kClimateRows)
+    for (std::string_view rest = row.classes; row.is_planted == is_planted && !rest.empty();) {
+      const std::string_view name = rest.substr(0, rest.find(' '));
+      const climate::ClimateClass named = climate::climate_named(name);
+      assert(named < climate::ClimateClass::kCount);
+      shares[static_cast<std::size_t>(row.species)][static_cast<std::size_t>(named)] = row.share;
+      rest.remove_prefix(std::min(name.size() + 1, rest.size()));
+    }
+  return shares;
+}
+
+// Tree lines (belt_m_at): no change up to the subtropics, then these metres a degree.
+constexpr double kSubtropics_deg = 30, kReferenceLatitude_deg = 42.5, kToTropics_m = 100, kToPole_m = 75;
 
 // Weights fall to 0 over this distance beyond a belt.
 constexpr double kBeltEdge_m = 150;
@@ -46,24 +87,41 @@ std::span<const Member> members_of(PlantCommunity community) {
   return {first, last};
 }
 
-// Distance of a belt to a member's belt; 0 inside.
-double beyond_m(const Member& member, double belt_m) {
-  return std::max({member.from_m - belt_m, belt_m - member.to_m, 0.0});
+// Distance of a belt to a member's belt; 0 inside. Below the belt it is never too warm where winters are cold.
+double beyond_m(const Member& member, double belt_m, bool has_cold_winters = false) {
+  return std::max({has_cold_winters ? 0 : member.from_m - belt_m, belt_m - member.to_m, 0.0});
+}
+
+// 1 where the climate and the belt are the member's, as a mean over the classes of the place.
+double fitness_of(const Member& member, const Habitat& habitat) {
+  return habitat.climate.mean([&](climate::ClimateClass each) {
+    const double beyond = beyond_m(member, habitat.belt_m, climate::has_cold_winters(each));
+    return std::max(1 - beyond / kBeltEdge_m, 0.0) * climate_share(member.community, member.species, each);
+  });
 }
 
 double weight_of(const Member& member, const Habitat& habitat, std::uint64_t seed) {
-  const double in_belt = 1 - beyond_m(member, habitat.belt_m) / kBeltEdge_m;
-  if (in_belt <= 0) return 0;
+  const double fitness = fitness_of(member, habitat);
+  if (fitness <= 0) return 0;
   const double slope = 1 + kShadeShare * member.shade * habitat.shade;
   const double water =
       member.is_wet ? (habitat.is_by_water ? 1 : kWetElsewhere) : (habitat.is_by_water ? kDryByWater : 1);
   const auto key = seed + static_cast<std::uint64_t>(member.species);
-  return member.share * in_belt * slope * water * (1 + kGrouping * materials::noise_at(habitat.at, kGroup_m, key));
+  return member.share * fitness * slope * water * (1 + kGrouping * materials::noise_at(habitat.at, kGroup_m, key));
 }
 
-Species nearest_species(PlantCommunity community, double belt_m) {
-  const auto members = members_of(community);
-  return std::ranges::min_element(members, {}, [&](const Member& member) { return beyond_m(member, belt_m); })->species;
+bool grows_in(const Member& member, const climate::ClimateMix& mix) {
+  return mix.mean([&](auto each) { return climate_share(member.community, member.species, each); }) > 0;
+}
+
+Species nearest_species(PlantCommunity community, const Habitat& habitat) {
+  constexpr double kElsewhere_m = 1e6;
+  return std::ranges::min_element(members_of(community), {},
+                                  [&](const Member& member) {
+                                    return beyond_m(member, habitat.belt_m) +
+                                           (grows_in(member, habitat.climate) ? 0 : kElsewhere_m);
+                                  })
+      ->species;
 }
 
 // The leaf type of a forest is its land-cover class; plant tags hold leaf types of other plants (map/locate_areas).
@@ -106,7 +164,7 @@ std::vector<Species> species_in(SpeciesMix species_mix) {
   if (is_single_species(species_mix)) return {single_species(species_mix)};
   std::vector<Species> all;
   for (const Member& member : members_of(community_of(species_mix))) all.push_back(member.species);
-  std::ranges::sort(all);
+  sort_unique(all);
   return all;
 }
 
@@ -116,10 +174,23 @@ SpeciesMix species_mix_for(const map::PlantTags& plant_tags, SpeciesMix otherwis
   return species_mix_of(static_cast<Species>(static_cast<std::uint8_t>(plant_tags.kind) - 1));
 }
 
-Habitat habitat_at(double latitude_deg, Vec2 at, double height_m, Vec3 normal, bool is_by_water) {
+double climate_share(PlantCommunity community, Species species, climate::ClimateClass climate) {
+  static const std::array<ClimateShares, 2> shares = {climate_shares(false), climate_shares(true)};
+  assert(community < PlantCommunity::kCount && species < Species::kCount && climate < climate::ClimateClass::kCount);
+  return shares[kIsPlanted[static_cast<std::size_t>(community)]][static_cast<std::size_t>(species)]
+               [static_cast<std::size_t>(climate)];
+}
+
+double belt_m_at(double latitude_deg, double height_m) {
+  const double up_deg = std::max(std::abs(latitude_deg), kSubtropics_deg) - kReferenceLatitude_deg;
+  return height_m + up_deg * (up_deg < 0 ? kToTropics_m : kToPole_m);
+}
+
+Habitat habitat_at(const climate::ClimateMix& climate, double latitude_deg, Vec2 at, double height_m, Vec3 normal,
+                   bool is_by_water) {
   const double to_pole = latitude_deg < 0 ? -1 : 1;
-  return {height_m + (std::abs(latitude_deg) - kReferenceLatitude_deg) * kMetresADegree,
-          std::clamp(to_pole * normal.y / kSteepest, -1.0, 1.0), is_by_water, at};
+  return {climate, belt_m_at(latitude_deg, height_m), std::clamp(to_pole * normal.y / kSteepest, -1.0, 1.0),
+          is_by_water, at};
 }
 
 Species draw_species(SpeciesMix species_mix, const Habitat& habitat, std::uint64_t seed, double uniform) {
@@ -131,7 +202,7 @@ Species draw_species(SpeciesMix species_mix, const Habitat& habitat, std::uint64
   assert(!members.empty() && members.size() <= kMostMembers);
   double sums[kMostMembers], sum = 0;
   for (std::size_t i = 0; i < members.size(); ++i) sums[i] = sum += weight_of(members[i], habitat, seed);
-  if (sum <= 0) return nearest_species(community, habitat.belt_m);
+  if (sum <= 0) return nearest_species(community, habitat);
   std::size_t i = 0;
   while (i + 1 < members.size() && sums[i] <= uniform * sum) ++i;
   return members[i].species;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/climate/climate_mix.h"
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/vec.h"
 #include "compiler/map/plant_kind.h"
@@ -49,9 +50,19 @@ std::vector<Species> species_in(SpeciesMix species_mix);
 /// Returns the species that the tags name, else the community of the tagged leaf type, else `otherwise`.
 SpeciesMix species_mix_for(const map::PlantTags& plant_tags, SpeciesMix otherwise);
 
+/// Returns the share that multiplies a species' share in a community at places of a class (species_climates.inc); 0: it
+/// does not grow there.
+double climate_share(PlantCommunity community, Species species, climate::ClimateClass climate);
+
+/// Returns the belt of an altitude: the altitude at 42.5° of latitude at which trees grow as they do here. Slopes have
+/// belts within one class of climate. The belts of tree lines at other latitudes are those of 42.5°: 3,600 m to 30°,
+/// 1,000 m at 60°, 300 m at 70° (Körner, "Alpine Treelines", 2012, rounded).
+double belt_m_at(double latitude_deg, double height_m);
+
 /// The growing conditions at a position.
 struct Habitat {
-  double belt_m = 0;         ///< The altitude that has this climate at 42.5° of latitude.
+  climate::ClimateMix climate;
+  double belt_m = 0;         ///< The result of belt_m_at().
   double shade = 0;          ///< From -1 on a steep slope towards the noon sun to 1 on one away from it.
   bool is_by_water = false;  ///< A lake or river is within a few metres.
   Vec2 at;                   ///< The position, plane metres: species stand in groups.
@@ -59,10 +70,12 @@ struct Habitat {
 
 /// Returns the growing conditions at a position.
 /// @param normal  The unit normal of the ground.
-Habitat habitat_at(double latitude_deg, Vec2 at, double height_m, Vec3 normal, bool is_by_water);
+Habitat habitat_at(const climate::ClimateMix& climate, double latitude_deg, Vec2 at, double height_m, Vec3 normal,
+                   bool is_by_water);
 
-/// Draws the species of one plant. Members of a community are weighted by share, belt, slope, water and groups. If the
-/// altitude is in no member's belt, the member with the nearest belt is chosen.
+/// Draws the species of one plant. Members of a community are weighted by share, climate, belt, slope, water and
+/// groups. If no member has both the climate and the belt, the member of the climate with the nearest belt is chosen;
+/// of all members, if none has the climate: needle-leaved woods may be mapped where none are wild.
 ///
 /// @param seed    The seed of the scene, which decides where groups of a species stand.
 /// @param uniform  A uniform random number in [0, 1).

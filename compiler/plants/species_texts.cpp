@@ -20,7 +20,10 @@ std::vector<SpeciesText> species_texts_for(const Plants& plants, bool has_hedges
   };
   add_all(plants.trees), add_all(plants.woods), add_all(plants.plantings), add_all(plants.rows);
   // woods have bushes at their edges
-  if (!plants.woods.empty()) drawn.insert(Species::kBush);
+  if (!plants.woods.empty())
+    for (const Species species : species_in(species_mix_of(PlantCommunity::kWoodEdge))) drawn.insert(species);
+  // grass turns to straw in dry climates
+  if (drawn.contains(Species::kGrass)) drawn.insert(Species::kStraw);
   if (has_hedges) drawn.insert(Species::kHedge);
   std::vector<SpeciesText> texts;
   for (const SpeciesText& text : shipped_species())

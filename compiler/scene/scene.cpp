@@ -10,7 +10,13 @@
 
 namespace citykiln::scene {
 
-plants::Month month_of(const Header& header) { return plants::month_for(header.sky.time, header.origin.lat_deg); }
+plants::Month month_of(const Header& header) {
+  return plants::month_for(header.sky.time, header.origin.lat_deg, header.climate.own);
+}
+
+climate::LocalMonth local_month_of(const Header& header) {
+  return plants::local_month_of(header.sky.time, header.origin.lat_deg);
+}
 
 std::optional<buildings::WeekTime> night_of(const Header& header) {
   if (!sky::is_night(header.sky)) return std::nullopt;

@@ -10,6 +10,7 @@
 #include "compiler/buildings/lit_windows.h"
 #include "compiler/buildings/recipe.h"
 #include "compiler/buildings/rulebook.h"
+#include "compiler/climate/climate_field.h"
 #include "compiler/ground/landforms/recipe.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/map/element_text.h"
@@ -60,6 +61,7 @@ struct Header {
   /// Rows of the table of things that the scene uses, each under its name, and their rule files. Sorted by name.
   std::vector<buildings::RuleText> things{};
   surroundings::Surroundings around{};  ///< The land and sea beyond the extent; may be empty.
+  climate::ClimateField climate = climate::uniform_climate(climate::ClimateClass::kCfb);
   bool operator==(const Header&) const = default;
 };
 
@@ -109,8 +111,12 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
-/// Returns the month of the sky's time. Plants and fields are shown as they are in this month.
+/// Returns the month of the sky's time, by the climate of the origin. Plants and fields are shown as they are in this
+/// month.
 plants::Month month_of(const Header& header);
+
+/// Returns the same month without the climate, which decides how much grass is straw.
+climate::LocalMonth local_month_of(const Header& header);
 
 /// Returns the time of the week if it is dark, which decides which windows are lit; empty by day.
 std::optional<buildings::WeekTime> night_of(const Header& header);

@@ -46,7 +46,8 @@ std::uint64_t checksum(ByteSpan bytes, std::uint64_t hash = kHashOfNothing) {
   return hash;
 }
 
-// A hash of the names of all materials, classes, species and mixes, since a manifest refers to them by number.
+// A hash of the names of all materials, classes, species, mixes and climates, since a manifest refers to them by
+// number.
 std::uint64_t tables_hash() {
   std::string names;
   for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
@@ -61,6 +62,8 @@ std::uint64_t tables_hash() {
     names += values_of(static_cast<plants::Species>(s)).file, names += ' ';
   for (int m = 0; m < static_cast<int>(plants::PlantCommunity::kCount); ++m)
     names += name_of(species_mix_of(static_cast<plants::PlantCommunity>(m))), names += ' ';
+  for (std::size_t c = 0; c < climate::kClimateClasses; ++c)
+    names += name_of(static_cast<climate::ClimateClass>(c)), names += ' ';
   return checksum(std::as_bytes(std::span(names)));
 }
 
@@ -126,6 +129,16 @@ flatbuffers::Offset<fbs::Surroundings> surroundings_of(flatbuffers::FlatBufferBu
                                        around.error_m, around.rms_error_m);
 }
 
+flatbuffers::Offset<fbs::Climate> climate_of(flatbuffers::FlatBufferBuilder& builder,
+                                             const climate::ClimateField& field) {
+  std::vector<std::uint8_t> classes, shares;
+  for (const climate::ClimateNode& node : field.nodes)
+    for (std::size_t i = 0; i < node.classes.size(); ++i)
+      classes.push_back(static_cast<std::uint8_t>(node.classes[i])), shares.push_back(node.shares[i]);
+  return fbs::CreateClimateDirect(builder, static_cast<std::uint8_t>(field.own), field.first_column, field.first_row,
+                                  field.columns, &classes, &shares);
+}
+
 RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, const RawBytes& dictionary) {
   flatbuffers::FlatBufferBuilder builder;
   const scene::Header& h = scene.header;
@@ -142,10 +155,11 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
   const auto rules = rules_of(builder, h.rules), species = rules_of(builder, h.species),
              things = rules_of(builder, h.things);
   const auto around = surroundings_of(builder, h.around);
+  const auto climate = climate_of(builder, h.climate);
   builder.Finish(fbs::CreateHeaderDirect(builder, kVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg, &extent,
                                          h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions, kLicence,
                                          index, dictionary.empty() ? nullptr : &dictionary, snow_line_m, &rules,
-                                         &species, around, things.empty() ? nullptr : &things));
+                                         &species, around, things.empty() ? nullptr : &things, climate));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -272,6 +286,25 @@ std::optional<surroundings::Surroundings> plain(const fbs::Surroundings& s) {
   return surroundings::is_sound(*around) ? std::move(around) : std::nullopt;
 }
 
+// Nothing where the values are not such as compile writes.
+std::optional<climate::ClimateField> plain(const fbs::Climate* c) {
+  if (c == nullptr || c->classes() == nullptr || c->shares() == nullptr) return std::nullopt;
+  climate::ClimateField field{.own = static_cast<climate::ClimateClass>(c->own()),
+                              .first_column = c->first_column(),
+                              .first_row = c->first_row(),
+                              .columns = c->columns(),
+                              .nodes = {}};
+  climate::ClimateNode node;
+  const unsigned each = static_cast<unsigned>(node.shares.size());
+  if (c->classes()->size() != c->shares()->size() || c->shares()->size() % each != 0) return std::nullopt;
+  for (unsigned i = 0; i < c->shares()->size(); ++i) {
+    node.classes[i % each] = static_cast<climate::ClimateClass>(c->classes()->Get(i));
+    node.shares[i % each] = c->shares()->Get(i);
+    if (i % each == each - 1) field.nodes.push_back(node);
+  }
+  return climate::is_sound(field) ? std::optional(std::move(field)) : std::nullopt;
+}
+
 // Converts the header to plain data and checks its values.
 Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const std::string& name) {
   const Error damaged = damaged_header(name);
@@ -298,6 +331,9 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   header.rules = texts_of<buildings::RuleText>(h.rules());
   header.species = texts_of<plants::SpeciesText>(h.species());
   header.things = texts_of<buildings::RuleText>(h.things());
+  std::optional<climate::ClimateField> climate = plain(h.climate());
+  if (!climate) return damaged;
+  header.climate = std::move(*climate);
   if (h.around() == nullptr) return header;
   std::optional<surroundings::Surroundings> around = plain(*h.around());
   if (!around) return damaged;

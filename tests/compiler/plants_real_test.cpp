@@ -38,7 +38,8 @@ std::vector<Plant> plants_of(const scene::Scene& scene, const scene::Chunk& chun
   const ground::GradedTerrain graded = scene::graded_terrain_of(scene.header, chunk, 0.5);
   Report ignored;
   std::vector<Plant> plants;
-  const plants::PlacingContext land{map, graded, box, scene.header.seed, scene.header.origin.lat_deg};
+  const plants::PlacingContext land{
+      map, graded, box, scene.header.seed, scene.header.origin.lat_deg, scene.header.climate};
   for (const auto& [prototype, placements] :
        plants::generate({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.corridors}, land, ignored))
     for (const Placement& p : placements)

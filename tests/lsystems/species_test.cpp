@@ -106,12 +106,12 @@ double default_height_m(const Species& species) {
 
 /// Species with few leaves, of which scenes have many.
 bool is_small(const Species& species) {
-  constexpr std::array kSmall = {"fern", "grass", "hedge", "maize", "reed", "vine", "wheat"};
+  constexpr std::array kSmall = {"fern", "grass", "hedge", "maize", "reed", "straw", "vine", "wheat"};
   return std::ranges::find(kSmall, species.name) != kSmall.end();
 }
 
 bool has_many_stems(const Species& species) {
-  constexpr std::array kMany = {"bush", "fern", "grass", "hedge", "reed", "wheat"};
+  constexpr std::array kMany = {"bush", "fern", "grass", "hedge", "reed", "sagebrush", "straw", "wheat"};
   return std::ranges::find(kMany, species.name) != kMany.end();
 }
 
@@ -197,7 +197,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, EachSpecies, testing::ValuesIn(names()),
 
 TEST(Species, AreListedInTheReadme) {
   const std::string readme = text_of_tree("lsystems/notation.md");
-  ASSERT_EQ(names().size(), 23u);
+  ASSERT_EQ(names().size(), 29u);
   for (const std::string& name : names()) EXPECT_NE(readme.find("`" + name + "`"), std::string::npos) << name;
 }
 

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "compiler/bake/ground/dry_ground.h"
 #include "compiler/bake/ground/ground_material.h"
 #include "compiler/bake/ground/ground_tint.h"
 #include "compiler/materials/noise.h"
@@ -32,7 +33,11 @@ constexpr double kRockFrom_m = 2400, kRockUpTo_m = 2900, kRockShare = 0.7;
 // Woods and open land in patches of these wavelengths.
 constexpr double kPatch_m = 900, kSmallPatch_m = 260;
 
-constexpr Material kBase = Material::kScree;
+// The material of the land, as light as the colours to which it is tinted.
+Material base_of(const scene::Header& header) {
+  const bool is_dry = ground::is_dry_anywhere(header.climate, local_month_of(header));
+  return is_dry ? Material::kDryGround : Material::kScree;
+}
 
 Colour mixed(const Colour& a, const Colour& b, double share) {
   Colour colour{};
@@ -54,6 +59,17 @@ Colour in_month(Material material, plants::Month month) {
   const TintFactor tint = seasonal_tint(month, material);
   const Colour colour = colour_of(material);
   return {colour[0] * tint.red, colour[1] * tint.green, colour[2] * tint.blue};
+}
+
+// The colour of a class at the origin: with straw and bare ground in dry climates, otherwise as in the month.
+Colour colour_of_cover(map::LandCoverClass cover, const scene::Header& header) {
+  const climate::ClimateMix own(header.climate.own);
+  const ground::DryShares dry = ground::dry_shares(cover, own, local_month_of(header));
+  const Material material = map::values_of(cover).material;
+  if (dry == ground::DryShares{}) return in_month(material, month_of(header));
+  const TintFactor tint = dry_tint(cover, dry);
+  const Colour soil = colour_of(Material::kDryGround);
+  return {soil[0] * tint.red, soil[1] * tint.green, soil[2] * tint.blue};
 }
 
 bool is_built(LandCoverGroup group) {
@@ -90,11 +106,11 @@ struct Sum {
   double wood = 0;
   MeanColour open{}, built{};
 
-  void add(map::LandCoverClass cover, plants::Month month) {
+  void add(map::LandCoverClass cover, const scene::Header& header) {
     const map::LandCoverValues& values = map::values_of(cover);
     if (values.group == LandCoverGroup::kWater || values.group == LandCoverGroup::kUnknown) return;
     if (values.group == LandCoverGroup::kForest) return void(++wood);
-    (is_built(values.group) ? built : open).add(in_month(values.material, month));
+    (is_built(values.group) ? built : open).add(colour_of_cover(cover, header));
   }
 
   EdgeCover mean(const EdgeCover& otherwise) const {
@@ -140,12 +156,11 @@ double patch_at(Vec2 place, std::uint64_t seed) {
 // The vegetation at a place: woods in patches, on slopes away from the sun more than on others, up to the tree line.
 Colour growing_at(const FarLand& land, const EdgeCover& cover, const plants::Habitat& habitat) {
   constexpr double kSharpness = 3, kShadeShare = 0.5;
-  const plants::Month month = scene::month_of(land.header);
   const double dense = plants::wood_share_at(habitat.belt_m), high = (1 - dense) / (1 - plants::kSparseWood);
   const double share = cover.wood_share * (1 - high) * (1 + kShadeShare * habitat.shade);
   const double wood = std::clamp((share - patch_at(habitat.at, land.header.seed)) * kSharpness + share, 0.0, 1.0);
-  const Colour open = mixed(cover.open, in_month(Material::kMeadow, month), high);
-  return mixed(open, in_month(Material::kForestFloor, month), wood);
+  const Colour open = mixed(cover.open, colour_of_cover(map::LandCoverClass::kMeadow, land.header), high);
+  return mixed(open, colour_of_cover(map::LandCoverClass::kForest, land.header), wood);
 }
 
 // Towns go on beyond the edge where the land is not steep.
@@ -159,8 +174,8 @@ double rock_share(double belt_m, Vec3 normal) {
   return by_slope + (1 - by_slope) * by_height;
 }
 
-materials::Tint far_tint(const Colour& colour, TintFactor place) {
-  const Colour base = colour_of(kBase);
+materials::Tint far_tint(const Colour& colour, Material material, TintFactor place) {
+  const Colour base = colour_of(material);
   return bake::tint_of({colour[0] / base[0], colour[1] / base[1], colour[2] / base[2]}, place);
 }
 
@@ -168,18 +183,17 @@ materials::Tint far_tint(const Colour& colour, TintFactor place) {
 
 FarLand far_land_of(const scene::GroundLookup& lookup, const scene::Header& header) {
   FarLand land{.header = header, .centre = lookup.box().centre(), .ring = {}};
-  const plants::Month month = scene::month_of(header);
   std::vector<map::LandCoverClass> covers;
   for (const Vec2 place : scene::places_on_border(lookup.box(), kPlaces)) covers.push_back(lookup.at(place).cover);
   Sum all;
-  for (const map::LandCoverClass cover : covers) all.add(cover, month);
-  const Colour unknown = in_month(Material::kUnknownGround, month);
+  for (const map::LandCoverClass cover : covers) all.add(cover, header);
+  const Colour unknown = colour_of_cover(map::LandCoverClass::kUnknown, header);
   land.mean = all.mean({0, unknown, 0, unknown});
   constexpr int kEach = kPlaces / kDirections;
   for (int direction = 0; direction < kDirections; ++direction) {
     Sum own;
     for (int i = -kBlur * kEach; i <= kBlur * kEach; ++i)
-      own.add(covers[static_cast<std::size_t>(direction * kEach + i + kPlaces) % kPlaces], month);
+      own.add(covers[static_cast<std::size_t>(direction * kEach + i + kPlaces) % kPlaces], header);
     land.ring.push_back(own.mean(land.mean));
   }
   return land;
@@ -190,11 +204,12 @@ materials::SurfaceMaterial far_material_of(const FarLand& land, Vec3 place, Vec3
   const Vec2 at = in_plan(place);
   const GroundFace face{.surface = map::LandCoverClass::kMeadow, .normal = normal, .centre = place};
   if (material_of(face, land.header.snow_line_m, land.header.seed) == Material::kSnow) return {Material::kSnow};
-  const plants::Habitat habitat = plants::habitat_at(land.header.origin.lat_deg, at, place.z, normal, false);
+  const plants::Habitat habitat = plants::habitat_at({}, land.header.origin.lat_deg, at, place.z, normal, false);
   const EdgeCover cover = cover_at(land, at);
   const Colour soft = mixed(growing_at(land, cover, habitat), cover.built, built_share(cover, normal));
   const Colour colour = mixed(soft, colour_of(Material::kRock), rock_share(habitat.belt_m, normal));
-  return {kBase, far_tint(colour, place_tint(at, Material::kMeadow, land.header.seed))};
+  const Material base = base_of(land.header);
+  return {base, far_tint(colour, base, place_tint(at, Material::kMeadow, land.header.seed))};
 }
 
 }  // namespace citykiln::bake

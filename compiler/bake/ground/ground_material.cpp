@@ -1,5 +1,6 @@
 #include "compiler/bake/ground/ground_material.h"
 
+#include "compiler/bake/ground/dry_ground.h"
 #include "compiler/materials/noise.h"
 
 namespace citykiln::bake {
@@ -45,7 +46,7 @@ Material material_of(const GroundFace& face, const std::optional<double>& snow_l
   if (face.is_vertical) return Material::kStone;
   const bool is_snowed = snow_line_m && face.normal.z >= kSnowCosine && is_above(face.centre, *snow_line_m, seed);
   if (is_snowed) return Material::kSnow;
-  if (face.normal.z >= kSteepCosine) return values.material;
+  if (face.normal.z >= kSteepCosine) return dry_material_of(face.surface, face.dry);
   return is_town(values.group) || face.is_beside_road ? Material::kStone : Material::kRock;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "compiler/geometry/vec.h"
+#include "compiler/ground/cover/dry_cover.h"
 #include "compiler/map/land_cover_class.h"
 
 namespace citykiln::bake {
@@ -15,6 +16,7 @@ struct GroundFace {
   Vec3 centre;                  ///< Plane metres.
   bool is_beside_road = false;  ///< True if it shares a corner with a paved surface.
   bool is_vertical = false;     ///< True for built vertical faces: retaining walls, quays, kerbs.
+  ground::DryShares dry{};      ///< The straw and bare ground of its class at its place.
 };
 
 /// The cosine of the steepest slope with soil and grass, 48°. The angle of repose of scree is 35 to 40°; grass holds on
@@ -30,8 +32,8 @@ bool is_land(map::LandCoverGroup group);
 
 /// The material of a face. Roads, water and built ground have the material of their class at any slope and height.
 /// Steep land is rock, or masonry in towns and beside roads; vertical faces of land are masonry; land above the snow
-/// line, if there is one, is snow; other land has the material of its class. A function of the arguments only, so that
-/// tiles agree.
+/// line, if there is one, is snow; other land has the material of its class, or the ground of dry climates
+/// (dry_ground.h). A function of the arguments only, so that tiles agree.
 materials::Material material_of(const GroundFace& face, const std::optional<double>& snow_line_m, std::uint64_t seed);
 
 }  // namespace citykiln::bake

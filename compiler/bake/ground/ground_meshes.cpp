@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "compiler/bake/ground/border_tint.h"
+#include "compiler/bake/ground/dry_ground.h"
 #include "compiler/bake/ground/ground_material.h"
 #include "compiler/bake/ground/ground_tint.h"
 #include "compiler/bake/ground/ground_uvs.h"
@@ -30,6 +31,8 @@ struct CellContext {
   const scene::Header& header;
   double tolerance_m;
   plants::Month month = month_of(header);
+  climate::LocalMonth local_month = local_month_of(header);
+  bool is_dry = ground::is_dry_anywhere(header.climate, local_month);
   BorderTints border = border_tints(ground, cover.surfaces, header.seed, month);
 };
 
@@ -76,6 +79,11 @@ std::vector<bool> beside_roads(const CellContext& d) {
   return is_beside;
 }
 
+ground::DryShares dry_shares_at(const CellContext& d, map::LandCoverClass cover, Vec2 at) {
+  return d.is_dry ? ground::dry_shares(cover, climate_mix_at(d.header.climate, at), d.local_month)
+                  : ground::DryShares{};
+}
+
 // The flatter one of the face's own normal and of its corners' mean, since rounding may turn slivers any way.
 Vec3 slope_of(const Mesh& mesh, std::size_t face) {
   const Triangle& t = mesh.triangles[face];
@@ -96,6 +104,7 @@ std::vector<Material> materials_of_faces(const CellContext& d) {
     const Triangle& t = mesh.triangles[f];
     GroundFace face{class_of(d.cover, d.ground.face_cover[f]), slope_of(mesh, f), centre_of(mesh, f)};
     face.is_vertical = f >= d.ground.first_vertical;
+    face.dry = dry_shares_at(d, face.surface, in_plan(face.centre));
     for (const std::uint32_t v : t) face.is_beside_road = face.is_beside_road || is_beside[v];
     all.push_back(material_of(face, d.header.snow_line_m, d.header.seed));
   }
@@ -150,6 +159,10 @@ materials::Tint tint_at(const CellContext& d, std::uint32_t surface, Material ma
   TintFactor tint;
   if (surface != kNoLandCover) tint = surface_tint(d.cover.surfaces[surface], material, d.header.seed, d.month);
   if (d.border.is_shared[v] && has_soft_border(class_of(d.cover, surface))) tint = d.border.tints[v];
+  if (material == Material::kDryGround || material == Material::kDryGrass) {
+    const map::LandCoverClass cover = class_of(d.cover, surface);
+    tint = times(tint, dry_tint(cover, dry_shares_at(d, cover, place)));
+  }
   return tint_of(tint, place_tint(place, material, d.header.seed));
 }
 

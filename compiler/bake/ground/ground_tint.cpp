@@ -83,8 +83,6 @@ bool is_green(Material material) {
   }
 }
 
-TintFactor times(TintFactor a, TintFactor b) { return {a.red * b.red, a.green * b.green, a.blue * b.blue}; }
-
 // @param dryness  -1: bluish green; 1: yellowish.
 TintFactor dried(double dryness) {
   if (dryness > 0) return {1, 1 - 0.07 * dryness, 1 - 0.30 * dryness};
@@ -92,6 +90,8 @@ TintFactor dried(double dryness) {
 }
 
 }  // namespace
+
+TintFactor times(TintFactor a, TintFactor b) { return {a.red * b.red, a.green * b.green, a.blue * b.blue}; }
 
 bool is_paved(map::LandCoverClass surface) {
   const LandCoverGroup group = map::values_of(surface).group;

@@ -14,6 +14,9 @@ struct TintFactor {
   double red = 1, green = 1, blue = 1;
 };
 
+/// Returns the product of two factors.
+TintFactor times(TintFactor a, TintFactor b);
+
 /// True for paved surfaces. These have no tints of their own, so that all ways look alike.
 bool is_paved(map::LandCoverClass surface);
 

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/ground/cover/dry_cover.h"
 #include "compiler/plants/placing/placing_steps.h"
 #include "compiler/plants/placing/row_heading.h"
 
@@ -93,6 +95,23 @@ void for_each_plant(const Planting& planting, const Box2& box, double share, std
     }
 }
 
+// All plants of an orchard have one species, drawn for the climate and the altitude of each, which change slowly.
+Species species_of_planting(const Planting& planting, const PlacingContext& context, Vec2 at) {
+  if (is_single_species(planting.species_mix)) return single_species(planting.species_mix);
+  Habitat habitat = habitat_of(context, at);
+  habitat.at = {}, habitat.is_by_water = false, habitat.shade = 0;
+  const RandomSequence draw(context.seed, stable_id(planting.surface), "planting");
+  return draw_species(planting.species_mix, habitat, context.seed, draw.unit(kSpeciesDraw));
+}
+
+// Grass is straw in a dry season, and does not grow on bare ground.
+std::optional<Species> grass_at(const PlacingContext& context, map::LandCoverClass cover, Vec2 at,
+                                const RandomSequence& draw) {
+  const ground::DryShares dry = ground::dry_shares(cover, climate_mix_at(context.climate, at), context.month);
+  if (draw.unit(kSpeciesDraw) >= 1 - dry.bare) return std::nullopt;
+  return draw.unit(kDryDraw) < dry.straw ? Species::kStraw : Species::kGrass;
+}
+
 void place_planting(PlacedPlants& placed, const Planting& planting, const TreeClearanceIndex& trees, double share,
                     const PlacingContext& context) {
   const std::uint32_t surface = surface_of(context.surfaces, planting);
@@ -106,14 +125,15 @@ void place_planting(PlacedPlants& placed, const Planting& planting, const TreeCl
     if (clearance_m(context.surfaces, at, kLeastObstaclePriority, clear_m) < clear_m) return;
     const double height_m =
         planting.height_m * draw.between(1 - kPlantingHeightSpread, 1 + kPlantingHeightSpread, kHeightDraw);
-    const bool is_mix = !is_single_species(planting.species_mix);
-    const Species species =
-        is_mix ? draw_species(planting.species_mix, habitat_of(context, at), context.seed, draw.unit(kSpeciesDraw))
-               : single_species(planting.species_mix);
-    if (!is_mix && (species == Species::kHedge || species == Species::kVine))
+    const Species species = species_of_planting(planting, context, at);
+    if (species == Species::kGrass) {
+      const auto grass = grass_at(context, context.surfaces.surfaces[surface].surface, at, draw);
+      if (grass) place_plant(placed, context, *grass, at, height_m, draw, planting.surface.osm);
+    } else if (species == Species::kHedge || species == Species::kVine) {
       place_plant_along(placed, context, species, at, height_m, along, draw, planting.surface.osm);
-    else
+    } else {
       place_plant(placed, context, species, at, height_m, draw, planting.surface.osm);
+    }
   });
 }
 

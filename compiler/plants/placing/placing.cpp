@@ -69,8 +69,8 @@ bool is_blocked_ground(const ground::LandCoverIndex& land_cover, Vec2 p) {
 
 Habitat habitat_of(const PlacingContext& context, Vec2 p) {
   const map::Heightfield& terrain = context.ground.terrain;
-  return habitat_at(context.latitude_deg, p, height_m_at(terrain, p), normal_at(terrain, p),
-                    is_by_water(context.ground, p));
+  return habitat_at(climate_mix_at(context.climate, p), context.latitude_deg, p, height_m_at(terrain, p),
+                    normal_at(terrain, p), is_by_water(context.ground, p));
 }
 
 }  // namespace citykiln::plants

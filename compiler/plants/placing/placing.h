@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "compiler/climate/climate_field.h"
 #include "compiler/contract/random_sequence.h"
 #include "compiler/contract/report.h"
 #include "compiler/geometry/placement.h"
@@ -39,6 +40,8 @@ struct PlacingContext {
   Box2 box;                                ///< Half-open: a plant on its upper sides belongs to the neighbour.
   std::uint64_t seed = 0;
   double latitude_deg = 0;
+  const climate::ClimateField& climate;
+  climate::LocalMonth month{6};  ///< Decides how much grass is straw.
 };
 
 /// The indices of a plant's random draws.
@@ -49,7 +52,8 @@ enum DrawIndex : std::uint32_t {
   kVariantDraw,  ///< The variant: one of the differently grown plants of its species.
   kAlongDraw,    ///< The offset along a row or grid.
   kAcrossDraw,   ///< The offset across it.
-  kKeptDraw      ///< The decision to keep or omit the plant, or to replace a tree at a wood's edge by a bush.
+  kKeptDraw,     ///< The decision to keep or omit the plant, or to replace a tree at a wood's edge by a bush.
+  kDryDraw       ///< The decision between green grass and straw.
 };
 
 /// Adds a plant at a position in the plane, with its foot on the graded terrain.

@@ -52,9 +52,8 @@ SampleDensity density_at(const WoodIndex& woods, Vec2 p) {
   SampleDensity density = woods.densities[wood];
   density.owner = wood;
   density.height_m = height_m_at(context.ground.terrain, p);
-  const Vec3 normal = normal_at(context.ground.terrain, p);
-  density.normal_z = normal.z;
-  density.share *= wood_share_at(habitat_at(context.latitude_deg, p, density.height_m, normal, false).belt_m);
+  density.normal_z = normal_at(context.ground.terrain, p).z;
+  density.share *= wood_share_at(belt_m_at(context.latitude_deg, density.height_m));
   return density;
 }
 

@@ -89,7 +89,8 @@ CrownAverage crown_average_at(const WoodIndex& woods, Vec2 p, Month month) {
   const PlacingContext& context = woods.context;
   const Wood& wood = woods.woods[mix.wood];
   const map::Heightfield& terrain = context.ground.terrain;
-  const Habitat habitat = habitat_at(context.latitude_deg, p, height_m_at(terrain, p), normal_at(terrain, p), false);
+  const Habitat habitat = habitat_at(climate_mix_at(context.climate, p), context.latitude_deg, p,
+                                     height_m_at(terrain, p), normal_at(terrain, p), false);
   const Colour ground = ground_of(woods, wood);
   const RandomSequence draw(context.seed, id_of_place(p), "canopy");
   mix.uniform = draw.unit(0);

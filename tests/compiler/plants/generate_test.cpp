@@ -36,6 +36,7 @@ std::vector<LandCoverPolygon> wooded() {
 const std::vector<Wood> kWoods = {{{{OsmType::kWay, 1}, 0}, species_mix_of(PlantCommunity::kMixedWood), 95, 15}};
 constexpr Box2 kWoodBox = {{-256, -256}, {256, 256}};
 constexpr double kWoodLatitude_deg = 42.5;
+const climate::ClimateField kWoodClimate = climate::uniform_climate(climate::ClimateClass::kCfb);
 
 // Recipes in the wood above, and their plants in a box.
 struct PlantedWood {
@@ -55,7 +56,8 @@ struct PlantedWood {
   PlacedPlants in(const Box2& box, Report& report) const {
     const ground::LandCoverIndex map = index_land_cover(surfaces, box.widened(kInfluenceRadius_m));
     const ground::GradedTerrain ground(heights());
-    return generate({trees, woods, plantings, rows, corridors}, {map, ground, box, 7, kWoodLatitude_deg}, report);
+    return generate({trees, woods, plantings, rows, corridors}, {map, ground, box, 7, kWoodLatitude_deg, kWoodClimate},
+                    report);
   }
   PlacedPlants in(const Box2& box) const {
     Report ignored;
@@ -189,7 +191,7 @@ TEST(Generate, WillowsAndPoplarsStandByWater) {
   const ground::GradedTerrain ground = grade_terrain(scene.heights(), parts);
   Report report;
   const PlacedPlants placed =
-      generate({{}, scene.woods, {}, {}, {}}, {map, ground, kWoodBox, 7, kWoodLatitude_deg}, report);
+      generate({{}, scene.woods, {}, {}, {}}, {map, ground, kWoodBox, 7, kWoodLatitude_deg, kWoodClimate}, report);
   std::size_t by_water = 0, elsewhere = 0;
   for (const auto& [prototype, some] : placed)
     if (prototype.species == Species::kWillow || prototype.species == Species::kPoplar)
@@ -291,7 +293,8 @@ TEST(GenerateBlades, AreNoMoreThanTheLimit) {
   EXPECT_TRUE(sorted_placements(scene.in(kWoodBox)).size() == sorted_placements(PlantedWood{}.in(kWoodBox)).size());
   const ground::LandCoverIndex map = index_land_cover(scene.surfaces, kWoodBox.widened(kInfluenceRadius_m));
   const ground::GradedTerrain ground(scene.heights());
-  const PlacedPlants blades = generate_blades(scene.plantings, {map, ground, kWoodBox, 7, kWoodLatitude_deg});
+  const PlacedPlants blades =
+      generate_blades(scene.plantings, {map, ground, kWoodBox, 7, kWoodLatitude_deg, kWoodClimate});
   const double most = kMostBladesPerKm2 * 0.512 * 0.512;
   EXPECT_LT(static_cast<double>(sorted_placements(blades).size()), 1.05 * most);
   EXPECT_GT(static_cast<double>(sorted_placements(blades).size()), 0.85 * most);
@@ -303,7 +306,7 @@ TEST(PlaceHedge, PutsPiecesAsLongAsHighAlongTheLine) {
   const ground::GradedTerrain ground(scene.heights());
   PlacedPlants placed;
   const Polyline axis = {{-200, 100}, {-188, 100}, {-188, 91}};
-  place_hedge(placed, {axis, 1.5, {OsmType::kWay, 6}}, {map, ground, kWoodBox, 7, kWoodLatitude_deg});
+  place_hedge(placed, {axis, 1.5, {OsmType::kWay, 6}}, {map, ground, kWoodBox, 7, kWoodLatitude_deg, kWoodClimate});
   ASSERT_EQ(count_of(placed, Species::kHedge), 14u);
   for (const Placement& piece : sorted_placements(placed)) {
     EXPECT_EQ(piece.scale, 1.5);

@@ -99,7 +99,7 @@ TEST(Plan, FieldsGrowTheirTaggedCrop) {
   const Plants plants = planned(features, report);
   ASSERT_EQ(plants.plantings.size(), 6u);
   EXPECT_EQ(plants.plantings[0].species_mix, species_mix_of(Species::kMaize));
-  EXPECT_EQ(plants.plantings[1].species_mix, species_mix_of(Species::kApple));
+  EXPECT_EQ(plants.plantings[1].species_mix, species_mix_of(PlantCommunity::kOrchardTrees));
   EXPECT_EQ(plants.plantings[2].species_mix, species_mix_of(Species::kPalm));
   EXPECT_EQ(plants.plantings[3].species_mix, species_mix_of(Species::kVine));
   EXPECT_EQ(plants.plantings[4].species_mix, species_mix_of(Species::kReed));

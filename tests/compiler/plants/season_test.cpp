@@ -33,12 +33,23 @@ double shown(const impostor::Cutout& cutout) {
 }
 
 TEST(Season, IsHalfAYearOffInTheSouthAndMidsummerInTheTropics) {
-  EXPECT_EQ(month_for("2026-10-21T12:00", 52), kOctober);
-  EXPECT_EQ(month_for("2026-04-21T12:00", -33), kOctober);
-  EXPECT_EQ(month_for("2026-12-21T12:00", -33), kMidsummer);
-  EXPECT_EQ(month_for("2026-01-21T12:00", 10), kMidsummer);
+  using climate::ClimateClass;
+  EXPECT_EQ(month_for("2026-10-21T12:00", 52, ClimateClass::kCfb), kOctober);
+  EXPECT_EQ(month_for("2026-04-21T12:00", -38, ClimateClass::kCfb), kOctober);
+  EXPECT_EQ(month_for("2026-12-21T12:00", -38, ClimateClass::kCfb), kMidsummer);
+  EXPECT_EQ(month_for("2026-01-21T12:00", 10, ClimateClass::kAw), kMidsummer);
+  EXPECT_EQ(month_for("2026-10-21T12:00", 10, ClimateClass::kCfb), kOctober);  // a mountain of the tropics
   for (const char* text : {"", "2026", "2026-1", "2026-13-01T00:00", "2026-00-01T00:00", "no time at all"})
-    EXPECT_EQ(month_for(text, 52), kMidsummer) << text;
+    EXPECT_EQ(month_for(text, 52, ClimateClass::kCfb), kMidsummer) << text;
+}
+
+TEST(Season, ComesLaterAndEndsEarlierWhereWintersAreLong) {
+  using climate::ClimateClass;
+  const auto leaves = [](const char* time, ClimateClass climate) {
+    return season_state_of({Species::kBirch, 0}, month_for(time, 60, climate)).leaf_share;
+  };
+  EXPECT_GT(leaves("2026-04-21T12:00", ClimateClass::kCfb), leaves("2026-04-21T12:00", ClimateClass::kDfc));
+  EXPECT_GT(leaves("2026-10-21T12:00", ClimateClass::kCfb), leaves("2026-10-21T12:00", ClimateClass::kDfc));
 }
 
 TEST(Season, ChangesNothingInMidsummer) {

@@ -13,7 +13,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent.parent / "properties"))
 
-from citykiln_program import ROOT, ProgramTest, report_of  # noqa: E402
+from citykiln_program import ROOT, ProgramTest, report_of, run  # noqa: E402
 
 GOLDEN = ROOT / "tests" / "golden"
 PAGE = (ROOT / "exporters" / "kiln" / "MANIFEST.md").read_text()
@@ -357,6 +357,16 @@ class Around:
         return self.at(column - 1, row) + self.at(column, row - 1) - self.at(column - 1, row - 1)
 
 
+class Climate:
+    """The classes of a grid, and that of the origin."""
+
+    def __init__(self, table):
+        self.own, self.first, self.columns = table.number(0, "B"), (table.number(1, "i"), table.number(2, "i")), table.number(3, "i")
+        classes, shares = table.bytes(4), table.bytes(5)
+        assert len(classes) == len(shares) and len(shares) % (4 * self.columns) == 0
+        self.nodes = [{classes[i]: shares[i] for i in range(at, at + 4) if shares[i]} for at in range(0, len(shares), 4)]
+
+
 def all_of(stream, take):
     numbers = []
     while stream.at < len(stream.data):
@@ -378,6 +388,7 @@ class Manifest:
         line_m = header.number(14, "d") if header.place(14) else math.nan
         self.snow_line_m = None if math.isnan(line_m) else line_m
         self.around = Around(header.table(17)) if header.place(17) else None
+        self.climate = Climate(header.table(19))
         self.chunks, end = {}, 0
         for tile, size, value in tiles_of(header.table(12)):
             assert not self.chunks or max(self.chunks) < tile
@@ -457,6 +468,16 @@ class Page(ProgramTest):
         for arguments, line_m in ([], None), (["--snow-line", "2200.5"], 2200.5):
             out = self.compiled("crossing", GOLDEN / "crossing" / "map.osm", "--emit", "kiln", *arguments)
             self.assertEqual(Manifest((out / "scene.kiln").read_bytes()).snow_line_m, line_m)
+
+    def test_says_what_climate_there_is(self):
+        out = self.compiled("crossing", GOLDEN / "crossing" / "map.osm", "--emit", "kiln")
+        climate = Manifest((out / "scene.kiln").read_bytes()).climate
+        names = re.findall(r"^CLIMATE\((\w+)", (ROOT / "compiler/climate/climate_classes.inc").read_text(), re.MULTILINE)
+        described = json.loads(run("inspect", out / "scene.kiln", "--json").stdout)
+        self.assertEqual(names[climate.own], described["climate"])
+        for node in climate.nodes:
+            self.assertEqual(sum(node.values()), 255)
+            self.assertLess(max(node), len(names))
 
     def test_says_what_is_around(self):
         self.assertIsNone(Manifest((self.compiled("crossing", GOLDEN / "crossing" / "map.osm", "--emit", "kiln") / "scene.kiln").read_bytes()).around)

@@ -126,6 +126,20 @@ TEST(Manifest, ReadsBackWhatItWrote) {
   }
 }
 
+TEST(Manifest, KeepsTheClimateAndRefusesOneThatIsNone) {
+  scene::Scene scene = made_scene(2);
+  climate::ClimateField& field = scene.header.climate;
+  field = climate::uniform_climate(climate::ClimateClass::kBWh);
+  field.first_column = -3, field.first_row = 5, field.columns = 2;
+  field.nodes.push_back({{climate::ClimateClass::kAf, climate::ClimateClass::kET}, {200, 55}});
+  const auto back = decoded_manifest(encode_manifest(scene, 1));
+  ASSERT_TRUE(back) << manifest_refusal(back);
+  EXPECT_EQ(back->header.climate, field);
+  field.nodes[1].shares[1] = 54;
+  EXPECT_EQ(manifest_refusal(decoded_manifest(encode_manifest(scene, 1))),
+            "town.kiln: expected a citykiln manifest, found one whose header is damaged");
+}
+
 // Found by fuzz_manifest: C's strings end at a zero byte, a scene's do not.
 TEST(Manifest, TextsWithZeroBytesAreKept) {
   scene::Scene scene = made_scene(1);

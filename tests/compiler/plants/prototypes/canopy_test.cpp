@@ -16,6 +16,7 @@ using map::LandCoverClass;
 
 constexpr double kTolerance_m = 12.5;
 constexpr std::uint64_t kSeed = 7;
+const climate::ClimateField kClimate = climate::uniform_climate(climate::ClimateClass::kCfb);
 
 Wood wood(std::int64_t id, PlantCommunity mix, std::uint16_t trees_per_ha) {
   return {{{OsmType::kWay, id}, 0}, species_mix_of(mix), trees_per_ha, 16};
@@ -49,7 +50,7 @@ struct WoodedSlope {
   };
   Made in(const Box2& box, double tolerance_m = kTolerance_m, Month month = kMidsummer) const {
     const ground::LandCoverIndex map = index_land_cover(surfaces, box.widened(kInfluenceRadius_m));
-    const PlacingContext land{map, ground, box, kSeed, 42.5};
+    const PlacingContext land{map, ground, box, kSeed, 42.5, kClimate};
     Report ignored;
     Made made{make_canopy(woods, corridors, land, tolerance_m, month),
               generate({{}, woods, {}, {}, corridors}, land, ignored)};
