@@ -157,6 +157,7 @@ struct Measured {
 // The wedge at a bend, on its outer side.
 void limit_at_bend(Measured& measured, const MappedLine& line, Vec2 before, Vec2 corner, Vec2 after) {
   const Vec2 in = unit(corner - before), out = unit(after - corner);
+  if (!runs_beside(line, in) && !runs_beside(line, out)) return;
   const Part within = part_between(line, corner, in, corner, out);
   const map::CrossSection& section = measured.stretch.section;
   const double turn = cross(in, out);
@@ -181,13 +182,14 @@ Room room_beside(const Surroundings& surroundings, const map::Track& stretch) {
     for (const std::uint32_t n :
          boxes_about(surroundings.line_grid, box_of(std::array{axis[i], axis[i + 1]}).widened(reach_m))) {
       const MappedLine& line = surroundings.lines[n];
-      if (!limits_strips(line) || line.element.osm == stretch.id.osm || !runs_beside(line, along)) continue;
+      if (!limits_strips(line) || line.element.osm == stretch.id.osm) continue;
+      if (i + 2 < axis.size()) limit_at_bend(measured, line, axis[i], axis[i + 1], axis[i + 2]);
+      if (!runs_beside(line, along)) continue;
       // a wide line reaches beyond its axis, and over the ends of the stretch
       const Vec2 before = i == 0 ? along * line.half_m : Vec2{},
                  after = i + 2 == axis.size() ? along * line.half_m : Vec2{};
       const Part within = part_between(line, axis[i] - before, along, axis[i + 1] + after, along);
       measured.limit_both(line, within, axis[i], left, left, distance(axis[i], axis[i + 1]) < kTight_m);
-      if (i + 2 < axis.size()) limit_at_bend(measured, line, axis[i], axis[i + 1], axis[i + 2]);
     }
   }
   return {capped(measured.room.left_m), capped(measured.room.right_m)};

@@ -16,7 +16,8 @@ Road road_of(const map::Track& track) {
           .points = track.points,
           .width_limits = {},
           .country = track.country,
-          .assumed = track.assumed};
+          .assumed = track.assumed,
+          .assumed_strips = track.assumed_strips};
 }
 
 std::vector<Road> plan(const map::Features& features, Report& report) {

@@ -141,6 +141,7 @@ void test_pavements(const Mapped& mapped, const Road& road, const Box2& box, Ass
       const double offsets_m[] = {(edges.kerb_left_m + edges.left_m) / 2, -(edges.kerb_right_m + edges.right_m) / 2};
       const double widths_m[] = {edges.left_m - edges.kerb_left_m, edges.right_m - edges.kerb_right_m};
       for (const int side : {0, 1}) {
+        if ((road.assumed_strips & (side == 0 ? map::kLeftSide : map::kRightSide)) == 0) continue;
         const PavementPlace place{road, on_axis, on_axis + left * offsets_m[side]};
         if (widths_m[side] >= kLeastMeasured_m && box.contains_half_open(place.at)) test_place(mapped, place, found);
       }

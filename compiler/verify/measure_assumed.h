@@ -19,7 +19,7 @@ struct AssumedPlaces {
 };
 
 /// Tests the middles of the strips beyond the kerbs, within the width limits, of ground roads with assumed pavements or
-/// verges, every 4 m, in a box. None may lie
+/// verges on that side, every 4 m, in a box. None may lie
 /// - in mapped water, a building or a square, unless the axis beside it lies there too;
 /// - on a railway, the carriageway of another road, or a path that runs along the road. Other paths may join a
 /// pavement. Places within kJunctionRadius_m of a node that both ways have are not tested against each other. O(places

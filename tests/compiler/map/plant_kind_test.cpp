@@ -70,7 +70,7 @@ TEST(PlantTags, OfAreasIsTreesCropAndLeaves) {
     r4 0:0 90:0 90:90 0:90 natural=wood wood=deciduous
     r5 0:0 90:0 90:90 0:90 landuse=residential crop=maize)");
   ASSERT_EQ(f.areas.size(), 5u);
-  EXPECT_EQ(f.areas[0].plant_tags.kind, PlantKind::kApple);
+  EXPECT_EQ(f.areas[0].plant_tags.kind, PlantKind::kOlive);
   EXPECT_EQ(f.areas[1].plant_tags.kind, PlantKind::kMaize);
   EXPECT_EQ(f.areas[2].surface, LandCoverClass::kNeedleLeavedForest);
   EXPECT_EQ(f.areas[3].surface, LandCoverClass::kBroadLeavedForest);
