@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/parcels/empty_lots.h"
 #include "compiler/parcels/faces.h"
 #include "compiler/parcels/fronts.h"
 #include "compiler/parcels/lot_borders.h"
@@ -80,6 +81,38 @@ void renumber(Parcels& parcels, const std::vector<std::uint32_t>& lines, const s
   std::ranges::sort(parcels.rest, {}, &Polygon::outer);
 }
 
+// Sizes within what kInfluenceRadius_m allows; at least one.
+std::vector<LotSize> limited(std::vector<LotSize> sizes) {
+  if (sizes.empty()) sizes.emplace_back();
+  for (LotSize& size : sizes) {
+    size.area_m2 = std::max(size.area_m2, 20.0);
+    size.front_m = std::clamp(size.front_m, 2.0, kDepth_m);
+    size.depth_m = std::clamp(size.depth_m, 5.0, kDepth_m);
+  }
+  return sizes;
+}
+
+// Splits the largest lot of each section.
+Splits splits_of(const LabelledParcels& labelled, const std::vector<LotSize>& sections, std::uint32_t first_label) {
+  Splits splits{first_label, std::vector<SplitTree>(sections.size()), {}};
+  std::vector<double> largest(sections.size(), 0);
+  for (std::size_t i = 0; i < labelled.labels.size(); ++i) {
+    if (labelled.labels[i] < first_label) continue;
+    const std::uint32_t section = labelled.labels[i] - first_label;
+    const Ring& ring = labelled.parcels.lots[i].polygon.outer;
+    if (const double area = signed_area_m2(ring); area > largest[section]) {
+      largest[section] = area;
+      splits.trees[section] = split(ring, labelled.fronts[i], sections[section]);
+    }
+  }
+  std::uint32_t next = first_label;
+  for (const SplitTree& tree : splits.trees) {
+    splits.first_leaf.push_back(next);
+    next += leaf_count(tree);
+  }
+  return splits;
+}
+
 }  // namespace
 
 Parcels divide(const Land& land, int threads) {
@@ -100,11 +133,23 @@ Parcels divide(const Land& land, int threads) {
 
   const Strips strips = strips_of(lines);
   const Obstacles obstacles = obstacles_of(lines, taken);
-  const Fronts fronts = fronts_of(strips, footprints, land.sizes, obstacles);
+  const std::vector<LotSize> sizes = limited(land.sizes);
+  Fronts fronts = fronts_of(strips, footprints, sizes, obstacles);
+  const std::uint32_t first_section = label_of_building(static_cast<std::uint32_t>(footprints.size()));
+  std::vector<LotSize> sections;
+  if (land.split_empty) sections = label_sections(strips, lines, sizes, first_section, fronts);
   const Field field = field_of(pieces_of(strips, fronts), obstacles);
-  const auto borders = lot_borders(field, threads);
-  const Layout layout{land.extent, strips.pieces, taken, footprints, borders, &field};
-  Parcels parcels = lots_of_faces(faces_of(layout, threads), lines, footprints);
+  auto borders = lot_borders(field, threads);
+  Layout layout{land.extent, strips.pieces, taken, footprints, borders, &field};
+  LabelledParcels labelled = lots_of_faces(faces_of(layout, threads), lines, footprints);
+  if (!sections.empty()) {
+    const Splits splits = splits_of(labelled, sections, first_section);
+    for (const SplitTree& tree : splits.trees) borders.insert(borders.end(), tree.cuts.begin(), tree.cuts.end());
+    layout.borders = borders;
+    layout.splits = &splits;
+    labelled = lots_of_faces(faces_of(layout, threads), lines, footprints);
+  }
+  Parcels parcels = std::move(labelled.parcels);
   renumber(parcels, line_order, footprint_order);
   parcels.failures.insert(parcels.failures.end(), failures.begin(), failures.end());
   std::ranges::sort(parcels.failures, {}, &Failure::footprint);

@@ -16,8 +16,8 @@ namespace citykiln::parcels {
 
 /// A lot depends only on lines, taken rings and footprints that come within this distance of it, in metres.
 ///
-/// A lot's points lie within kDepth_m of its frontage (64), and the sight line to it ends there. What a part of a
-/// frontage belongs to follows from the rays of the parts beside it, up to two fronts away on each side (2 · 64, with
+/// A lot's points lie within kDepth_m of its frontage (64), and the sight line to it ends there. The owner of a part of
+/// a frontage follows from the rays of the parts beside it, up to two fronts away on each side (2 · 64, with
 /// LotSize::front_m up to 64), each kDepth_m long (64); whether a building that a ray meets faces another street
 /// follows from streets within kDepth_m of it (64), seen past obstacles within that; and whether it is a shed from
 /// buildings within 25 m. Snap rounding is done in cells with a diagonal of 182 m, and triangulations of cells choose

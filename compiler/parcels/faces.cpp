@@ -33,7 +33,7 @@ Indexes indexes_of(const Layout& layout) {
           index_of(layout.borders, [](const auto& b) { return box_of_segment(b.first, b.second); })};
 }
 
-// What lies in or near one cell.
+// The parts of a layout in or near one cell.
 struct CellParts {
   Box2 cell;
   std::vector<std::uint32_t> strips, footprints;
@@ -101,6 +101,7 @@ Face face_at(const Layout& layout, const CellParts& parts, Vec2 p) {
   if (face.kind != FaceKind::kLand) return face;
   const std::uint32_t piece = nearest_piece(*layout.field, p);
   face.label = piece == kNone ? kRest : layout.field->pieces[piece].label;
+  if (layout.splits) face.label = split_label(*layout.splits, face.label, p);
   return face;
 }
 

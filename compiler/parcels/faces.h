@@ -1,7 +1,7 @@
 // Faces: the plane divided by strips, taken land, footprints and the borders of lots, cell by cell.
 //
 // All lines are snap-rounded together (geometry/arrangement.h), so faces cover the extent and share no area, whatever
-// the lines are. What a face is follows from a point inside it.
+// the lines are. A point inside each face says what it is.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compiler/geometry/arrangement.h"
+#include "compiler/parcels/empty_lots.h"
 #include "compiler/parcels/field.h"
 #include "compiler/parcels/strips.h"
 
@@ -32,7 +33,7 @@ struct FaceEdge {
   GridPoint from, to;
   std::uint32_t face = 0;
   std::uint32_t beyond = kNone;  ///< The face on the other side; kNone at the outermost cells.
-  Border border;                 ///< What lies along it, kInner for borders of lots and cells.
+  Border border;                 ///< The border along it, kInner for borders of lots and cells.
 };
 
 struct Faces {
@@ -40,7 +41,7 @@ struct Faces {
   std::vector<FaceEdge> edges;  ///< Sorted by (from, to).
 };
 
-/// What the plane is divided by. Refers to its parts.
+/// The lines that divide the plane. Refers to its parts.
 struct Layout {
   Box2 extent;
   std::span<const StripPiece> strips;
@@ -48,6 +49,7 @@ struct Layout {
   std::span<const Footprint> footprints;
   std::span<const std::pair<Vec2, Vec2>> borders;
   const Field* field = nullptr;
+  const Splits* splits = nullptr;  ///< Null: no lots are split.
 };
 
 /// Returns the faces of all cells that the extent touches. Cost: that of arrange() and of a triangulation.

@@ -20,7 +20,7 @@ struct Piece {
   Vec2 along;         ///< The direction of the frontage; {0, 0} for a wedge, whose distances are from its tip.
   Ring land;          ///< Convex, counter-clockwise.
   std::uint32_t frontage = 0;
-  std::uint32_t label = 0;  ///< What a place in it belongs to.
+  std::uint32_t label = 0;  ///< The owner of places in it (fronts.h).
 };
 
 /// Lines that cannot be looked across.
@@ -55,8 +55,8 @@ void add_wedges(std::vector<Piece>& pieces, const Strips& strips, std::uint32_t 
 
 inline double distance_m(const Piece& piece, Vec2 p) { return dot(p - piece.foot, piece.normal); }
 
-/// Returns the index of the piece that a place belongs to, kNone if no piece sees it. Of equally near pieces the first
-/// one counts.
+/// Returns the index of the piece that a place belongs to, kNone if no piece sees it. The first of equally
+/// near pieces counts.
 std::uint32_t nearest_piece(const Field& field, Vec2 p);
 /// The nearest piece except those of a frontage, nearer than `most_m`.
 std::uint32_t nearest_other(const Field& field, Vec2 p, std::uint32_t frontage, double most_m);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compiler/geometry/centroid.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/parcels/box_index.h"
 
@@ -20,6 +21,8 @@ constexpr double kCorner_m = 25;
 constexpr double kShedNear_m = 25;
 // Land behind a building that belongs to its lot.
 constexpr double kBackyard_m = 10;
+// Land beside a hidden building that belongs to its lot.
+constexpr double kBesideHidden_m = 3;
 
 struct FootprintEdge {
   Vec2 a, b;
@@ -311,7 +314,7 @@ class Divider {
     }
   }
 
-  // Sorts the spans and fills what is nobody's.
+  // Sorts the spans and fills free spans.
   void complete(std::uint32_t f) {
     std::ranges::sort(fronts_[f], {}, &Span::from_m);
     std::vector<Span> all;
@@ -337,6 +340,72 @@ class Divider {
   std::vector<std::vector<bool>> has_before_;
 };
 
+// A building that no ray meets, before land without an owner.
+struct Claim {
+  double from_m, to_m, distance_m;
+  std::uint32_t footprint;
+};
+
+std::vector<std::vector<Claim>> claims_of(const View& view, const Fronts& fronts) {
+  const std::vector<Footprint>& footprints = *view.buildings.footprints;
+  std::vector<bool> has_front(footprints.size(), false);
+  for (const std::vector<Span>& spans : fronts)
+    for (const Span& span : spans)
+      if (span.label >= kFirstBuilding) has_front[span.label - kFirstBuilding] = true;
+  const Field field = field_of(pieces_of(view.strips, fronts), view.obstacles);
+  std::vector<std::vector<Claim>> claims(fronts.size());
+  for (std::uint32_t i = 0; i < footprints.size(); ++i) {
+    if (has_front[i]) continue;
+    const Vec2 centre = centroid({footprints[i].ring, {}});
+    const std::uint32_t piece = nearest_piece(field, centre);
+    if (piece == kNone || field.pieces[piece].label != kRest) continue;
+    const std::uint32_t f = field.pieces[piece].frontage;
+    const Shadow shadow = shadow_of(view.strips.frontages[f], footprints[i].ring);
+    claims[f].push_back(
+        {shadow.from_m - kBesideHidden_m, shadow.to_m + kBesideHidden_m, distance_m(field.pieces[piece], centre), i});
+  }
+  return claims;
+}
+
+// The nearest of the claims to a place; null if there is none.
+const Claim* claim_at(const std::vector<Claim>& claims, double at_m) {
+  const Claim* best = nullptr;
+  for (const Claim& claim : claims)
+    if (claim.from_m <= at_m && at_m <= claim.to_m && (!best || claim.distance_m < best->distance_m)) best = &claim;
+  return best;
+}
+
+// Gives hidden buildings the land before them without an owner.
+void adopt_hidden(const View& view, const std::vector<LotSize>& sizes, Fronts& fronts) {
+  const auto claims = claims_of(view, fronts);
+  for (std::uint32_t f = 0; f < fronts.size(); ++f) {
+    if (claims[f].empty()) continue;
+    const Frontage& frontage = view.strips.frontages[f];
+    const double usual_m = sizes[std::min<std::size_t>(frontage.size, sizes.size() - 1)].depth_m;
+    std::vector<Span> all;
+    for (const Span& span : fronts[f]) {
+      std::vector<double> breaks = {span.from_m, span.to_m};
+      for (const Claim& claim : claims[f])
+        for (const double at : {claim.from_m, claim.to_m})
+          if (span.label == kRest && at > span.from_m && at < span.to_m) breaks.push_back(at);
+      std::ranges::sort(breaks);
+      for (std::size_t i = 1; i < breaks.size(); ++i) {
+        Span part{breaks[i - 1], breaks[i], span.label, span.depth_m};
+        if (const Claim* claim = claim_at(claims[f], (part.from_m + part.to_m) / 2); claim && span.label == kRest) {
+          part.label = label_of_building(claim->footprint);
+          const double rear = shadow_of(frontage, (*view.buildings.footprints)[claim->footprint].ring).rear_m;
+          part.depth_m = std::clamp(rear + kBackyard_m, usual_m, kDepth_m);
+        }
+        if (!all.empty() && all.back().label == part.label)
+          all.back().to_m = part.to_m, all.back().depth_m = std::max(all.back().depth_m, part.depth_m);
+        else
+          all.push_back(part);
+      }
+    }
+    fronts[f] = std::move(all);
+  }
+}
+
 Field whole_field(const Strips& strips, const Obstacles& obstacles) {
   std::vector<Piece> pieces;
   for (std::uint32_t f = 0; f < strips.frontages.size(); ++f) {
@@ -358,7 +427,9 @@ Fronts fronts_of(const Strips& strips, const std::vector<Footprint>& footprints,
     runs[f] = runs_of(view, f);
     drop_glimpses(strips.frontages[f], runs[f], buildings);
   }
-  return Divider(view, std::move(runs), sizes).divide();
+  Fronts fronts = Divider(view, std::move(runs), sizes).divide();
+  if (!footprints.empty()) adopt_hidden(view, sizes, fronts);
+  return fronts;
 }
 
 std::vector<Piece> pieces_of(const Strips& strips, const Fronts& fronts) {

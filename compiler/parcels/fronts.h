@@ -3,7 +3,7 @@
 //      ┌──┐   ┌────┐  ·garage     1. rays square to the edge find the first building
 //      │  │   │    │  ┌┐          2. gaps between two buildings are cut in the middle, so that
 //   ───────|───────|─────────        no building behind them is cut if possible
-//     a    |   b   |              3. land farther than a usual front from any is nobody's
+//     a    |   b   |              3. land farther than a usual front from any has no owner
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace citykiln::parcels {
 
-/// Labels of pieces and faces: land outside of blocks, land that is nobody's, then buildings and empty lots.
+/// Labels of pieces and faces: land outside of blocks, land without an owner, then buildings and empty lots.
 inline constexpr std::uint32_t kOff = 0, kRest = 1, kFirstBuilding = 2;
 inline std::uint32_t label_of_building(std::uint32_t footprint) { return kFirstBuilding + footprint; }
 

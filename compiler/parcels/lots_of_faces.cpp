@@ -196,6 +196,15 @@ Front front_of(const std::vector<TracedRing>& rings, const std::vector<Line>& li
   return best;
 }
 
+std::vector<FrontEdge> front_edges(const std::vector<TracedRing>& rings, const std::vector<Line>& lines) {
+  std::vector<FrontEdge> edges;
+  for (const TracedRing& ring : rings)
+    for (std::size_t i = 0, n = ring.points.size(); i < n; ++i)
+      if (ring.borders[i].kind == BorderKind::kLine && lines[ring.borders[i].line].kind == LineKind::kStreet)
+        edges.emplace_back(plane_point(ring.points[i]), plane_point(ring.points[(i + 1) % n]));
+  return edges;
+}
+
 StableId id_of(const Front& front, const std::vector<Line>& lines) {
   const Line& line = lines[front.line];
   const auto at_grid = [](Vec2 p) {
@@ -250,7 +259,8 @@ Homes homes_of(const Faces& faces, const Labels& lots, std::size_t footprint_cou
 
 }  // namespace
 
-Parcels lots_of_faces(const Faces& given, const std::vector<Line>& lines, const std::vector<Footprint>& footprints) {
+LabelledParcels lots_of_faces(const Faces& given, const std::vector<Line>& lines,
+                              const std::vector<Footprint>& footprints) {
   Faces faces = given;
   drop_small_blocks(faces);
   Labels labels = labels_of(faces, footprints.size());
@@ -264,7 +274,8 @@ Parcels lots_of_faces(const Faces& given, const std::vector<Line>& lines, const 
   const auto [lots, lot_count] = numbered(lot_roots, [&](auto i) { return labels[i] > kRest && is_land(faces, i); });
   const auto [rests, rest_count] = numbered(lot_roots, [&](auto i) { return labels[i] == kRest && is_land(faces, i); });
 
-  Parcels parcels;
+  LabelledParcels labelled;
+  Parcels& parcels = labelled.parcels;
   for (const auto& rings : trace_rings(faces, blocks, block_count)) {
     Block& block = parcels.blocks.emplace_back();
     std::tie(block.polygon, block.borders) = polygon_of(rings);
@@ -272,8 +283,9 @@ Parcels lots_of_faces(const Faces& given, const std::vector<Line>& lines, const 
       for (const Border& border : ring) block.is_at_extent = block.is_at_extent || border.kind == BorderKind::kExtent;
   }
   Labels block_of(lot_count, 0);
+  labelled.labels.resize(lot_count);
   for (std::uint32_t i = 0; i < lots.size(); ++i)
-    if (lots[i] != kNone) block_of[lots[i]] = blocks[i];
+    if (lots[i] != kNone) block_of[lots[i]] = blocks[i], labelled.labels[lots[i]] = labels[i];
   const auto lot_rings = trace_rings(faces, lots, lot_count);
   for (std::uint32_t i = 0; i < lot_count; ++i) {
     Lot lot{.id = {},
@@ -283,13 +295,14 @@ Parcels lots_of_faces(const Faces& given, const std::vector<Line>& lines, const 
             .footprints = {}};
     lot.id = id_of(lot.front, lines);
     parcels.lots.push_back(std::move(lot));
+    labelled.fronts.push_back(front_edges(lot_rings[i], lines));
   }
   for (const auto& rings : trace_rings(faces, rests, rest_count)) parcels.rest.push_back(polygon_of(rings).first);
   Homes homes = homes_of(faces, lots, footprints.size(), footprints);
   for (std::uint32_t f = 0; f < footprints.size(); ++f)
     if (homes.lot_of[f] != kNone) parcels.lots[homes.lot_of[f]].footprints.push_back(f);
   parcels.failures = std::move(homes.failures);
-  return parcels;
+  return labelled;
 }
 
 }  // namespace citykiln::parcels

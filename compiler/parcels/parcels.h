@@ -38,14 +38,14 @@ struct Footprint {
   Ring ring;    ///< Plane metres, snapped, counter-clockwise.
 };
 
-/// The usual size of lots of one kind.
+/// The usual size of lots of one kind. Lengths are limited to kDepth_m.
 struct LotSize {
   double area_m2 = 600;  ///< Land without buildings is split until lots have at most this area.
   double front_m = 18;   ///< Land beside a building belongs to it up to this distance along the street.
   double depth_m = 40;   ///< Distance of the rear border from the street; more where the building is deeper.
 };
 
-/// What parcels are made of.
+/// The input of divide().
 struct Land {
   Box2 extent;  ///< Its border closes blocks and gives no access.
   std::vector<Line> lines;
@@ -57,10 +57,10 @@ struct Land {
 
 enum class BorderKind : std::uint8_t { kLine, kTaken, kExtent, kInner };
 
-/// What lies beyond an edge.
+/// The thing beyond an edge.
 struct Border {
   BorderKind kind = BorderKind::kInner;
-  Side side = Side::kLeft;    ///< Of the line.
+  Side side = Side::kLeft;    ///< The side of the line.
   std::uint32_t line = 0;     ///< Index into Land::lines.
   std::uint32_t segment = 0;  ///< Index of the axis segment.
   bool operator==(const Border&) const = default;

@@ -36,7 +36,7 @@ struct StripPiece {
 };
 
 struct Strips {
-  std::vector<Frontage> frontages;  ///< Of streets only; in the order of lines.
+  std::vector<Frontage> frontages;  ///< Edges of streets, in the order of lines.
   std::vector<StripPiece> pieces;
 };
 

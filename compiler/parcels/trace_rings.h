@@ -21,7 +21,7 @@ struct TracedRing {
 std::vector<std::vector<TracedRing>> trace_rings(const Faces& faces, const std::vector<std::uint32_t>& regions,
                                                  std::uint32_t region_count);
 
-/// Twice the signed area in grid steps. Exact.
+/// Returns twice the signed area in grid steps. Exact.
 std::int64_t twice_area(const TracedRing& ring);
 
 }  // namespace citykiln::parcels
