@@ -84,7 +84,7 @@ class Sections {
   std::vector<std::vector<std::uint64_t>> numbers_;
 };
 
-// Cuts spans that belong to nobody at the ends of sections inside a frontage.
+// Cuts free spans at the ends of sections inside a frontage.
 void cut_spans(const Sections& sections, std::uint32_t f, std::vector<Span>& spans) {
   std::vector<Span> cut;
   for (Span span : spans) {

@@ -18,7 +18,7 @@ namespace citykiln::parcels {
 /// Sections of streets without buildings are at least this long between corners, on average twice as long.
 inline constexpr double kSection_m = 40;
 
-/// Gives each section of frontages that belongs to nobody a label of its own, from first_label on, and returns the size
+/// Gives each free section of frontages a label of its own, from first_label on, and returns the size
 /// of lots of each. Sections end at corners, at buildings' land, and where a random number of the place is the least
 /// within kSection_m along the street, so that they are local.
 std::vector<LotSize> label_sections(const Strips& strips, const std::vector<Line>& lines,
