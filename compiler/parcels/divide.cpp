@@ -137,7 +137,7 @@ Parcels divide(const Land& land, int threads) {
   Fronts fronts = fronts_of(strips, footprints, sizes, obstacles);
   const std::uint32_t first_section = label_of_building(static_cast<std::uint32_t>(footprints.size()));
   std::vector<LotSize> sections;
-  if (land.split_empty) sections = label_sections(strips, lines, sizes, first_section, fronts);
+  if (land.split_empty) sections = label_sections(strips, sizes, first_section, fronts);
   const Field field = field_of(pieces_of(strips, fronts), obstacles);
   auto borders = lot_borders(field, threads);
   Layout layout{land.extent, strips.pieces, taken, footprints, borders, &field};

@@ -14,14 +14,16 @@
 
 namespace citykiln::parcels {
 
-/// A lot depends only on lines, taken rings and footprints that come within this distance of it, in metres.
+/// A lot depends only on lines, taken land and footprints that come within this distance of it, in metres. A line or
+/// footprint counts as a whole: its id and all its points may matter if a part of it is that near.
 ///
-/// A lot's points lie within kDepth_m of its frontage (64), and the sight line to it ends there. The owner of a part of
-/// a frontage follows from the rays of the parts beside it, up to two fronts away on each side (2 · 64, with
-/// LotSize::front_m up to 64), each kDepth_m long (64); whether a building that a ray meets faces another street
-/// follows from streets within kDepth_m of it (64), seen past obstacles within that; and whether it is a shed from
-/// buildings within 25 m. Snap rounding is done in cells with a diagonal of 182 m, and triangulations of cells choose
-/// the points by which faces are labelled. The sum is 64 + 128 + 64 + 64 + 25 < 345; or 64 + 182 + 64 = 310.
+/// A lot's points lie within kDepth_m of their frontage, and the sight line to it ends there (64). The owner of a part
+/// of a frontage follows from the nearest rays on both sides, at most two usual fronts away (128), each kDepth_m long
+/// (64). Whether a building that a ray meets faces another street follows from streets within kDepth_m of it, and from
+/// obstacles on the way to these (64). Whether a building is hidden follows from streets within kDepth_m of all its
+/// sides; this adds its length, up to 128. The sum is 448. Sections without buildings lie in cells of 128 m and go on
+/// for up to two usual fronts (181 + 128 + 64 + 64 = 437); cells of faces have a diagonal of 181 m (64 + 181 + 64).
+/// Beyond buildings of 128 m the distance grows by what they are longer.
 inline constexpr double kInfluenceRadius_m = 512;
 
 /// Divides the land within an extent.

@@ -4,96 +4,42 @@
 #include <cmath>
 #include <limits>
 
-#include "compiler/geometry/arrangement.h"
 #include "compiler/parcels/lot_borders.h"
 
 namespace citykiln::parcels {
 namespace {
 
-// Distance of places where a section may end.
-constexpr double kCandidate_m = 8;
 // Parts of lots have at least this share of the usual front.
 constexpr double kLeastShare = 0.4;
 // Lots within this factor of the usual area are not split.
 constexpr double kNearUsual = 1.25;
 
-std::uint64_t number_at(const Strips& strips, const std::vector<Line>& lines, std::uint32_t frontage, int place) {
-  const Frontage& f = strips.frontages[frontage];
-  const GridPoint a = grid_point(f.a), b = grid_point(f.b);
-  StableId id =
-      stable_id(lines[f.line].id, "section", static_cast<std::uint64_t>(a.x) ^ static_cast<std::uint64_t>(a.y) << 32);
-  id = stable_id(id, "end", static_cast<std::uint64_t>(b.x) ^ static_cast<std::uint64_t>(b.y) << 32);
-  return static_cast<std::uint64_t>(stable_id(id, "place", static_cast<std::uint64_t>(place)));
+// Appends the distances along a → b at which a coordinate passes a multiple of kSection_m.
+void add_crossings(double a, double b, double length_m, std::vector<double>& places) {
+  const auto [low, high] = std::minmax(a, b);
+  for (double at = std::ceil(low / kSection_m) * kSection_m; at < high; at += kSection_m)
+    if (at > low) places.push_back(length_m * (at - a) / (b - a));
 }
 
-// Finds the places where sections end.
-class Sections {
- public:
-  Sections(const Strips& strips, const std::vector<Line>& lines) : strips_(strips) {
-    for (std::uint32_t f = 0; f < strips.frontages.size(); ++f) {
-      const double length = strips.frontages[f].length_m();
-      const int count = length > 0 ? static_cast<int>(std::ceil(length / kCandidate_m)) : 0;
-      std::vector<std::uint64_t>& of_frontage = numbers_.emplace_back();
-      for (int i = 0; i < count; ++i) of_frontage.push_back(number_at(strips, lines, f, i));
-    }
-  }
-
-  double place(std::uint32_t f, std::size_t i) const {
-    return strips_.frontages[f].length_m() * static_cast<double>(i) / static_cast<double>(numbers_[f].size());
-  }
-  std::size_t count(std::uint32_t f) const { return numbers_[f].size(); }
-
-  // True if a section ends at a place; the first place of a frontage is its first point.
-  bool is_end(std::uint32_t f, std::size_t i) const {
-    const std::uint64_t own = numbers_[f][i];
-    return !is_less_ahead(f, i, own) && !is_less_behind(f, i, own);
-  }
-
- private:
-  bool is_less_ahead(std::uint32_t f, std::size_t i, std::uint64_t own) const {
-    double from = place(f, i), walked = 0;
-    const std::uint32_t first = f;
-    for (std::size_t k = i + 1;; k = 0) {
-      for (; k < count(f); ++k) {
-        if (walked + place(f, k) - from > kSection_m) return false;
-        if (numbers_[f][k] < own) return true;
-      }
-      walked += strips_.frontages[f].length_m() - from, from = 0;
-      if (strips_.frontages[f].is_corner || walked > kSection_m) return false;
-      f = strips_.frontages[f].next;
-      if (f == kNone || f == first) return false;
-    }
-  }
-  bool is_less_behind(std::uint32_t f, std::size_t i, std::uint64_t own) const {
-    double walked = 0, to = place(f, i);
-    const std::uint32_t first = f;
-    for (std::size_t k = i;; k = count(f)) {
-      for (; k-- > 0;) {
-        if (walked + to - place(f, k) > kSection_m) return false;
-        if (numbers_[f][k] < own) return true;
-      }
-      walked += to;
-      const std::uint32_t before = strips_.frontages[f].previous;
-      if (before == kNone || before == first || strips_.frontages[before].is_corner || walked > kSection_m)
-        return false;
-      f = before, to = strips_.frontages[f].length_m();
-    }
-  }
-
-  const Strips& strips_;
-  std::vector<std::vector<std::uint64_t>> numbers_;
-};
-
-// Cuts free spans at the ends of sections inside a frontage.
-void cut_spans(const Sections& sections, std::uint32_t f, std::vector<Span>& spans) {
+// Cuts free spans where a frontage leaves a cell, except near a corner or a building's land.
+void cut_spans(const Strips& strips, std::uint32_t f, double front_m, std::vector<Span>& spans) {
+  const Frontage& frontage = strips.frontages[f];
+  const double length = frontage.length_m();
+  std::vector<double> places;
+  add_crossings(frontage.a.x, frontage.b.x, length, places);
+  add_crossings(frontage.a.y, frontage.b.y, length, places);
+  std::ranges::sort(places);
+  const bool goes_on = frontage.next != kNone && !frontage.is_corner;
+  const bool comes_from = frontage.previous != kNone && !strips.frontages[frontage.previous].is_corner;
   std::vector<Span> cut;
   for (Span span : spans) {
-    for (std::size_t i = 1; span.label == kRest && i < sections.count(f); ++i) {
-      const double at = sections.place(f, i);
-      if (at <= span.from_m || at >= span.to_m || !sections.is_end(f, i)) continue;
-      Span first = span;
-      first.to_m = span.from_m = at;
-      cut.push_back(first);
+    const double first = span.from_m > 0 || !comes_from ? span.from_m + front_m : 0;
+    const double last = span.to_m < length || !goes_on ? span.to_m - front_m : length;
+    for (const double at : places) {
+      if (span.label != kRest || at <= std::max(first, span.from_m) || at >= last) continue;
+      Span part = span;
+      part.to_m = span.from_m = at;
+      cut.push_back(part);
     }
     cut.push_back(span);
   }
@@ -194,13 +140,15 @@ class Splitter {
 
 }  // namespace
 
-std::vector<LotSize> label_sections(const Strips& strips, const std::vector<Line>& lines,
-                                    const std::vector<LotSize>& sizes, std::uint32_t first_label, Fronts& fronts) {
-  const Sections sections(strips, lines);
-  for (std::uint32_t f = 0; f < fronts.size(); ++f) cut_spans(sections, f, fronts[f]);
+std::vector<LotSize> label_sections(const Strips& strips, const std::vector<LotSize>& sizes, std::uint32_t first_label,
+                                    Fronts& fronts) {
+  const auto size_at = [&](std::uint32_t f) {
+    return sizes[std::min<std::size_t>(strips.frontages[f].size, sizes.size() - 1)];
+  };
+  for (std::uint32_t f = 0; f < fronts.size(); ++f) cut_spans(strips, f, size_at(f).front_m, fronts[f]);
   std::vector<LotSize> of_labels;
   const auto may_join = [&](std::uint32_t f, std::uint32_t next) {
-    return next != kNone && !strips.frontages[f].is_corner && !(sections.count(next) > 0 && sections.is_end(next, 0));
+    return next != kNone && !strips.frontages[f].is_corner;
   };
   // labels run on along the street: begin where a section begins, then at what is left, which are loops
   for (const bool is_loop : {false, true})
@@ -212,8 +160,7 @@ std::vector<LotSize> label_sections(const Strips& strips, const std::vector<Line
             (fronts[before].empty() || fronts[before].back().label == kRest))
           continue;
         const auto label = static_cast<std::uint32_t>(first_label + of_labels.size());
-        const auto size = std::min<std::size_t>(strips.frontages[f].size, sizes.size() - 1);
-        of_labels.push_back(sizes[size]);
+        of_labels.push_back(size_at(f));
         std::uint32_t at = f;
         for (std::size_t k = i;;) {
           if (!fronts[at].empty()) {

@@ -15,14 +15,14 @@
 
 namespace citykiln::parcels {
 
-/// Sections of streets without buildings are at least this long between corners, on average twice as long.
-inline constexpr double kSection_m = 40;
+/// The side of the cells in which sections of streets without buildings end, in metres.
+inline constexpr double kSection_m = 128;
 
-/// Gives each free section of frontages a label of its own, from first_label on, and returns the size
-/// of lots of each. Sections end at corners, at buildings' land, and where a random number of the place is the least
-/// within kSection_m along the street, so that they are local.
-std::vector<LotSize> label_sections(const Strips& strips, const std::vector<Line>& lines,
-                                    const std::vector<LotSize>& sizes, std::uint32_t first_label, Fronts& fronts);
+/// Gives each free section of frontages a label, from first_label on, and returns the usual size of lots of each.
+/// Sections end at corners, at buildings' land, and where they leave a cell of kSection_m that begins at whole
+/// multiples of it, so that they are local. They do not end within a usual front of a corner or a building's land.
+std::vector<LotSize> label_sections(const Strips& strips, const std::vector<LotSize>& sizes, std::uint32_t first_label,
+                                    Fronts& fronts);
 
 /// A part of a front: the street's edge.
 using FrontEdge = std::pair<Vec2, Vec2>;
