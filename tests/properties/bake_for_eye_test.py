@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from citykiln_program import TOWN, ProgramTest, run, sha256
+from citykiln_program import TOWN, ProgramTest, long_test, run, sha256
 from glb import Glb
 
 EYE = "--eye=60,40,80"
@@ -36,6 +36,7 @@ class BakeForEye(ProgramTest):
         self.assertEqual(seen["pixel_error"], answer["pixel_error"])
         self.assertLessEqual(seen["pixel_error"], 2)
 
+    @long_test
     def test_tiles_baked_alone_add_up_to_the_whole(self):
         whole, _ = self.baked("whole.glb", EYE)
         tiles = [json.loads(line)["tile"] for line in run("inspect", self.scene).stdout.splitlines() if '"tile"' in line]
@@ -43,6 +44,7 @@ class BakeForEye(ProgramTest):
         apart = [self.baked(f"{tile}.glb", EYE, "--tile", tile)[0]["triangles"] for tile in tiles]
         self.assertEqual(sum(apart), whole["triangles"])
 
+    @long_test
     def test_same_bytes_for_any_number_of_threads(self):
         self.assertEqual(*(sha256(self.baked(f"{n}.glb", EYE, "--threads", n)[1]) for n in (1, 3)))
 

@@ -2,7 +2,7 @@
 """Compressed tiles keep the guarantees of plain ones: the same bytes on every run, borders that meet, errors within the tolerance."""
 import unittest
 
-from citykiln_program import TOWN, ProgramTest, bytes_of_outputs, report_of, run
+from citykiln_program import TOWN, ProgramTest, bytes_of_outputs, long_test, report_of, run
 
 ARGUMENTS = ["--spec", TOWN / "spec.json", "--lods", "2.5,12.5"]
 
@@ -50,6 +50,7 @@ class Packed:
         self.assertEqual(done.returncode, 0, done.stderr)
 
 
+@long_test
 class PackedByQuantization(Packed, ProgramTest):
     COMPRESS = "quantize"
 
@@ -58,6 +59,7 @@ class PackedByDraco(Packed, ProgramTest):
     COMPRESS = "draco"
 
 
+@long_test
 class PackedByMeshopt(Packed, ProgramTest):
     COMPRESS = "meshopt"
 

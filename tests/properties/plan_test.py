@@ -11,7 +11,7 @@ import time
 import unittest
 from pathlib import Path
 
-from citykiln_program import PROGRAM, ROOT, TOWN, ProgramTest, bytes_of_outputs, report_of, run
+from citykiln_program import PROGRAM, ROOT, TOWN, ProgramTest, bytes_of_outputs, long_test, report_of, run
 
 ARGUMENTS = ["--lods", "2.5", "--tile", "256"]
 
@@ -116,6 +116,7 @@ class Plan(ProgramTest):
         self.assertIn(f"region {regions[0]}: waiting", done.stdout)
         self.assertFalse((plan / "out" / "report.json").exists())
 
+    @long_test
     def test_gather_names_tiles_of_neighbouring_regions_that_do_not_fit(self):
         plan = self.finished()
         # a tile west of a side gets the contents of another one, and the list of its region agrees
@@ -145,6 +146,7 @@ class Plan(ProgramTest):
         self.assertTrue((plan / "out" / "3dtiles" / "tileset.json").exists())
         self.assertEqual(run("check", plan / "out").returncode, 0)
 
+    @long_test
     def test_zones_are_plans_of_their_own_and_every_command_goes_over_them(self):
         if shutil.which("ninja") is None:
             self.skipTest("ninja is missing")
@@ -186,6 +188,7 @@ class Plan(ProgramTest):
         run("compile", "--plan", undisturbed, "--region", region)
         self.assertEqual(bytes_of_outputs(plan / "regions" / region), bytes_of_outputs(undisturbed / "regions" / region))
 
+    @long_test
     def test_two_tasks_of_one_region_both_end_well(self):
         plan = self.planned()
         region = self.regions_of(plan)[0]
@@ -195,6 +198,7 @@ class Plan(ProgramTest):
         self.assertEqual([task.returncode for task in tasks], [0, 0, 0], outputs)
         self.assertEqual(sum("done already" in out for out, _ in outputs), 2)
 
+    @long_test
     def test_a_killed_task_is_queued_again_by_slurm_three_times(self):
         plan = self.planned()
         programs = self.folder / "programs"
@@ -211,6 +215,7 @@ class Plan(ProgramTest):
             self.assertEqual(done.returncode, 137)
         self.assertEqual((programs / "asked").read_text().splitlines(), ["requeue 7_0"] * 3)
 
+    @long_test
     def test_ninja_compiles_all_regions_in_a_folder_with_a_strange_name(self):
         if shutil.which("ninja") is None:
             self.skipTest("ninja is missing")
@@ -235,6 +240,7 @@ class Plan(ProgramTest):
         self.assertGreater(compiled, 0)
         self.assertLess(compiled, len(again))
 
+    @long_test
     def test_after_an_edit_tiles_whose_recipes_are_unchanged_are_not_baked_again(self):
         edited = self.folder / "edited" / self.MAP.name
         edited.parent.mkdir()

@@ -6,7 +6,7 @@ import math
 import random
 import unittest
 
-from citykiln_program import TOWN, ProgramTest, bytes_of_outputs, report_of, run, sha256
+from citykiln_program import TOWN, ProgramTest, bytes_of_outputs, long_test, report_of, run, sha256
 from glb import Glb
 
 ARGUMENTS = ["--spec", TOWN / "spec.json", "--lods", "2.5,12.5", "--emit", "kiln,3dtiles"]
@@ -205,6 +205,7 @@ class Tiles3d(ProgramTest):
         for height in (1, 2, 3):
             self.assertTrue(any("buildings" in layers[uri] for uri in layers if int(uri[1]) == height))
 
+    @long_test
     def test_inner_tiles_are_as_near_to_finer_ones_as_both_state(self):
         tileset = self.tileset()
         contents = tileset.contents()
@@ -267,6 +268,7 @@ class Tiles3d(ProgramTest):
         found = tileset.document["metadata"]["properties"]["geoid_height_m"]
         self.assertAlmostEqual(found, (90 - 48.7) / 30, delta=0.05)
 
+    @long_test
     def test_threads_and_verbs_change_no_byte(self):
         one = self.compiled("t1", *ARGUMENTS, "--threads", 1)
         many = self.compiled_once(*ARGUMENTS)
@@ -278,6 +280,7 @@ class Tiles3d(ProgramTest):
             self.assertEqual(sha256(one / "3dtiles" / "tileset.json"), sha256(folder / "3dtiles" / "tileset.json"))
         self.assertEqual(bytes_of_outputs(one), bytes_of_outputs(baked))
 
+    @long_test
     def test_tiles_made_apart_are_those_of_the_whole(self):
         whole, part = self.tileset(), self.tileset("--only", "0_0,-1_0")
         common = [uri for uri in part.contents() if not uri.startswith("Q")]

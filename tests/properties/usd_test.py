@@ -9,7 +9,7 @@ import unittest
 import zipfile
 from pathlib import Path
 
-from citykiln_program import TOWN, ProgramTest, report_of, run, sha256
+from citykiln_program import TOWN, ProgramTest, long_test, report_of, run, sha256
 from glb import Glb
 from usd import Crate, Stage, UsdError, faults, read_layer, rotated
 
@@ -257,6 +257,7 @@ class WhatUsdSays(ProgramTest):
         self.assertFalse(file.exists())
 
 
+@long_test
 class DamageIsFound(ProgramTest):
     """Damage on purpose: by usd.py, and by `check` where the file list does not know the file's bytes."""
 
