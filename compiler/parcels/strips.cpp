@@ -11,8 +11,11 @@
 namespace citykiln::parcels {
 namespace {
 
-// Edges that turn outward by more than about 100° get a bevel, as their crossing is far away.
-constexpr double kLeastMitre = -0.18;
+// The cosine of the largest outward turn at which edges are continued to their crossing, 40°. Beyond it the strip is
+// round, so that lots about dead ends have a front each.
+constexpr double kLeastMitre = 0.766;
+// The cosine of the largest turn between two edges of a round strip, 30°.
+constexpr double kArcStep = 0.866;
 
 // A segment's end at a node, seen outward.
 struct Arm {
@@ -174,26 +177,50 @@ class Linker {
     f.a = at <= 0 ? f.b : at < dot(f.a - f.b, f.a - f.b) ? x : f.a;
   }
 
-  void turn_outward(Vec2 node, std::array<std::uint32_t, 2> ids, std::array<Edge, 2> edges, const Segment& arriving,
-                    Side side, bool is_end) {
+  void turn_outward(Vec2 node, std::array<std::uint32_t, 2> ids, const std::array<Edge, 2>& edges,
+                    const Segment& arriving, Side side, bool is_end) {
     const Vec2 from = edges[0].b, to = edges[1].a;
     const Vec2 u = unit(edges[0].b - edges[0].a), v = unit(edges[1].b - edges[1].a);
     const Border border{BorderKind::kLine, side, arriving.line, arriving.index};
-    std::optional<Vec2> tip;
-    if (!is_end && dot(u, v) > kLeastMitre) tip = crossing_of_lines(edges[0].a, u, edges[1].a, v);
-    if (tip && dot(*tip - from, u) > 0 && dot(*tip - to, v) < 0) {
-      const Vec2 corner = snapped(*tip);
-      strips_.pieces.push_back({{node, to, corner, from}, {border, border, border, border}});
-      if (ids[0] != kNone) strips_.frontages[ids[0]].b = corner;
-      if (ids[1] != kNone) strips_.frontages[ids[1]].a = corner;
-      connect_outward(ids[0], ids[1]);
-      return;
+    if (from == to) return connect_outward(ids[0], ids[1]);
+    std::vector<Vec2> points = {from};
+    if (is_end || dot(u, v) < kLeastMitre) {
+      add_arc(node, from, to, points);
+    } else {
+      const auto tip = crossing_of_lines(edges[0].a, u, edges[1].a, v);
+      if (tip && dot(*tip - from, u) > 0 && dot(*tip - to, v) < 0)
+        return add_mitre({node, to, snapped(*tip), from}, ids, border);
     }
-    if (!is_end) strips_.pieces.push_back({{node, to, from}, {border, border, border}});
-    if (ids[0] == kNone || from == to) return connect_outward(ids[0], ids[1]);
-    const std::uint32_t cap = add(arriving, side, {from, to});
-    connect_outward(ids[0], cap);
-    connect_outward(cap, ids[1]);
+    points.push_back(to);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      if (points[i - 1] == points[i]) continue;
+      strips_.pieces.push_back({{node, points[i], points[i - 1]}, {border, border, border}});
+      if (ids[0] == kNone) continue;
+      const std::uint32_t next = add(arriving, side, {points[i - 1], points[i]});
+      connect_outward(ids[0], next);
+      ids[0] = next;
+    }
+    connect_outward(ids[0], ids[1]);
+  }
+
+  void add_mitre(const Ring& joint, std::array<std::uint32_t, 2> ids, const Border& border) {
+    strips_.pieces.push_back({joint, {border, border, border, border}});
+    if (ids[0] != kNone) strips_.frontages[ids[0]].b = joint[2];
+    if (ids[1] != kNone) strips_.frontages[ids[1]].a = joint[2];
+    connect_outward(ids[0], ids[1]);
+  }
+
+  // Appends the points between two points of a round end, clockwise about the node.
+  static void add_arc(Vec2 node, Vec2 from, Vec2 to, std::vector<Vec2>& points) {
+    const Vec2 p = unit(from - node), q = unit(to - node), sum = p + q;
+    if (dot(p, q) > kArcStep) return;
+    // half a turn, and by rounding perhaps a little more
+    const bool is_half_turn = dot(sum, sum) < 1e-4 || cross(p, q) > 0;
+    const Vec2 middle = is_half_turn ? left_of(p) * -1 : unit(sum);
+    const Vec2 at = snapped(node + middle * ((distance(node, from) + distance(node, to)) / 2));
+    add_arc(node, from, at, points);
+    points.push_back(at);
+    add_arc(node, at, to, points);
   }
 
   void connect_outward(std::uint32_t from, std::uint32_t to) {
