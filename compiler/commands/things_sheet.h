@@ -9,7 +9,7 @@
 
 namespace citykiln::commands {
 
-/// What a sheet shows.
+/// The things that a sheet shows, and where it is written.
 struct ThingsSheet {
   std::string folder;              ///< A folder with a table and rules, as for compile; "" for the shipped ones alone.
   std::vector<std::string> names;  ///< Names of rows of the table; empty for all.

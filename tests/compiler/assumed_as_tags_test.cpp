@@ -1,4 +1,4 @@
-// What is assumed of streets equals what the same tags give without assumptions.
+// Assumptions about streets give the same lanes, surface and light as tags that say the same.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -473,7 +473,7 @@ class Page(ProgramTest):
         out = self.compiled("crossing", GOLDEN / "crossing" / "map.osm", "--emit", "kiln")
         climate = Manifest((out / "scene.kiln").read_bytes()).climate
         names = re.findall(r"^CLIMATE\((\w+)", (ROOT / "compiler/climate/climate_classes.inc").read_text(), re.MULTILINE)
-        described = re.search(r'"climate": ?"(\w+)"', run("inspect", out / "scene.kiln").stdout)
+        described = re.search(r"^climate +(\w+)", run("inspect", out / "scene.kiln").stdout, re.MULTILINE)
         self.assertEqual(names[climate.own], described.group(1))
         for node in climate.nodes:
             self.assertEqual(sum(node.values()), 255)

@@ -229,8 +229,8 @@ TEST(GlbTextures, OfAllMaterialsFitTheBudget) {
     }
     return bytes;
   };
-  EXPECT_LE(bytes_at(0.1, PictureFormats::kPngAndJpeg), 850'000u);
-  EXPECT_LE(bytes_at(0.1, PictureFormats::kWebp), 650'000u);
+  EXPECT_LE(bytes_at(0.1, PictureFormats::kPngAndJpeg), 900'000u);
+  EXPECT_LE(bytes_at(0.1, PictureFormats::kWebp), 700'000u);
   EXPECT_LE(bytes_at(0.02, PictureFormats::kPngAndJpeg), 1'100'000u);
   EXPECT_EQ(bytes_at(0.5, PictureFormats::kPngAndJpeg), 0u);
 }
