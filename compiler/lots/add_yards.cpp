@@ -29,7 +29,7 @@ double width_of(BarrierKind kind) {
   }
 }
 
-// Of one lot.
+// The yard of one lot.
 struct Yard {
   YardGround ground;
   std::vector<YardBarrier> barriers;

@@ -12,10 +12,10 @@
 
 namespace citykiln::lots {
 
-/// What yards are planned from, beside the features.
+/// The inputs of yards beside the features.
 struct YardSite {
-  std::span<const roads::Road> roads;          ///< As planned, with pavements.
-  std::span<const roads::Junction> junctions;  ///< Of these roads.
+  std::span<const roads::Road> roads;          ///< Planned roads with their pavements.
+  std::span<const roads::Junction> junctions;  ///< The junctions of these roads.
   std::span<const OsmId> private_ways;         ///< Sorted (map/private_ways.h).
   const ClimateAt& climate_at;
   std::uint64_t seed = 0;

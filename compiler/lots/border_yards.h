@@ -1,6 +1,7 @@
 // Draws the borders of lots: hedges, fences and walls.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -41,8 +42,8 @@ struct BorderObstacles {
 };
 
 /// Returns the barriers that a lot has: along streets as its rule for the street says, and inside the lot by the width
-/// of half of it; beside the house and behind it as its rule for the sides says. Of two neighbours, the one with the
-/// lower id has the border between them. There are none
+/// of half of it; beside the house and behind it as its rule for the sides says. The border between two neighbours is
+/// that of the one with the lower id. There are none
 ///
 /// - at paths, drives, mapped ways, pavements, walls of buildings, and crossings (kSight_m);
 /// - where a barrier is mapped within 1.5 m; along the street also if one is mapped in the lot.

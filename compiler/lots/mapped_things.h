@@ -1,4 +1,4 @@
-// What is mapped near lots, with spatial indexes: yards keep clear of it.
+// Indexes of the mapped things that yards keep clear of.
 #pragma once
 
 #include <cstdint>

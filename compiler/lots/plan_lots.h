@@ -13,6 +13,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "compiler/climate/climate_class.h"
@@ -68,7 +69,7 @@ struct Lot {
 /// Returns the class of climate at a place of the plane.
 using ClimateAt = std::function<climate::ClimateClass(Vec2)>;
 
-/// Returns the lots with buildings, sorted by their buildings' ids, and the report's parcels.
+/// Returns the lots with buildings, sorted by the ids of their main buildings.
 ///
 /// A lot depends on what lies within parcels::kInfluenceRadius_m, and its kind on walls within 1 m and on the smallest
 /// area of land use at its main building. O(n log n).

@@ -10,7 +10,7 @@ namespace citykiln::lots {
 namespace {
 
 constexpr double kSquare_m = 4, kMostMoved_m = 1.2;
-constexpr double kTreeToWall_m = 3, kShrubToWall_m = 2, kToWay_m = 1, kToBorder_m = 0.75;
+constexpr double kTreeToWall_m = 3, kShrubToWall_m = 2, kToWay_m = 1, kToBorder_m = 0.75, kToTree_m = 2;
 // Shrubs of gardens, as they are kept.
 constexpr double kLeastShrub_m = 0.75, kHighestShrub_m = 1.75;
 
@@ -43,10 +43,8 @@ struct Planter {
            clearance_m(mapped.walls, p, to_wall_m) >= to_wall_m && !is_inside_any(mapped.buildings, p) &&
            !is_inside_any(mapped.pools, p) && is_off_ways(p) &&
            clearance_m(mapped.barriers, p, kToBorder_m) >= kToBorder_m && clearance_m(mapped.wires, p, 0.25) > 0 &&
-           clearance_m(mapped.crossings, p, 0.25) > 0 && clearance_m(mapped.trees, p, kToWall_m()) >= kToWall_m();
+           clearance_m(mapped.crossings, p, 0.25) > 0 && clearance_m(mapped.trees, p, kToTree_m) >= kToTree_m;
   }
-
-  static constexpr double kToWall_m() { return 2; }
 
   bool has_mapped_tree() const {
     const Capsules& trees = obstacles.mapped.trees;

@@ -1,7 +1,5 @@
 #include "compiler/lots/yard_rules.h"
 
-#include <array>
-
 namespace citykiln::lots {
 namespace {
 
@@ -25,18 +23,28 @@ struct YardRow {
   double sides_m, trees, shrubs;
 };
 
-constexpr std::array kYardRows = [] {
-  using enum CountryGroup;
-  using enum LotKind;
-  using C = LandCoverClass;
-  using B = YardBorder;
-  return std::array{
-#define YARD(group, kind, weight, front, rear, path, drive, percent, street, street_m, sides, sides_m, trees, shrubs) \
-  YardRow{group,   kind,      weight,   C::front, C::rear, C::path, C::drive,                                         \
-          percent, B::street, street_m, B::sides, sides_m, trees,   shrubs},
+#define YARD_ROW(group, kind, weight, front, rear, path, drive, percent, street, street_m, sides, sides_m, trees, \
+                 shrubs)                                                                                          \
+  {group,                                                                                                         \
+   LotKind::kind,                                                                                                 \
+   weight,                                                                                                        \
+   LandCoverClass::front,                                                                                         \
+   LandCoverClass::rear,                                                                                          \
+   LandCoverClass::path,                                                                                          \
+   LandCoverClass::drive,                                                                                         \
+   percent,                                                                                                       \
+   YardBorder::street,                                                                                            \
+   street_m,                                                                                                      \
+   YardBorder::sides,                                                                                             \
+   sides_m,                                                                                                       \
+   trees,                                                                                                         \
+   shrubs},
+#define YARD(group, ...) YARD_ROW(CountryGroup::group, __VA_ARGS__)
+#define YARD_ANYWHERE(...) YARD_ROW(kAnywhere, __VA_ARGS__)
+constexpr YardRow kYardRows[] = {
 #include "compiler/lots/yards.inc"
-  };
-}();
+};
+#undef YARD_ROW
 
 BorderRule border_rule(YardBorder border, double height_m) {
   switch (border) {

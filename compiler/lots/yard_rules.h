@@ -9,13 +9,13 @@
 
 namespace citykiln::lots {
 
-/// What stands on the border of a lot.
+/// The barrier on the border of a lot.
 struct BorderRule {
   std::optional<map::BarrierKind> kind;  ///< Empty: nothing.
   double height_m = 0;
 };
 
-/// What a yard has.
+/// The rule of a yard.
 struct YardRule {
   map::LandCoverClass front{}, rear{}, path{}, drive{};
   bool has_drive = false;
@@ -25,7 +25,7 @@ struct YardRule {
 
 /// Returns a rule drawn among the variants of the lot's group and kind, changed by its climate: in deserts and steppes
 /// half of the lawns are gravel or earth, with half of the plants. Nothing for lots of kind kNone.
-/// @param draw  Of the lot; uses indices 0 to 3.
+/// @param draw  The random numbers of the lot; indices 0 to 3 are used.
 std::optional<YardRule> rule_for(const Lot& lot, const RandomSequence& draw);
 
 /// True for lawn, gravel and earth, on which plants grow.
