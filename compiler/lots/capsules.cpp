@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compiler/geometry/segment.h"
+#include "compiler/parcels/box_index.h"
 
 namespace citykiln::lots {
 
@@ -19,11 +20,11 @@ Capsules index_capsules(std::vector<Capsule> all) {
 
 double clearance_m(const Capsules& capsules, Vec2 p, double search_m) {
   double least_m = search_m;
-  if (capsules.all.empty()) return least_m;
-  for (const std::uint32_t i : boxes_about(capsules.grid, Box2{p, p}.widened(search_m))) {
+  parcels::any_about(capsules.grid, Box2{p, p}.widened(search_m), [&](std::uint32_t i) {
     const Capsule& c = capsules.all[i];
     least_m = std::min(least_m, distance_to_segment(c.a, c.b, p) - c.half_m);
-  }
+    return false;
+  });
   return least_m;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <utility>
 
 #include "compiler/geometry/clip_polygon.h"
@@ -18,8 +18,8 @@ using map::BuildingClass;
 constexpr double kBelowPavement_m = 0.25;
 // The front yard ends a little behind the front wall, below the house.
 constexpr double kBehindFront_m = 0.25;
-// Front yards narrower than this have the surface of the rear.
-constexpr double kLeastFront_m = 0.75;
+// Front yards narrower than this are not seen beside the pavement, or have no path.
+constexpr double kLeastSeen_m = 0.3125, kLeastFront_m = 0.75;
 // From the wall of a side door to the path along the house.
 constexpr double kBesideHouse_m = 1.25;
 // A path ends below the wall.
@@ -79,7 +79,8 @@ struct YardLayer {
     const double length = distance(a, b);
     const Vec2 along = unit(b - a), aside = left_of(along);
     const int steps = std::max(1, static_cast<int>(std::ceil(length / kRoomStep_m)));
-    for (int i = 0; i <= steps; ++i)
+    // houses stand at the far end
+    for (int i = steps; i >= 0; --i)
       for (const double share : {-0.5, 0.0, 0.5}) {
         const Vec2 p = a + along * (length * i / steps) + aside * (width_m * share);
         if (!is_free(lot.frame.plane(p))) return false;
@@ -124,7 +125,7 @@ struct YardLayer {
 
   void lay_surfaces() {
     add(rule.rear, lot.parcel.polygon);
-    if (rule.front == rule.rear || lot.house_m < kLeastFront_m) return;
+    if (rule.front == rule.rear || lot.house_m < kLeastSeen_m) return;
     for (Polygon& part : part_below(lot.parcel.polygon, lot.frame, lot.house_m + kBehindFront_m))
       if (area_m2(part) >= 1) add(rule.front, std::move(part));
   }
@@ -173,19 +174,17 @@ struct YardLayer {
     return false;
   }
 
-  // The places across the lot at which a drive up to `end_m` is free; the one farthest from the house's middle, or
-  // from the door.
+  // The place across the lot, farthest from another one, at which a drive up to `end_m` is free.
   std::optional<double> drive_place(double end_m, Vec2 away_from) const {
     Box2 box;
     for (const Vec2 p : lot.parcel.polygon.outer) box.grow(lot.frame.local(p));
-    std::optional<double> best;
-    const double first = std::floor(box.min.x / kRoomStep_m) * kRoomStep_m;
-    for (double x = first; x <= box.max.x; x += kRoomStep_m) {
-      if (best && std::abs(x - away_from.x) <= std::abs(*best - away_from.x)) continue;
-      const Vec2 from{x, -kBelowPavement_m}, to{x, end_m};
-      if (is_strip_free(from, to, kDriveWidth_m + 2 * kBesideDrive_m)) best = x;
-    }
-    return best;
+    std::vector<double> places;
+    for (double x = std::floor(box.min.x / kRoomStep_m) * kRoomStep_m; x <= box.max.x; x += kRoomStep_m)
+      places.push_back(x);
+    std::ranges::sort(places, std::greater{}, [&](double x) { return std::pair(std::abs(x - away_from.x), x); });
+    for (const double x : places)
+      if (is_strip_free({x, -kBelowPavement_m}, {x, end_m}, kDriveWidth_m + 2 * kBesideDrive_m)) return x;
+    return std::nullopt;
   }
 
   void lay_drive() {
