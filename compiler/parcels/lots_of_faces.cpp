@@ -7,6 +7,7 @@
 
 #include "compiler/contract/disjoint_sets.h"
 #include "compiler/parcels/fronts.h"
+#include "compiler/parcels/straight_points.h"
 #include "compiler/parcels/trace_rings.h"
 
 namespace citykiln::parcels {
@@ -205,16 +206,26 @@ std::vector<FrontEdge> front_edges(const std::vector<TracedRing>& rings, const s
   return edges;
 }
 
-StableId id_of(const Front& front, const std::vector<Line>& lines) {
+// The lowest first point of a front's edges. Another lot's edge cannot begin there.
+GridPoint start_of(const std::vector<TracedRing>& rings, const Front& front) {
+  GridPoint start{INT64_MAX, INT64_MAX};
+  for (const TracedRing& ring : rings)
+    for (std::size_t i = 0; i < ring.points.size(); ++i)
+      if (const Border& border = ring.borders[i];
+          border.kind == BorderKind::kLine && border.line == front.line && border.side == front.side)
+        start = std::min(start, ring.points[i]);
+  return start;
+}
+
+StableId id_of(const Front& front, GridPoint start, const std::vector<Line>& lines) {
   const Line& line = lines[front.line];
-  const auto at_grid = [](Vec2 p) {
-    const GridPoint g = grid_point(p);
+  const auto number = [](GridPoint g) {
     return static_cast<std::uint64_t>(g.x) << 32 ^ (static_cast<std::uint64_t>(g.y) & 0xffffffffu);
   };
-  StableId id =
-      stable_id(line.id, front.side == Side::kLeft ? "left" : "right", at_grid(line.axis[front.from.segment]));
-  id = stable_id(id, "segment", at_grid(line.axis[front.from.segment + 1]));
-  return stable_id(id, "lot", static_cast<std::uint64_t>(grid_point({front.from.at_m, 0}).x));
+  const auto end_of = [&](std::uint32_t i) { return number(grid_point(line.axis[front.from.segment + i])); };
+  StableId id = stable_id(line.id, front.side == Side::kLeft ? "left" : "right", end_of(0));
+  id = stable_id(id, "segment", end_of(1));
+  return stable_id(id, "lot", number(start));
 }
 
 Cause cause_of(const std::array<double, 5>& areas) {
@@ -274,9 +285,14 @@ LabelledParcels lots_of_faces(const Faces& given, const std::vector<Line>& lines
   const auto [lots, lot_count] = numbered(lot_roots, [&](auto i) { return labels[i] > kRest && is_land(faces, i); });
   const auto [rests, rest_count] = numbered(lot_roots, [&](auto i) { return labels[i] == kRest && is_land(faces, i); });
 
+  std::vector<std::uint32_t> regions(lots.size(), kNone);
+  for (std::uint32_t i = 0; i < regions.size(); ++i)
+    if (is_land(faces, i)) regions[i] = lots[i] != kNone ? lots[i] : lot_count + rests[i];
+  const std::vector<GridPoint> dropped = straight_points(faces, regions);
+
   LabelledParcels labelled;
   Parcels& parcels = labelled.parcels;
-  for (const auto& rings : trace_rings(faces, blocks, block_count)) {
+  for (const auto& rings : trace_rings(faces, blocks, block_count, dropped)) {
     Block& block = parcels.blocks.emplace_back();
     std::tie(block.polygon, block.borders) = polygon_of(rings);
     for (const std::vector<Border>& ring : block.borders)
@@ -286,18 +302,19 @@ LabelledParcels lots_of_faces(const Faces& given, const std::vector<Line>& lines
   labelled.labels.resize(lot_count);
   for (std::uint32_t i = 0; i < lots.size(); ++i)
     if (lots[i] != kNone) block_of[lots[i]] = blocks[i], labelled.labels[lots[i]] = labels[i];
-  const auto lot_rings = trace_rings(faces, lots, lot_count);
+  const auto lot_rings = trace_rings(faces, lots, lot_count, dropped);
   for (std::uint32_t i = 0; i < lot_count; ++i) {
     Lot lot{.id = {},
             .polygon = polygon_of(lot_rings[i]).first,
             .block = block_of[i],
             .front = front_of(lot_rings[i], lines),
             .footprints = {}};
-    lot.id = id_of(lot.front, lines);
+    lot.id = id_of(lot.front, start_of(lot_rings[i], lot.front), lines);
     parcels.lots.push_back(std::move(lot));
     labelled.fronts.push_back(front_edges(lot_rings[i], lines));
   }
-  for (const auto& rings : trace_rings(faces, rests, rest_count)) parcels.rest.push_back(polygon_of(rings).first);
+  for (const auto& rings : trace_rings(faces, rests, rest_count, dropped))
+    parcels.rest.push_back(polygon_of(rings).first);
   Homes homes = homes_of(faces, lots, footprints.size(), footprints);
   for (std::uint32_t f = 0; f < footprints.size(); ++f)
     if (homes.lot_of[f] != kNone) parcels.lots[homes.lot_of[f]].footprints.push_back(f);

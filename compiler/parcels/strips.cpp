@@ -11,6 +11,9 @@
 namespace citykiln::parcels {
 namespace {
 
+// Edges that turn outward by more than about 100° get a bevel, as their crossing is far away.
+constexpr double kLeastMitre = -0.18;
+
 // A segment's end at a node, seen outward.
 struct Arm {
   GridPoint node;
@@ -177,7 +180,7 @@ class Linker {
     const Vec2 u = unit(edges[0].b - edges[0].a), v = unit(edges[1].b - edges[1].a);
     const Border border{BorderKind::kLine, side, arriving.line, arriving.index};
     std::optional<Vec2> tip;
-    if (!is_end && dot(u, v) > 0.1) tip = crossing_of_lines(edges[0].a, u, edges[1].a, v);
+    if (!is_end && dot(u, v) > kLeastMitre) tip = crossing_of_lines(edges[0].a, u, edges[1].a, v);
     if (tip && dot(*tip - from, u) > 0 && dot(*tip - to, v) < 0) {
       const Vec2 corner = snapped(*tip);
       strips_.pieces.push_back({{node, to, corner, from}, {border, border, border, border}});

@@ -31,7 +31,8 @@ GridPoint minus(GridPoint a, GridPoint b) { return {a.x - b.x, a.y - b.y}; }
 
 class RingTracer {
  public:
-  explicit RingTracer(std::vector<RegionEdge> edges) : edges_(std::move(edges)), is_walked_(edges_.size()) {}
+  RingTracer(std::vector<RegionEdge> edges, const std::vector<GridPoint>& dropped)
+      : edges_(std::move(edges)), is_walked_(edges_.size()), dropped_(dropped) {}
 
   void trace(std::vector<std::vector<TracedRing>>& rings) {
     for (std::size_t i = 0; i < edges_.size(); ++i)
@@ -91,6 +92,7 @@ class RingTracer {
       if (edges_[indices[k]].from < edges_[indices[first]].from) first = k;
     for (std::size_t k = 0; k < n; ++k) {
       const RegionEdge& edge = edges_[indices[(first + k) % n]];
+      if (std::ranges::binary_search(dropped_, edge.from)) continue;
       ring.points.push_back(edge.from);
       ring.borders.push_back(edge.border);
     }
@@ -99,12 +101,13 @@ class RingTracer {
 
   std::vector<RegionEdge> edges_;
   std::vector<bool> is_walked_;
+  const std::vector<GridPoint>& dropped_;
 };
 
 }  // namespace
 
 std::vector<std::vector<TracedRing>> trace_rings(const Faces& faces, const std::vector<std::uint32_t>& regions,
-                                                 std::uint32_t region_count) {
+                                                 std::uint32_t region_count, const std::vector<GridPoint>& dropped) {
   std::vector<RegionEdge> edges;
   for (const FaceEdge& edge : faces.edges) {
     const std::uint32_t region = regions[edge.face];
@@ -113,7 +116,7 @@ std::vector<std::vector<TracedRing>> trace_rings(const Faces& faces, const std::
   }
   std::ranges::sort(edges, region_edge_before);
   std::vector<std::vector<TracedRing>> rings(region_count);
-  RingTracer(std::move(edges)).trace(rings);
+  RingTracer(std::move(edges), dropped).trace(rings);
   for (std::vector<TracedRing>& of_region : rings) std::ranges::sort(of_region, {}, &TracedRing::points);
   return rings;
 }

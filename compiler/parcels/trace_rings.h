@@ -18,8 +18,9 @@ struct TracedRing {
 /// clockwise holes.
 /// @param regions  The region of each face, or kNone.
 /// Guarantees: the result does not depend on numbers of faces. O(n log n).
+/// @param dropped  Points that are left out, sorted.
 std::vector<std::vector<TracedRing>> trace_rings(const Faces& faces, const std::vector<std::uint32_t>& regions,
-                                                 std::uint32_t region_count);
+                                                 std::uint32_t region_count, const std::vector<GridPoint>& dropped);
 
 /// Returns twice the signed area in grid steps. Exact.
 std::int64_t twice_area(const TracedRing& ring);
