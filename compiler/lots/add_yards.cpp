@@ -8,7 +8,6 @@
 #include "compiler/geometry/centroid.h"
 #include "compiler/lots/border_yards.h"
 #include "compiler/lots/plant_yard.h"
-#include "compiler/parcels/divide.h"
 
 namespace citykiln::lots {
 namespace {

@@ -7,6 +7,7 @@
 #include "compiler/contract/report.h"
 #include "compiler/lots/plan_lots.h"
 #include "compiler/map/features.h"
+#include "compiler/parcels/divide.h"
 #include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/recipe.h"
 

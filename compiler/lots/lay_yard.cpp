@@ -28,8 +28,9 @@ constexpr double kBelowWall_m = 0.25;
 constexpr double kRoomStep_m = 0.5;
 // A drive past the house goes on behind its front wall by this. A car in front of the house needs this much.
 constexpr double kPastFront_m = 6, kCarLength_m = 5.5;
-// Drives keep this distance to walls and mapped things.
-constexpr double kBesideDrive_m = 0.25, kClearOfMapped_m = 0.5;
+// The first is the distance of drives to walls and the lot's border, on which a fence may stand; the second that of
+// paths and drives to mapped things.
+constexpr double kBesideDrive_m = 0.4375, kClearOfMapped_m = 0.5;
 // Sheds of this size, with a plain class, may be garages.
 constexpr double kLeastGarage_m2 = 12, kLargestGarage_m2 = 60;
 // Private ways and car parks count as the lot's if they lie in it, or touch its border within this distance.

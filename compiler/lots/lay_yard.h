@@ -23,8 +23,8 @@ struct YardGround {
   bool has_path = false, has_drive = false;
 };
 
-/// The widths of paths and drives: usual slabs for one person, and the lane of a garage (GaStellV: 3 m).
-inline constexpr double kYardPath_m = 1.25, kDriveWidth_m = 3;
+/// The widths of paths and drives: usual slabs for one person, and the lane of a garage (GaStellV: 2.75 m).
+inline constexpr double kYardPath_m = 1.25, kDriveWidth_m = 2.75;
 
 /// Returns the ground of a lot's yard.
 ///

@@ -58,7 +58,8 @@ TEST(AddYards, BarriersLeavePathsDrivesHousesAndPavementsFree) {
           for (const LandCoverClass c : {LandCoverClass::kYardPath, LandCoverClass::kDrive})
             EXPECT_FALSE(is_in_any(yard_areas(town, c), p)) << p.x << ' ' << p.y;
           for (const map::Footprint& f : town.footprints) EXPECT_FALSE(contains(f.polygon, p));
-          EXPECT_GT(p.y - barrier.width_m / 2, 5);
+          const Vec2 along = unit(barrier.axis[i + 1] - barrier.axis[i]);
+          EXPECT_GE(p.y - std::abs(along.x) * barrier.width_m / 2, 4.99);
         }
     }
   }
