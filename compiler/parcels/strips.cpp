@@ -190,6 +190,9 @@ class Linker {
       const auto tip = crossing_of_lines(edges[0].a, u, edges[1].a, v);
       if (tip && dot(*tip - from, u) > 0 && dot(*tip - to, v) < 0)
         return add_mitre({node, to, snapped(*tip), from}, ids, border);
+      // nearly straight: the gap is a few steps of the grid wide, and its direction means nothing
+      strips_.pieces.push_back({{node, to, from}, {border, border, border}});
+      return connect_outward(ids[0], ids[1]);
     }
     points.push_back(to);
     for (std::size_t i = 1; i < points.size(); ++i) {
