@@ -14,6 +14,12 @@
 namespace citykiln::parcels {
 namespace {
 
+// Triangles smaller than this have the label of their face.
+constexpr double kLeastTriangle_m2 = 0.05;
+// A face is divided if its part with other labels is at least this large.
+constexpr double kLeastOther_m2 = 0.5;
+constexpr double kLeastOtherShare = 0.01;
+
 // Indexes of all that faces_of() looks up by place.
 struct Indexes {
   BoxGrid strips, taken, footprints, borders;
@@ -81,6 +87,12 @@ CellParts parts_of(const Layout& layout, const Indexes& indexes, const Box2& cel
   return parts;
 }
 
+std::uint32_t label_at_place(const Layout& layout, Vec2 p) {
+  const std::uint32_t piece = nearest_piece(*layout.field, p);
+  const std::uint32_t label = piece == kNone ? kRest : layout.field->pieces[piece].label;
+  return layout.splits ? split_label(*layout.splits, label, p) : label;
+}
+
 Face face_at(const Layout& layout, const CellParts& parts, Vec2 p) {
   Face face;
   const auto is_strip = [&](std::uint32_t i) { return is_in_convex(layout.strips[i].ring, p); };
@@ -98,10 +110,7 @@ Face face_at(const Layout& layout, const CellParts& parts, Vec2 p) {
     face.kind = FaceKind::kLine;
   else if (std::ranges::any_of(parts.taken, is_taken))
     face.kind = FaceKind::kTaken;
-  if (face.kind != FaceKind::kLand) return face;
-  const std::uint32_t piece = nearest_piece(*layout.field, p);
-  face.label = piece == kNone ? kRest : layout.field->pieces[piece].label;
-  if (layout.splits) face.label = split_label(*layout.splits, face.label, p);
+  if (face.kind == FaceKind::kLand) face.label = label_at_place(layout, p);
   return face;
 }
 
@@ -117,59 +126,100 @@ Border border_of(const Arrangement& arrangement, const std::vector<Border>& owne
   return best;
 }
 
-// The triangles of each face, joined over edges that are not constrained.
-DisjointSets joined_triangles(const std::vector<DelaunayFace>& triangles) {
+// A cell's arrangement and its triangles.
+struct CellMesh {
+  Arrangement arrangement;
+  std::vector<DelaunayFace> triangles;
+
+  double area_m2(std::uint32_t i) const {
+    const auto& [a, b, c] = triangles[i].vertices;
+    const auto& v = arrangement.vertices;
+    return static_cast<double>(turn(v[a], v[b], v[c])) * (kQuantum_m * kQuantum_m / 2);
+  }
+  Vec2 centre(std::uint32_t i) const {
+    Vec2 sum;
+    for (const std::uint32_t v : triangles[i].vertices) sum = sum + plane_point(arrangement.vertices[v]);
+    return sum * (1.0 / 3);
+  }
+};
+
+CellMesh mesh_of(const CellParts& parts) {
+  CellMesh mesh{arrange(parts.segments, {}, parts.cell), {}};
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const ArrangedEdge& e : mesh.arrangement.edges) edges.emplace_back(e.a, e.b);
+  mesh.triangles = Delaunay(mesh.arrangement.vertices, edges).faces();
+  return mesh;
+}
+
+// The lowest triangle of each set of triangles, joined over edges that are not constrained if is_same(i, j).
+template <typename IsSame>
+std::vector<std::uint32_t> joined_triangles(const std::vector<DelaunayFace>& triangles, IsSame is_same) {
   DisjointSets sets(triangles.size());
   for (std::uint32_t i = 0; i < triangles.size(); ++i)
     for (int k = 0; k < 3; ++k)
-      if (!triangles[i].is_constrained[k] && triangles[i].neighbours[k] != kNoFace)
-        sets.join(i, triangles[i].neighbours[k]);
-  return sets;
+      if (const std::uint32_t j = triangles[i].neighbours[k]; !triangles[i].is_constrained[k] && j != kNoFace)
+        if (is_same(i, j)) sets.join(i, j);
+  return sets.lowest();
 }
 
-double twice_area_of(const Arrangement& arrangement, const DelaunayFace& t) {
-  const auto& v = arrangement.vertices;
-  return static_cast<double>(turn(v[t.vertices[0]], v[t.vertices[1]], v[t.vertices[2]]));
+// What each set of triangles is, at its lowest one, by the centre of its largest one.
+std::vector<Face> faces_at(const Layout& layout, const CellParts& parts, const CellMesh& mesh,
+                           const std::vector<std::uint32_t>& roots) {
+  std::vector<std::uint32_t> largest(roots.size(), kNone);
+  for (std::uint32_t i = 0; i < roots.size(); ++i)
+    if (largest[roots[i]] == kNone || mesh.area_m2(i) > mesh.area_m2(largest[roots[i]])) largest[roots[i]] = i;
+  std::vector<Face> faces(roots.size());
+  for (std::uint32_t i = 0; i < roots.size(); ++i)
+    if (roots[i] == i) faces[i] = face_at(layout, parts, mesh.centre(largest[i]));
+  return faces;
 }
 
-Vec2 centre_of(const Arrangement& arrangement, const DelaunayFace& t) {
-  Vec2 sum;
-  for (const std::uint32_t v : t.vertices) sum = sum + plane_point(arrangement.vertices[v]);
-  return sum * (1.0 / 3);
+// The label of each triangle: that of its face, except in faces of which a part that matters has other labels, since a
+// border is missing there. These are divided along edges of triangles.
+std::vector<std::uint32_t> triangle_labels(const Layout& layout, const CellMesh& mesh,
+                                           const std::vector<std::uint32_t>& roots, const std::vector<Face>& faces) {
+  std::vector<std::uint32_t> labels(roots.size());
+  std::vector<double> area(roots.size(), 0), other(roots.size(), 0);
+  for (std::uint32_t i = 0; i < roots.size(); ++i) {
+    const Face& face = faces[roots[i]];
+    labels[i] = face.label;
+    if (face.kind != FaceKind::kLand) continue;
+    area[roots[i]] += mesh.area_m2(i);
+    if (mesh.area_m2(i) < kLeastTriangle_m2) continue;
+    labels[i] = label_at_place(layout, mesh.centre(i));
+    if (labels[i] != face.label) other[roots[i]] += mesh.area_m2(i);
+  }
+  for (std::uint32_t i = 0; i < roots.size(); ++i)
+    if (other[roots[i]] < std::max(kLeastOther_m2, kLeastOtherShare * area[roots[i]]))
+      labels[i] = faces[roots[i]].label;
+  return labels;
 }
 
 Faces faces_of_cell(const Layout& layout, const Indexes& indexes, const Box2& cell) {
   const CellParts parts = parts_of(layout, indexes, cell);
-  const Arrangement arrangement = arrange(parts.segments, {}, cell);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (const ArrangedEdge& e : arrangement.edges) edges.emplace_back(e.a, e.b);
-  const Delaunay triangulation(arrangement.vertices, edges);
-  const std::vector<DelaunayFace>& triangles = triangulation.faces();
-  const std::vector<std::uint32_t> roots = joined_triangles(triangles).lowest();
+  const CellMesh mesh = mesh_of(parts);
+  const auto whole = joined_triangles(mesh.triangles, [](auto, auto) { return true; });
+  const std::vector<Face> kinds = faces_at(layout, parts, mesh, whole);
+  const std::vector<std::uint32_t> labels = triangle_labels(layout, mesh, whole, kinds);
+  const auto roots = joined_triangles(mesh.triangles, [&](auto i, auto j) { return labels[i] == labels[j]; });
   Faces faces;
-  std::vector<std::uint32_t> number(triangles.size(), kNone), largest;
-  std::vector<double> most;
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+  std::vector<std::uint32_t> number(roots.size());
+  for (std::uint32_t i = 0; i < roots.size(); ++i) {
     if (roots[i] == i) {
       number[i] = static_cast<std::uint32_t>(faces.faces.size());
-      faces.faces.emplace_back(), largest.push_back(i), most.push_back(0);
+      faces.faces.push_back(kinds[whole[i]]);
+      faces.faces.back().label = labels[i];
     }
-    const std::uint32_t f = number[i] = number[roots[i]];
-    const double twice = twice_area_of(arrangement, triangles[i]);
-    faces.faces[f].area_m2 += twice * (kQuantum_m * kQuantum_m / 2);
-    if (twice > most[f]) most[f] = twice, largest[f] = i;
+    number[i] = number[roots[i]];
+    faces.faces[number[i]].area_m2 += mesh.area_m2(i);
   }
-  for (std::size_t f = 0; f < largest.size(); ++f) {
-    const double area = faces.faces[f].area_m2;
-    faces.faces[f] = face_at(layout, parts, centre_of(arrangement, triangles[largest[f]]));
-    faces.faces[f].area_m2 = area;
-  }
-  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+  for (std::uint32_t i = 0; i < roots.size(); ++i)
     for (int k = 0; k < 3; ++k) {
-      if (!triangles[i].is_constrained[k]) continue;
-      const std::uint32_t a = triangles[i].vertices[(k + 1) % 3], b = triangles[i].vertices[(k + 2) % 3];
-      faces.edges.push_back({arrangement.vertices[a], arrangement.vertices[b], number[i], kNone,
-                             border_of(arrangement, parts.owners, a, b)});
+      const DelaunayFace& t = mesh.triangles[i];
+      if (!t.is_constrained[k] && t.neighbours[k] != kNoFace && number[t.neighbours[k]] == number[i]) continue;
+      const std::uint32_t a = t.vertices[(k + 1) % 3], b = t.vertices[(k + 2) % 3];
+      faces.edges.push_back({mesh.arrangement.vertices[a], mesh.arrangement.vertices[b], number[i], kNone,
+                             border_of(mesh.arrangement, parts.owners, a, b)});
     }
   return faces;
 }

@@ -115,6 +115,10 @@ void add_wedges(std::vector<Piece>& pieces, const Strips& strips, std::uint32_t 
   add_wedge(pieces, f.b, f.normal, strips.frontages[f.next].normal, depth_m, frontage, label);
 }
 
+bool is_seen_by(const Field& field, const Piece& piece, Vec2 p) {
+  return is_seen(*field.obstacles, p, foot_of(piece, p));
+}
+
 std::uint32_t nearest_piece(const Field& field, Vec2 p) {
   return nearest_seen(field, p, 4 * kDepth_m, [](const Piece&) { return true; });
 }

@@ -53,6 +53,9 @@ void add_piece(std::vector<Piece>& pieces, const Strips& strips, std::uint32_t f
 void add_wedges(std::vector<Piece>& pieces, const Strips& strips, std::uint32_t frontage, double depth_m,
                 std::uint32_t label);
 
+/// True if no obstacle lies between a place and the piece's frontage.
+bool is_seen_by(const Field& field, const Piece& piece, Vec2 p);
+
 inline double distance_m(const Piece& piece, Vec2 p) { return dot(p - piece.foot, piece.normal); }
 
 /// Returns the index of the piece that a place belongs to, kNone if no piece sees it. The first of equally

@@ -12,6 +12,10 @@ namespace {
 
 // Labels are compared at this distance from a line.
 constexpr double kBeside_m = 0.015;
+// Shadows are looked for at this distance behind an obstacle.
+constexpr double kBehind_m = 0.125;
+// Lines are tested at least this often.
+constexpr double kSightStep_m = 4;
 // Shorter parts of lines are not tested.
 constexpr double kLeastPart_m = 0.01;
 
@@ -70,6 +74,9 @@ std::vector<double> changes_along(const Field& field, const Piece& own, Vec2 a, 
     const double at_a = distance_m(own, a) - distance_m(piece, a), at_b = distance_m(own, b) - distance_m(piece, b);
     if ((at_a < 0) != (at_b < 0)) changes.push_back(at_a / (at_a - at_b));
   }
+  // sight may end anywhere
+  const int steps = static_cast<int>(distance(a, b) / kSightStep_m);
+  for (int i = 1; i < steps; ++i) changes.push_back(static_cast<double>(i) / steps);
   std::ranges::sort(changes);
   return changes;
 }
@@ -97,6 +104,20 @@ void keep_parts(const Field& field, const Piece& own, Vec2 a, Vec2 b, std::vecto
   flush();
 }
 
+// Appends the shadows of obstacles' ends: lines away from a frontage, behind which the land is not seen from it.
+void add_shadows(const Field& field, const Piece& piece, const Box2& box, std::vector<Cut>& cuts) {
+  if (piece.along == Vec2{}) return;
+  const double depth = distance(piece.land[1], piece.land[2]);
+  const Obstacles& obstacles = *field.obstacles;
+  for (const std::uint32_t i : boxes_about(obstacles.grid, box))
+    for (const Vec2 end : {obstacles.segments[i].first, obstacles.segments[i].second}) {
+      if (!is_in_convex(piece.land, end)) continue;
+      const Vec2 behind = end + piece.normal * kBehind_m, aside = piece.along * kBeside_m;
+      if (is_seen_by(field, piece, behind + aside) == is_seen_by(field, piece, behind - aside)) continue;
+      keep_parts(field, piece, end, end + piece.normal * (depth - distance_m(piece, end)), cuts);
+    }
+}
+
 bool overlap(const Box2& a, const Box2& b) { return a.touches(b); }
 
 std::vector<Cut> borders_of_piece(const Field& field, const std::vector<Box2>& boxes, std::uint32_t number) {
@@ -110,6 +131,7 @@ std::vector<Cut> borders_of_piece(const Field& field, const std::vector<Box2>& b
     if (const auto cut = bisector_of(piece, field.pieces[other]))
       keep_parts(field, piece, cut->first, cut->second, cuts);
   }
+  add_shadows(field, piece, boxes[number], cuts);
   return cuts;
 }
 
