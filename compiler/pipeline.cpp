@@ -6,12 +6,15 @@
 
 #include "compiler/assume/assume.h"
 #include "compiler/buildings/plan.h"
+#include "compiler/climate/climate_at.h"
 #include "compiler/ground/landforms/plan_landforms.h"
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/water/pool_rims.h"
+#include "compiler/lots/add_yards.h"
 #include "compiler/make_header.h"
 #include "compiler/map/locate.h"
 #include "compiler/map/passageways.h"
+#include "compiler/map/private_ways.h"
 #include "compiler/pitches/plan.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"
@@ -34,6 +37,14 @@
 
 namespace citykiln {
 namespace {
+
+// The class of climate of places in the plane.
+lots::ClimateAt climate_of_places(const map::Plane& plane) {
+  return [&plane](Vec2 at) {
+    const map::LonLat place = plane.backward(at);
+    return climate::climate_at(place.lon_deg, place.lat_deg);
+  };
+}
 
 /// Compiles a whole map; with a survey, the tiles of spec.only from an extract that covers their surroundings.
 Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& extract, const Survey* survey,
@@ -75,6 +86,19 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   recipes.junctions = roads::plan_junctions(recipes.roads, report);
   recipes.roads = roads::limit_widths(std::move(recipes.roads), recipes.junctions, features.footprints,
                                       roads::ways_through_buildings(features), report);
+  if (has(spec.assume, Assumption::kYards)) {
+    timer.enter("yards");
+    const lots::ClimateAt climate_at = climate_of_places(plane);
+    const std::vector<OsmId> private_ways = map::private_ways(*osm);
+    features = lots::with_yards(std::move(features),
+                                {.roads = recipes.roads,
+                                 .junctions = recipes.junctions,
+                                 .private_ways = private_ways,
+                                 .climate_at = climate_at,
+                                 .seed = spec.seed,
+                                 .threads = spec.threads},
+                                report);
+  }
   timer.enter("land cover and water");
   ground::Waters waters = survey ? surveyed_waters(plan_dry_waters(features, report), *survey)
                                  : plan_waters(plan_dry_waters(features, report), features, recipes.heights, report);

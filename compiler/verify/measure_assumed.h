@@ -50,4 +50,10 @@ AssumedPlaces measure_assumed_masts(const scene::Chunk& chunk, const ground::Lan
 /// on another front, nor across the opening for a way. O(fronts · what is on their walls).
 AssumedPlaces measure_assumed_fronts(const scene::Chunk& chunk);
 
+/// Tests the yards of a tile. Their trees stand in no building, road, railway, path or water, in no mapped barrier, and
+/// not below a power line. At places of a grid of 4 m, no yard is on top where finer land than land use is mapped.
+/// @param land_cover  Covers the box.
+AssumedPlaces measure_assumed_yards(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                    const Box2& box);
+
 }  // namespace citykiln::verify
