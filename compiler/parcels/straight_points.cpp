@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
+#include <utility>
 
 #include "compiler/geometry/point_buckets.h"
 
@@ -76,7 +79,7 @@ class Straightener {
     const auto leads = [&](std::uint32_t a, std::uint32_t b) {
       return points_[a].is_plain && (points_[a].neighbours[0] == b || points_[a].neighbours[1] == b);
     };
-    return leads(p, q) || leads(q, p) || std::ranges::binary_search(edges_, std::pair(points_[p].at, points_[q].at)) ||
+    return made_.contains(std::minmax(p, q)) || leads(p, q) || leads(q, p) || std::ranges::binary_search(edges_, std::pair(points_[p].at, points_[q].at)) ||
            std::ranges::binary_search(edges_, std::pair(points_[q].at, points_[p].at));
   }
 
@@ -88,16 +91,21 @@ class Straightener {
     });
   }
 
-  // Drops straight points of which no neighbour with a lower number is straight.
+  // Drops straight points of which no neighbour with a lower number is straight; of points between the same two
+  // neighbours only the first, since the border would run back along itself.
   void drop_some() {
     std::vector<bool> straight(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) straight[i] = is_straight(points_[i]);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> drops;
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
       const auto [p, q] = points_[i].neighbours;
-      if (!straight[i] || (straight[p] && p < i) || (straight[q] && q < i)) continue;
+      if (straight[i] && !(straight[p] && p < i) && !(straight[q] && q < i)) drops.try_emplace(std::minmax(p, q), i);
+    }
+    for (const auto& [ends, i] : drops) {
       points_[i].is_dropped = true;
-      relink(p, i, q);
-      relink(q, i, p);
+      made_.insert(ends);
+      relink(ends.first, i, ends.second);
+      relink(ends.second, i, ends.first);
     }
   }
 
@@ -112,6 +120,7 @@ class Straightener {
   std::vector<GridPoint> places_;  // of points_, sorted
   std::vector<BorderPoint> points_;
   std::vector<std::pair<GridPoint, GridPoint>> edges_;  // sorted
+  std::set<std::pair<std::uint32_t, std::uint32_t>> made_;  // between points, instead of what was dropped
   PointBuckets buckets_;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compiler/geometry/segment.h"
+#include "compiler/lots/mapped_things.h"
 #include "tests/compiler/lots/made_town.h"
 
 namespace citykiln::lots {
@@ -124,9 +125,10 @@ TEST(AddYards, WhatIsMappedIsNotAssumed) {
     EXPECT_FALSE(of(area.id, 1003) && area.surface == LandCoverClass::kYardPath);
     EXPECT_FALSE(of(area.id, 1004) && (area.surface == LandCoverClass::kDrive));
   }
-  for (const map::Barrier& barrier : town.barriers)
-    if (is_of_yard(barrier.id))
-      for (const Vec2 p : barrier.axis) EXPECT_FALSE(p.y < 6.5 && p.x > 25 && p.x < 47) << p.x << ' ' << p.y;
+  for (const map::Barrier& barrier : town.barriers) {
+    if (!is_of_yard(barrier.id)) continue;
+    for (const Vec2 p : barrier.axis) EXPECT_FALSE(p.y < 6.5 && p.x > 25 && p.x < 47) << p.x << ' ' << p.y;
+  }
   for (const map::PointFeature& point : town.points)
     EXPECT_FALSE(of(point.id, 1006) && point.kind == map::PointKind::kTree && point.height_m == 0);
 }
