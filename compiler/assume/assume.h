@@ -11,7 +11,7 @@ namespace citykiln::assume {
 
 /// Settings of assume().
 struct Settings {
-  Assumptions on = kAllAssumptions;  ///< The assumptions that are made.
+  Assumptions on = kUsualAssumptions;  ///< The assumptions that are made.
   std::uint64_t seed = 0;            ///< Selects the random draws.
 };
 

@@ -31,8 +31,8 @@ double width_of(BarrierKind kind) {
 // The yard of one lot.
 struct Yard {
   YardGround ground;
-  std::vector<YardBarrier> barriers;
-  std::vector<YardPlant> plants;
+  std::vector<YardBarrier> barriers{};
+  std::vector<YardPlant> plants{};
 };
 
 Capsules street_fronts(const std::vector<parcels::Line>& lines) {

@@ -147,12 +147,14 @@ MapLand land_of(const map::Features& features, std::span<const Road> roads, std:
   parcels::Land& land = made.land;
   land.extent = features.extent;
   land.sizes.clear();
-  for (const SizeRow& row : kSizes) land.sizes.push_back({.front_m = row.front_m, .depth_m = row.depth_m});
+  for (const SizeRow& row : kSizes)
+    land.sizes.push_back({.area_m2 = row.front_m * row.depth_m, .front_m = row.front_m, .depth_m = row.depth_m});
   const StreetSegments streets = street_segments(roads);
   for (const Road& road : roads) {
     if (std::ranges::binary_search(private_ways, road.id.osm)) continue;
     if (may_be_pavement(road)) add_pavement_paths(road, streets, land.lines);
     if (const LineKind kind = kind_of_line(road); kind != LineKind::kNone) land.lines.push_back(line_of(road, kind));
+    made.countries.resize(land.lines.size(), road.country);
   }
   for (const map::Waterway& river : features.waterways)
     if (river.passage == map::Passage::kGround)
@@ -161,6 +163,7 @@ MapLand land_of(const map::Features& features, std::span<const Road> roads, std:
                             .left_m = river.width_m / 2,
                             .right_m = river.width_m / 2,
                             .kind = LineKind::kBarrier});
+  made.countries.resize(land.lines.size(), map::CountryGroup::kCount);
   for (const map::AreaFeature& area : features.areas)
     if (is_taken(area)) land.taken.push_back(area.polygon);
   for (std::uint32_t f = 0; f < features.footprints.size(); ++f) {

@@ -14,10 +14,11 @@ namespace citykiln::lots {
 /// A lot begins this far inside the pavement, which lies on top of it: no gap is seen between the two.
 inline constexpr double kUnderPavement_m = 0.25;
 
-/// The land of a map. Entry i of `footprints` is the index in Features::footprints of land.footprints[i].
+/// The land of a map.
 struct MapLand {
   parcels::Land land;
-  std::vector<std::uint32_t> footprints;
+  std::vector<std::uint32_t> footprints;     ///< By land.footprints: indices into Features::footprints.
+  std::vector<map::CountryGroup> countries;  ///< By land.lines: of roads; kCount for others.
 };
 
 /// Returns the land of a map.

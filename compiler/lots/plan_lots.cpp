@@ -12,6 +12,7 @@
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/centroid.h"
 #include "compiler/geometry/segment.h"
+#include "compiler/lots/land_use.h"
 #include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::lots {
@@ -81,37 +82,6 @@ double shared_length_m(const Walls& walls, std::uint32_t footprint, const Ring& 
   return shared_m;
 }
 
-// Areas of land use.
-struct UseIndex {
-  const std::vector<map::AreaFeature>& areas;
-  std::vector<std::uint32_t> numbers;
-  BoxGrid grid;
-};
-
-UseIndex index_uses(const map::Features& features) {
-  UseIndex uses{features.areas, {}, {}};
-  std::vector<Box2> boxes;
-  for (std::uint32_t i = 0; i < uses.areas.size(); ++i) {
-    if (!is_land_of_yards(uses.areas[i].surface) || uses.areas[i].polygon.outer.empty()) continue;
-    uses.numbers.push_back(i);
-    boxes.push_back(box_of(uses.areas[i].polygon.outer));
-  }
-  if (!boxes.empty()) uses.grid = grid_of(boxes, kLotBucket_m);
-  return uses;
-}
-
-// The class of the smallest area at a place.
-LandCoverClass use_at(const UseIndex& uses, Vec2 p) {
-  const map::AreaFeature* smallest = nullptr;
-  if (uses.numbers.empty()) return LandCoverClass::kUnknown;
-  for (const std::uint32_t i : boxes_about(uses.grid, p)) {
-    const map::AreaFeature& area = uses.areas[uses.numbers[i]];
-    const bool is_smaller = !smallest || std::pair(area.area_m2, area.id) < std::pair(smallest->area_m2, smallest->id);
-    if (is_smaller && contains(area.polygon, p)) smallest = &area;
-  }
-  return smallest ? smallest->surface : LandCoverClass::kUnknown;
-}
-
 bool is_shed(const map::Footprint& f) {
   return class_of(f) == BuildingClass::kGarage || class_of(f) == BuildingClass::kHut ||
          class_of(f) == BuildingClass::kGreenhouse;
@@ -146,30 +116,6 @@ LotKind kind_of_lot(const map::Footprint& f, LandCoverClass use, bool is_attache
   if (own == BuildingClass::kPlain && use == LandCoverClass::kUnknown && area >= kLeastHall_m2 && is_low)
     return LotKind::kWorks;
   return kind_of_house(f, area, is_attached);
-}
-
-// The frame at the place of the front that is nearest to a point; nothing for a front without length.
-std::optional<Frame> frame_of(const parcels::Front& front, const parcels::Line& line, Vec2 to) {
-  const auto [from, end] = std::minmax(front.from, front.to, [](const auto& a, const auto& b) {
-    return std::pair(a.segment, a.at_m) < std::pair(b.segment, b.at_m);
-  });
-  const double sign = front.side == parcels::Side::kLeft ? 1 : -1;
-  const double half_m =
-      std::max(parcels::kLeastStrip_m, front.side == parcels::Side::kLeft ? line.left_m : line.right_m);
-  std::optional<Frame> nearest;
-  double least_m = std::numeric_limits<double>::infinity();
-  for (std::uint32_t s = from.segment; s <= end.segment && s + 1 < line.axis.size(); ++s) {
-    const Vec2 a = line.axis[s], along = unit(line.axis[s + 1] - a);
-    const double length = distance(a, line.axis[s + 1]);
-    const double low_m = s == from.segment ? std::clamp(from.at_m, 0.0, length) : 0,
-                 high_m = s == end.segment ? std::clamp(end.at_m, 0.0, length) : length;
-    const Vec2 on_axis = nearest_point(a + along * std::min(low_m, high_m), a + along * high_m, to);
-    if (along == Vec2{} || distance(on_axis, to) >= least_m) continue;
-    least_m = distance(on_axis, to);
-    const Vec2 inward = left_of(along) * sign;
-    nearest = Frame{on_axis + inward * half_m, along, inward};
-  }
-  return nearest;
 }
 
 Vec2 outward_of(Vec2 a, Vec2 b) { return left_of(unit(b - a)) * -1; }
@@ -247,7 +193,7 @@ struct LotPlanner {
   const MapLand& land;
   const ClimateAt& climate_at;
   Walls walls = walls_of_map(features, land.footprints);
-  UseIndex uses = index_uses(features);
+  LandUse uses = index_land_use(features);
   DoorPoints doors = index_door_points(features);
 
   // The largest building, sheds last.
@@ -270,7 +216,7 @@ struct LotPlanner {
     const Ring& ring = main.polygon.outer;
     const bool is_attached = shared_length_m(walls, lot.main, ring) >= kLeastShared_m;
     lot.frame = *frame;
-    lot.kind = kind_of_lot(main, use_at(uses, middle), is_attached);
+    lot.kind = kind_of_lot(main, land_use_at(uses, middle), is_attached);
     lot.country = main.country;
     lot.climate = climate_at(middle);
     lot.house_m = std::numeric_limits<double>::infinity();
@@ -283,6 +229,29 @@ struct LotPlanner {
 };
 
 }  // namespace
+
+std::optional<Frame> frame_of(const parcels::Front& front, const parcels::Line& line, Vec2 to) {
+  const auto [from, end] = std::minmax(front.from, front.to, [](const auto& a, const auto& b) {
+    return std::pair(a.segment, a.at_m) < std::pair(b.segment, b.at_m);
+  });
+  const double sign = front.side == parcels::Side::kLeft ? 1 : -1;
+  const double half_m =
+      std::max(parcels::kLeastStrip_m, front.side == parcels::Side::kLeft ? line.left_m : line.right_m);
+  std::optional<Frame> nearest;
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::uint32_t s = from.segment; s <= end.segment && s + 1 < line.axis.size(); ++s) {
+    const Vec2 a = line.axis[s], along = unit(line.axis[s + 1] - a);
+    const double length = distance(a, line.axis[s + 1]);
+    const double low_m = s == from.segment ? std::clamp(from.at_m, 0.0, length) : 0,
+                 high_m = s == end.segment ? std::clamp(end.at_m, 0.0, length) : length;
+    const Vec2 on_axis = nearest_point(a + along * std::min(low_m, high_m), a + along * high_m, to);
+    if (along == Vec2{} || distance(on_axis, to) >= least_m) continue;
+    least_m = distance(on_axis, to);
+    const Vec2 inward = left_of(along) * sign;
+    nearest = Frame{on_axis + inward * half_m, along, inward};
+  }
+  return nearest;
+}
 
 std::string_view name_of(LotKind kind) {
   constexpr std::string_view kNames[] = {"detached", "row",   "apartments", "perimeter",

@@ -47,6 +47,10 @@ struct Frame {
   Vec2 plane(Vec2 p) const { return origin + along * p.x + inward * p.y; }
 };
 
+/// Returns the frame at the place of a front that is nearest to a point; nothing for a front without length.
+/// @param line  The line of the front.
+std::optional<Frame> frame_of(const parcels::Front& front, const parcels::Line& line, Vec2 to);
+
 /// The door from which the path to the street begins.
 struct Door {
   Vec2 at, outward;        ///< On the wall; a unit vector.
@@ -59,11 +63,11 @@ struct Lot {
   LotKind kind{};
   map::CountryGroup country{};
   climate::ClimateClass climate{};
-  std::uint32_t main = 0;                 ///< The main building: an index into Features::footprints.
-  std::vector<std::uint32_t> footprints;  ///< All buildings, as such indices.
-  Frame frame;
+  std::uint32_t main = 0;                   ///< The main building: an index into Features::footprints.
+  std::vector<std::uint32_t> footprints{};  ///< All buildings, as such indices.
+  Frame frame{};
   double house_m = 0;  ///< The y of the main building's point nearest to the street, at least 0.
-  std::optional<Door> door;
+  std::optional<Door> door{};
 };
 
 /// Returns the class of climate at a place of the plane.

@@ -162,7 +162,7 @@ std::vector<std::uint32_t> joined_triangles(const std::vector<DelaunayFace>& tri
   return sets.lowest();
 }
 
-// What each set of triangles is, at its lowest one, by the centre of its largest one.
+// The kind of each set of triangles, at its lowest one, by the centre of its largest one.
 std::vector<Face> faces_at(const Layout& layout, const CellParts& parts, const CellMesh& mesh,
                            const std::vector<std::uint32_t>& roots) {
   std::vector<std::uint32_t> largest(roots.size(), kNone);

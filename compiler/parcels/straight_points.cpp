@@ -79,7 +79,8 @@ class Straightener {
     const auto leads = [&](std::uint32_t a, std::uint32_t b) {
       return points_[a].is_plain && (points_[a].neighbours[0] == b || points_[a].neighbours[1] == b);
     };
-    return made_.contains(std::minmax(p, q)) || leads(p, q) || leads(q, p) || std::ranges::binary_search(edges_, std::pair(points_[p].at, points_[q].at)) ||
+    return made_.contains(std::minmax(p, q)) || leads(p, q) || leads(q, p) ||
+           std::ranges::binary_search(edges_, std::pair(points_[p].at, points_[q].at)) ||
            std::ranges::binary_search(edges_, std::pair(points_[q].at, points_[p].at));
   }
 
@@ -119,7 +120,7 @@ class Straightener {
 
   std::vector<GridPoint> places_;  // of points_, sorted
   std::vector<BorderPoint> points_;
-  std::vector<std::pair<GridPoint, GridPoint>> edges_;  // sorted
+  std::vector<std::pair<GridPoint, GridPoint>> edges_;      // sorted
   std::set<std::pair<std::uint32_t, std::uint32_t>> made_;  // between points, instead of what was dropped
   PointBuckets buckets_;
 };

@@ -374,6 +374,19 @@ void test_yard_places(const scene::Chunk& chunk, const ground::LandCoverIndex& l
     }
 }
 
+// The element on which a place of a house lies, other than the house's own lot; none if the place is free.
+OsmId no_place_for_house(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover, OsmId lot, Vec2 p) {
+  if (const std::uint32_t top = ground::land_cover_at(land_cover, p); top != ground::kNoLandCover) {
+    const ground::LandCoverPolygon& surface = land_cover.surfaces[top];
+    const bool is_mapped_path = group_of_class(surface.surface) == LandCoverGroup::kPath;
+    const OsmId on = is_mapped_path ? surface.id.osm : no_place_for_lamp(land_cover, p);
+    if (on.type != OsmType::kNone && on != lot) return on;
+  }
+  for (const buildings::Building& other : chunk.buildings)
+    if (other.id.osm != lot && contains(other.footprint, p)) return other.id.osm;
+  return {};
+}
+
 bool has_assumed_strips(const Road& road) {
   return has(road.assumed, Assumption::kPavements) || has(road.assumed, Assumption::kVerges);
 }
@@ -451,6 +464,24 @@ AssumedPlaces measure_assumed_yards(const scene::Chunk& chunk, const ground::Lan
       found.at = tree.at, found.first = tree.id.osm, found.on = on;
   }
   test_yard_places(chunk, land_cover, box, found);
+  return found;
+}
+
+AssumedPlaces measure_assumed_houses(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                     const Box2& box) {
+  AssumedPlaces found;
+  for (const buildings::Building& house : chunk.buildings) {
+    if (house.id.osm.type != OsmType::kLot) continue;
+    const Ring& ring = house.footprint.outer;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      for (const Vec2 p : {ring[i], (ring[i] + ring[(i + 1) % ring.size()]) * 0.5}) {
+        if (!box.contains_half_open(p)) continue;
+        ++found.places;
+        const OsmId on = no_place_for_house(chunk, land_cover, house.id.osm, p);
+        if (on.type != OsmType::kNone && found.misplaced++ == 0)
+          found.at = p, found.first = house.id.osm, found.on = on;
+      }
+  }
   return found;
 }
 

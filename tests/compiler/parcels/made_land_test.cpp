@@ -141,12 +141,14 @@ void expect_no_overlap(const std::vector<Lot>& lots, const std::string& what) {
     }
 }
 
-// How far a strip's edge may lie from where the line's width says: at a bend, at an end, or at a joint with wider lines.
+// How far a strip's edge may lie from where the line's width says: at a bend, at an end, or at a joint with wider
+// lines.
 double widest_joint_m(const Land& land, const Line& line) {
   double widest_m = line.left_m + line.right_m;
   for (const Line& other : land.lines)
     for (const Vec2 p : other.axis)
-      if (std::ranges::find(line.axis, p) != line.axis.end()) widest_m = std::max(widest_m, other.left_m + other.right_m);
+      if (std::ranges::find(line.axis, p) != line.axis.end())
+        widest_m = std::max(widest_m, other.left_m + other.right_m);
   return widest_m;
 }
 

@@ -237,5 +237,28 @@ TEST(MeasureAssumed, FindsYardsOverMappedLand) {
   EXPECT_EQ(yards_of(chunk).misplaced, 0u);
 }
 
+TEST(MeasureAssumed, FindsHousesOfLotsOnRoadsAndOtherBuildings) {
+  scene::Chunk chunk;
+  buildings::Building house;
+  house.id = {{OsmType::kLot, 7}, 0};
+  house.footprint.outer = {{40, 40}, {50, 40}, {50, 50}, {40, 50}};
+  chunk.buildings = {house};
+  const auto measured = [&] {
+    return measure_assumed_houses(chunk, ground::index_land_cover(chunk.surfaces, kTile), kTile);
+  };
+  EXPECT_EQ(measured().places, 8u);
+  EXPECT_EQ(measured().misplaced, 0u);
+  chunk.surfaces = {{{kMappedWay, 0}, LandCoverClass::kResidentialRoad, 1, {{{0, 47}, {120, 47}, {120, 53}, {0, 53}}}}};
+  EXPECT_EQ(measured().on, kMappedWay);
+  EXPECT_EQ(measured().misplaced, 3u);
+  chunk.surfaces.clear();
+  house.id = {kMainStreet, 0};
+  house.footprint.outer = {{44, 35}, {60, 35}, {60, 47}, {44, 47}};
+  chunk.buildings.push_back(house);
+  EXPECT_EQ(measured().misplaced, 3u) << "a corner and the middles of two walls";
+  chunk.buildings.back().id = {{OsmType::kLot, 7}, 1};
+  EXPECT_EQ(measured().misplaced, 0u) << "of the same lot";
+}
+
 }  // namespace
 }  // namespace citykiln::verify
