@@ -12,7 +12,7 @@ namespace citykiln::assume {
 /// Settings of assume().
 struct Settings {
   Assumptions on = kUsualAssumptions;  ///< The assumptions that are made.
-  std::uint64_t seed = 0;            ///< Selects the random draws.
+  std::uint64_t seed = 0;              ///< Selects the random draws.
 };
 
 /// Returns the features with assumed properties. Track::assumed and Footprint::assumed say which assumptions changed a

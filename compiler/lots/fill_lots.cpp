@@ -8,6 +8,7 @@
 
 #include "compiler/assume/assume.h"
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/centroid.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/lots/house_room.h"
@@ -24,11 +25,13 @@ using map::CountryGroup;
 
 // The group of rows for all groups without rows of their own.
 constexpr auto kAnyGroup = CountryGroup::kCount;
-// Houses keep this distance from mapped things, which is tested at places this far apart.
-constexpr double kHouseToMapped_m = 1, kTestStep_m = 1;
+// Houses keep these distances from mapped things and from pavements, which is tested at places this far apart.
+constexpr double kHouseToMapped_m = 1, kHouseToPavement_m = 0.2, kTestStep_m = 1;
 // A body whose bottom is lower than this stands on the ground.
 constexpr double kOnGround_m = 0.01;
 constexpr double kStorey_m = 3;
+// A house has a few shapes: rules that go on without an end stop soon.
+constexpr grammars::Limits kLimits{.depth = 32, .shapes = 2000, .steps = 200'000};
 
 struct HouseRow {
   CountryGroup group;
@@ -121,10 +124,10 @@ struct LotFiller {
 
   bool is_free(Vec2 p) const {
     if (is_inside_any(mapped.buildings, p) || is_inside_any(mapped.pools, p)) return false;
-    for (const Capsules* things : {&mapped.walls, &mapped.roads, &mapped.paths, &mapped.drives, &mapped.barriers,
-                                   &mapped.trees, &mapped.wires, &mapped.parking})
+    for (const Capsules* things : {&mapped.walls, &mapped.paths, &mapped.drives, &mapped.barriers, &mapped.trees,
+                                   &mapped.wires, &mapped.parking})
       if (clearance_m(*things, p, kHouseToMapped_m) < kHouseToMapped_m) return false;
-    return true;
+    return clearance_m(mapped.roads, p, kHouseToPavement_m) >= kHouseToPavement_m;
   }
 
   bool is_free(const Frame& frame, const Box2& box) const {
@@ -144,6 +147,7 @@ struct LotFiller {
     options.start = "Lot";
     options.attributes = {{"levels", static_cast<double>(levels)}};
     options.seed = site.seed;
+    options.limits = kLimits;
     const grammars::Derivation derived =
         grammars::derive(rules.at(row.rules), grammars::lot(rectangle, 0, 0, lot.id, {0}), options);
     std::vector<Body> bodies;

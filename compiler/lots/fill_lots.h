@@ -22,7 +22,7 @@ namespace citykiln::lots {
 ///
 /// They begin with the rectangle as a lot with its first edge along the street, and with the attribute `levels`. Each
 /// terminal with a bottom face on the ground becomes a building of its height. Its name says which: House, Flats, Shop
-/// or Garage; other names are left out.
+/// or Garage; other names are left out. A lot has at most 2,000 shapes.
 using HouseRules = std::map<std::string, grammars::Program, std::less<>>;
 
 /// Reads the rules that houses.inc names. Errors: those of read_rules().

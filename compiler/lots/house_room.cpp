@@ -42,8 +42,9 @@ Interval inside_at(const std::vector<Ring>& rings, double y) {
 }
 
 bool has_corner_in(const std::vector<Ring>& rings, const Box2& box) {
+  const Box2 inner = box.widened(-0.01);
   for (const Ring& ring : rings)
-    if (std::ranges::any_of(ring, [&](Vec2 p) { return box.contains(p); })) return true;
+    if (std::ranges::any_of(ring, [&](Vec2 p) { return inner.contains(p); })) return true;
   return false;
 }
 

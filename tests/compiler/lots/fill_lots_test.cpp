@@ -83,7 +83,7 @@ TEST(FillLots, NoneStandsOnWhatIsMapped) {
   for (const map::Footprint& house : houses)
     for (const Vec2 p : house.polygon.outer) {
       EXPECT_FALSE(p.x > 20 && p.x < 80 && p.y > -60 && p.y < -5);
-      EXPECT_GE(std::abs(p.y - (-24 + 0.06 * p.x)), 1);
+      EXPECT_TRUE(std::abs(p.x) > 100 || std::abs(p.y - (-24 + 0.06 * p.x)) >= 2);
       for (const map::Footprint& mapped : town.footprints) EXPECT_FALSE(contains(mapped.polygon, p));
     }
 }
@@ -118,7 +118,7 @@ TEST(HouseRoom, KeepsItsDistancesFromTheBorder) {
   ASSERT_TRUE(room);
   EXPECT_EQ(*room, (Box2{{-7, 5}, {9, 17}}));
   const auto deep = room_for_house(lot, frame, {.front_m = 5, .beside_m = 3, .most_width_m = 8, .most_depth_m = 90});
-  EXPECT_EQ(*deep, (Box2{{-3, 5}, {5, 27}}));
+  EXPECT_EQ(*deep, (Box2{{-3, 5}, {5, 26.5}}));
   EXPECT_FALSE(room_for_house({.outer = rectangle({-4, 0}, {4, 30}), .holes = {}}, frame,
                               {.front_m = 5, .beside_m = 3, .most_width_m = 40, .most_depth_m = 12}));
 }
