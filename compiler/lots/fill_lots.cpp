@@ -156,13 +156,22 @@ struct LotFiller {
     return bodies;
   }
 
+  const roads::Road& road_of(const parcels::Lot& lot) const { return site.roads[land.roads[lot.front.line]]; }
+
+  // By the land use, or by the street where none is mapped.
+  bool is_residential(const parcels::Lot& lot, Vec2 middle) const {
+    const map::LandCoverClass use = land_use_at(uses, middle), street = road_of(lot).surface;
+    return use == map::LandCoverClass::kResidential ||
+           (use == map::LandCoverClass::kUnknown && street == map::LandCoverClass::kResidentialRoad);
+  }
+
   std::vector<map::Footprint> houses_on(const parcels::Lot& lot) const {
     const Vec2 middle = centroid(lot.polygon);
-    if (!lot.footprints.empty() || land_use_at(uses, middle) != map::LandCoverClass::kResidential) return {};
+    if (!lot.footprints.empty() || !is_residential(lot, middle)) return {};
     const parcels::Line& line = land.land.lines[lot.front.line];
     const std::optional<Frame> frame = frame_of(lot.front, line, middle);
     if (!frame) return {};
-    const CountryGroup country = land.countries[lot.front.line];
+    const CountryGroup country = road_of(lot).country;
     const HouseRow& row = row_for(country, {site.seed, line.id, "houses"}, static_cast<std::uint32_t>(lot.front.side));
     const std::optional<Box2> room = room_for_house(lot.polygon, *frame, row.room);
     if (!room || !is_free(*frame, *room)) return {};

@@ -1,4 +1,4 @@
-// Puts houses on lots of residential land that have no building (--fill lots).
+// Puts houses on residential lots that have no building (--fill lots).
 //
 // | step | where |
 // |---|---|
@@ -28,8 +28,9 @@ using HouseRules = std::map<std::string, grammars::Program, std::less<>>;
 /// Reads the rules that houses.inc names. Errors: those of read_rules().
 Result<HouseRules> read_house_rules(const grammars::Loader& load);
 
-/// Returns the features with houses on lots of residential land without buildings. They are footprints of a type of
-/// their own (OsmType::kLot), numbered by the ids of lots, and marked with Assumption::kHouses.
+/// Returns the features with houses on lots without buildings whose middle is residential land, or land of no mapped
+/// use beside a residential street. They are footprints of a type of their own (OsmType::kLot), numbered by the ids of
+/// lots, and marked with Assumption::kHouses.
 ///
 /// None stands on anything that is mapped, and none where the lot has no room for one. Roofs and styles are assumed if
 /// `assumed` says so. A house depends on what lies within parcels::kInfluenceRadius_m. The result does not depend on

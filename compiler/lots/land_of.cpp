@@ -7,6 +7,7 @@
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/map/buildings/building_classes.h"
+#include "compiler/parcels/strips.h"
 
 namespace citykiln::lots {
 namespace {
@@ -154,7 +155,7 @@ MapLand land_of(const map::Features& features, std::span<const Road> roads, std:
     if (std::ranges::binary_search(private_ways, road.id.osm)) continue;
     if (may_be_pavement(road)) add_pavement_paths(road, streets, land.lines);
     if (const LineKind kind = kind_of_line(road); kind != LineKind::kNone) land.lines.push_back(line_of(road, kind));
-    made.countries.resize(land.lines.size(), road.country);
+    made.roads.resize(land.lines.size(), static_cast<std::uint32_t>(&road - roads.data()));
   }
   for (const map::Waterway& river : features.waterways)
     if (river.passage == map::Passage::kGround)
@@ -163,7 +164,7 @@ MapLand land_of(const map::Features& features, std::span<const Road> roads, std:
                             .left_m = river.width_m / 2,
                             .right_m = river.width_m / 2,
                             .kind = LineKind::kBarrier});
-  made.countries.resize(land.lines.size(), map::CountryGroup::kCount);
+  made.roads.resize(land.lines.size(), parcels::kNone);
   for (const map::AreaFeature& area : features.areas)
     if (is_taken(area)) land.taken.push_back(area.polygon);
   for (std::uint32_t f = 0; f < features.footprints.size(); ++f) {

@@ -17,8 +17,8 @@ inline constexpr double kUnderPavement_m = 0.25;
 /// The land of a map.
 struct MapLand {
   parcels::Land land;
-  std::vector<std::uint32_t> footprints;     ///< By land.footprints: indices into Features::footprints.
-  std::vector<map::CountryGroup> countries;  ///< By land.lines: of roads; kCount for others.
+  std::vector<std::uint32_t> footprints;  ///< By land.footprints: indices into Features::footprints.
+  std::vector<std::uint32_t> roads;       ///< By land.lines: indices of roads; parcels::kNone for others.
 };
 
 /// Returns the land of a map.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/centroid.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/width_limits/narrowed_section.h"
@@ -309,6 +310,8 @@ OsmId track_too_near(const scene::Chunk& chunk, Vec2 p) {
 }
 
 constexpr double kYardGrid_m = 4, kInBarrier_m = 0.25;
+// Houses of neighbouring lots may touch.
+constexpr double kInsideWall_m = 0.125;
 
 bool is_yard(const ground::LandCoverPolygon& surface) {
   return surface.surface >= LandCoverClass::kLawn && surface.surface <= LandCoverClass::kAsphaltDrive;
@@ -473,8 +476,10 @@ AssumedPlaces measure_assumed_houses(const scene::Chunk& chunk, const ground::La
   for (const buildings::Building& house : chunk.buildings) {
     if (house.id.osm.type != OsmType::kLot) continue;
     const Ring& ring = house.footprint.outer;
+    const Vec2 middle = centroid(house.footprint);
     for (std::size_t i = 0; i < ring.size(); ++i)
-      for (const Vec2 p : {ring[i], (ring[i] + ring[(i + 1) % ring.size()]) * 0.5}) {
+      for (const Vec2 wall : {ring[i], (ring[i] + ring[(i + 1) % ring.size()]) * 0.5}) {
+        const Vec2 p = wall + unit(middle - wall) * kInsideWall_m;
         if (!box.contains_half_open(p)) continue;
         ++found.places;
         const OsmId on = no_place_for_house(chunk, land_cover, house.id.osm, p);

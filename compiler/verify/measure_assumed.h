@@ -56,8 +56,8 @@ AssumedPlaces measure_assumed_fronts(const scene::Chunk& chunk);
 AssumedPlaces measure_assumed_yards(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
                                     const Box2& box);
 
-/// Tests the houses that fill lots: their corners and the middles of their walls lie on no road, railway, path or
-/// water, and in no other building.
+/// Tests the houses that fill lots: the corners and the middles of their walls, an eighth of a metre inside, lie on no
+/// road, railway, path or water, and in no other building.
 /// @param land_cover  Covers the box.
 AssumedPlaces measure_assumed_houses(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
                                      const Box2& box);

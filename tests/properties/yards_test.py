@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Yards that are assumed: in any order of the map, in regions and by bake the same bytes, none with --assume none."""
+import json
 import random
+import struct
 import unittest
 
 from citykiln_program import ProgramTest, bytes_of_outputs, report_of, run
@@ -59,6 +61,13 @@ def made_map(seed):
     return "\n".join([*lines, "</osm>"])
 
 
+def node_names(path):
+    """The names of the nodes of a .glb."""
+    data = path.read_bytes()
+    length, = struct.unpack_from("<I", data, 12)
+    return [node.get("name", "") for node in json.loads(data[20:20 + length])["nodes"]]
+
+
 class Yards(ProgramTest):
     def map_path(self, seed=1):
         path = self.folder / f"map{seed}.osm"
@@ -67,7 +76,8 @@ class Yards(ProgramTest):
 
     def test_any_order_has_the_same_bytes(self):
         for seed in range(2):
-            path, other = self.map_path(seed), self.folder / f"shuffled{seed}.osm"
+            path, other = self.map_path(seed), self.folder / f"shuffled{seed}" / f"map{seed}.osm"
+            other.parent.mkdir()
             shuffle(path, other, seed)
             runs = [self.compiled(f"{seed}{name}", source, "--lods", "0.1,2.5", "--tile", "256", "--threads", threads)
                     for name, source, threads in (("one", path, 1), ("other", other, 3))]
@@ -99,6 +109,39 @@ class Yards(ProgramTest):
             self.assertEqual(report_of(out)["assumed"].get("yards", 0) > 0, assumed == "yards")
         self.assertEqual(plants["none"], 0)
         self.assertGreater(plants["yards"], 100)
+
+    def test_shrubs_are_left_out_where_the_tolerance_allows_it(self):
+        out = self.compiled("out", self.map_path(), "--lods", "0.1,2.5")
+        fine, coarse = ([name for path in sorted((out / "glb").glob(f"*_L{level}.glb")) for name in node_names(path)]
+                        for level in (0, 1))
+        shrubs = [sum("bush" in name for name in names) for names in (fine, coarse)]
+        # some species of trees are as low as a bush and higher than the limit
+        self.assertGreater(shrubs[0], 50)
+        self.assertLess(shrubs[1], shrubs[0] / 4)
+        self.assertGreater(sum("_" in name for name in coarse), 20, "trees are left")
+
+    def test_lots_are_filled(self):
+        houses = {}
+        for fill in ("none", "lots"):
+            out = self.compiled(fill, self.map_path(), "--lods", "0.5", "--fill", fill)
+            houses[fill] = report_of(out)["assumed"]["houses"]
+            self.assertEqual(run("check", out).returncode, 0)
+        self.assertEqual(houses["none"], 0)
+        self.assertGreater(houses["lots"], 10)
+        row = next(line for line in run("check", out).stdout.splitlines() if "no house that fills a lot" in line)
+        self.assertTrue(row.startswith("holds"), row)
+        self.assertNotIn("by 0 tests", row)
+
+    def test_own_rules_of_houses_replace_the_shipped_ones(self):
+        rules = self.folder / "rules" / "lots"
+        rules.mkdir(parents=True)
+        for name in ("detached", "terrace", "flats", "courtyard"):
+            (rules / f"{name}.cga").write_text("Lot --> extrude(21) Flats.")
+        out = self.compiled("own", self.map_path(), "--lods", "0.5", "--fill", "lots", "--rules", self.folder / "rules")
+        layer = self.folder / "buildings.geojson"
+        self.assertEqual(run("inspect", out, "--layer", "buildings", "--geojson", layer).returncode, 0)
+        heights = [f["properties"] for f in json.loads(layer.read_text())["features"]]
+        self.assertGreater(sum(h["height_m"] >= 21 for h in heights), 5, heights[:1])
 
 
 if __name__ == "__main__":

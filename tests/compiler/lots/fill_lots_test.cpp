@@ -71,6 +71,8 @@ TEST(FillLots, OtherLandGetsNone) {
   town.areas[0].surface = map::LandCoverClass::kPark;
   EXPECT_TRUE(houses_of(filled(town)).empty());
   town.areas.clear();
+  EXPECT_FALSE(houses_of(filled(town)).empty()) << "beside a residential street";
+  town.tracks[0].surface = map::LandCoverClass::kTertiaryRoad;
   EXPECT_TRUE(houses_of(filled(town)).empty());
 }
 
