@@ -358,6 +358,14 @@ FinerLand finer_land(const scene::Chunk& chunk) {
   return land;
 }
 
+// True if a place lies in a polygon, and not on its border, where either side may be on top.
+bool is_well_inside(const ground::LandCoverPolygon& surface, Vec2 p) {
+  constexpr double kBorder_m = 0.0625;
+  for (const Vec2 step : {Vec2{kBorder_m, 0}, Vec2{-kBorder_m, 0}, Vec2{0, kBorder_m}, Vec2{0, -kBorder_m}})
+    if (ground::winding_number(surface, p + step) <= 0) return false;
+  return true;
+}
+
 void test_yard_places(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover, const Box2& box,
                       AssumedPlaces& found) {
   const FinerLand land = finer_land(chunk);
@@ -369,7 +377,7 @@ void test_yard_places(const scene::Chunk& chunk, const ground::LandCoverIndex& l
       ++found.places;
       if (land.all.empty()) continue;
       for (const std::uint32_t i : boxes_about(land.grid, p))
-        if (ground::winding_number(*land.all[i], p) > 0) {
+        if (is_well_inside(*land.all[i], p)) {
           if (found.misplaced++ == 0)
             found.at = p, found.first = land_cover.surfaces[top].id.osm, found.on = land.all[i]->id.osm;
           break;
