@@ -110,8 +110,10 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
   return header;
 }
 
-Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
-                                                   const std::vector<buildings::Building>& buildings) {
+namespace {
+
+// The shipped rules, less those that the spec's folder replaces, and the folder's.
+Result<std::vector<buildings::RuleText>> available_rules(const CompileSpec& spec) {
   std::vector<buildings::RuleText> available;
   if (!spec.rules_folder.empty()) {
     Result<std::vector<source::TextFile>> own = source::read_texts(spec.rules_folder, ".cga");
@@ -122,7 +124,26 @@ Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
     const auto has_its_name = [&](const buildings::RuleText& own) { return own.name == rule.name; };
     if (std::ranges::none_of(available, has_its_name)) available.push_back(rule);
   }
-  return buildings::rules_for(buildings::styles_of(buildings), available);
+  return available;
+}
+
+}  // namespace
+
+Result<lots::HouseRules> house_rules_for(const CompileSpec& spec) {
+  const Result<std::vector<buildings::RuleText>> available = available_rules(spec);
+  if (!available) return available.error();
+  return lots::read_house_rules([&](const std::string& file) -> Result<std::string> {
+    const auto found = std::ranges::find(*available, file, &buildings::RuleText::name);
+    if (found == available->end()) return Error{file, "there is no such rule file"};
+    return found->text;
+  });
+}
+
+Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
+                                                   const std::vector<buildings::Building>& buildings) {
+  const Result<std::vector<buildings::RuleText>> available = available_rules(spec);
+  if (!available) return available.error();
+  return buildings::rules_for(buildings::styles_of(buildings), *available);
 }
 
 Result<things::Catalogue> read_things(const CompileSpec& spec) {

@@ -6,6 +6,7 @@
 #include "compiler/buildings/recipe.h"
 #include "compiler/contract/result.h"
 #include "compiler/geometry/box.h"
+#include "compiler/lots/fill_lots.h"
 #include "compiler/map/plane/plane.h"
 #include "compiler/scene/assemble.h"
 #include "compiler/scene/scene.h"
@@ -19,6 +20,9 @@ namespace citykiln {
 /// Errors: heightmaps or cloud files that cannot be read, a time without a sky, tiles in spec.only that the map lacks.
 Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& extent,
                                   const scene::Recipes& recipes);
+
+/// Returns the rules of houses on lots without buildings. Errors: those of the files of the spec's folder.
+Result<lots::HouseRules> house_rules_for(const CompileSpec& spec);
 
 /// Returns the rule files for the styles of the buildings. A file in the spec's folder replaces the shipped file of its
 /// name.

@@ -6,12 +6,15 @@
 
 #include "compiler/assume/assume.h"
 #include "compiler/buildings/plan.h"
+#include "compiler/climate/climate_at.h"
 #include "compiler/ground/landforms/plan_landforms.h"
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/water/pool_rims.h"
+#include "compiler/lots/add_yards.h"
 #include "compiler/make_header.h"
 #include "compiler/map/locate.h"
 #include "compiler/map/passageways.h"
+#include "compiler/map/private_ways.h"
 #include "compiler/pitches/plan.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"
@@ -34,6 +37,34 @@
 
 namespace citykiln {
 namespace {
+
+// The class of climate of places in the plane.
+lots::ClimateAt climate_of_places(const map::Plane& plane) {
+  return [&plane](Vec2 at) {
+    const map::LonLat place = plane.backward(at);
+    return climate::climate_at(place.lon_deg, place.lat_deg);
+  };
+}
+
+// Adds the houses that fill lots, and yards.
+Result<map::Features> with_lots(map::Features features, const CompileSpec& spec, const source::OsmData& osm,
+                                const map::Plane& plane, const scene::Recipes& recipes, Report& report) {
+  const lots::ClimateAt climate_at = climate_of_places(plane);
+  const std::vector<OsmId> private_ways = map::private_ways(osm);
+  const lots::YardSite site{.roads = recipes.roads,
+                            .junctions = recipes.junctions,
+                            .private_ways = private_ways,
+                            .climate_at = climate_at,
+                            .seed = spec.seed,
+                            .threads = spec.threads};
+  if (spec.fill_lots) {
+    const Result<lots::HouseRules> rules = house_rules_for(spec);
+    if (!rules) return rules.error();
+    features = lots::with_houses(std::move(features), site, *rules, spec.assume, report);
+  }
+  if (has(spec.assume, Assumption::kYards)) features = lots::with_yards(std::move(features), site, report);
+  return features;
+}
 
 /// Compiles a whole map; with a survey, the tiles of spec.only from an extract that covers their surroundings.
 Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& extract, const Survey* survey,
@@ -75,6 +106,12 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   recipes.junctions = roads::plan_junctions(recipes.roads, report);
   recipes.roads = roads::limit_widths(std::move(recipes.roads), recipes.junctions, features.footprints,
                                       roads::ways_through_buildings(features), report);
+  if (spec.fill_lots || has(spec.assume, Assumption::kYards)) {
+    timer.enter("lots");
+    Result<map::Features> with = with_lots(std::move(features), spec, *osm, plane, recipes, report);
+    if (!with) return with.error();
+    features = std::move(*with);
+  }
   timer.enter("land cover and water");
   ground::Waters waters = survey ? surveyed_waters(plan_dry_waters(features, report), *survey)
                                  : plan_waters(plan_dry_waters(features, report), features, recipes.heights, report);

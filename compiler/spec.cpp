@@ -200,10 +200,11 @@ Result<Done> set_drive_on(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
-/// Returns the names of all assumptions: "pavements, lamps and heights".
+/// Returns the names of the assumptions of --assume: "pavements, lamps or heights".
 std::string assumption_names() {
   std::string names;
-  const auto count = static_cast<std::size_t>(Assumption::kCount);
+  // the last one, kHouses, belongs to --fill
+  const auto count = static_cast<std::size_t>(Assumption::kHouses);
   for (std::size_t i = 0; i < count; ++i) {
     if (i > 0) names += i + 1 == count ? " or " : ", ";
     names += name_of(static_cast<Assumption>(i));
@@ -213,13 +214,14 @@ std::string assumption_names() {
 
 Result<Done> set_assume(CompileSpec& spec, std::string_view text) {
   if (text == "all" || text == "none") {
-    spec.assume = text == "all" ? kAllAssumptions : kNoAssumptions;
+    spec.assume = text == "all" ? kUsualAssumptions : kNoAssumptions;
     return Done{};
   }
   Assumptions set = kNoAssumptions;
   for (const std::string_view name : split(text, ',')) {
     const std::optional<Assumption> assumption = assumption_named(name);
-    if (!assumption) return expected("all, none, or names among " + assumption_names(), text);
+    if (!assumption || *assumption == Assumption::kHouses)
+      return expected("all, none, or names among " + assumption_names(), text);
     set |= bit_of(*assumption);
   }
   spec.assume = set;
@@ -285,6 +287,12 @@ Result<Done> set_tags(CompileSpec& spec, std::string_view text) {
 Result<Done> set_surroundings(CompileSpec& spec, std::string_view text) {
   if (text != "true" && text != "false") return expected("true or false", text);
   spec.outputs.surroundings = text == "true";
+  return Done{};
+}
+
+Result<Done> set_fill(CompileSpec& spec, std::string_view text) {
+  if (text != "lots" && text != "none") return expected("lots or none", text);
+  spec.fill_lots = text == "lots";
   return Done{};
 }
 
@@ -367,6 +375,8 @@ constexpr Setting kSettings[] = {
      false, set_lights, [](const CompileSpec& spec) { return fmt::format("{}", spec.outputs.lights); }},
     {"assume", "all|none|NAME,...", "what is assumed where the map is silent, such as pavements,lamps (default: all)",
      false, set_assume},
+    {"fill", "lots|none",
+     "lots: puts houses on residential land without buildings, beside mapped streets (default: none)", false, set_fill},
     {"drive-on", "left|right", "side of the road on which vehicles drive (default: by country)", false, set_drive_on},
     {"time", "ISO",
      "date and time of the sky in UTC, or with an offset from it, such as 2026-06-21T20:30+02:00 (default: midsummer, "

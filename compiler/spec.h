@@ -70,10 +70,11 @@ struct CompileSpec {
   double tile_m = map::kDefaultTile_m;  ///< A multiple of map::kCell_m.
   std::vector<scene::TileKey> only;     ///< If not empty, only these tiles are compiled.
   std::uint64_t seed = 0;
-  Assumptions assume = kAllAssumptions;  ///< The assumptions made where the map is silent.
-  std::optional<double> snow_line_m;     ///< Land above it is covered by snow.
+  Assumptions assume = kUsualAssumptions;  ///< The assumptions made where the map is silent.
+  std::optional<double> snow_line_m;       ///< Land above it is covered by snow.
   std::string rules_folder;        ///< A folder of rule files that replace shipped ones of the same name; "" for none.
   std::string things_folder;       ///< A folder with a table of things and rule files; "" for none.
+  bool fill_lots = false;          ///< Houses on residential land without buildings (lots/fill_lots.h).
   bool cars = false;               ///< Parked cars (things/parked_cars.h).
   World world = World::kByOutput;  ///< 3D Tiles need the ellipsoid, other outputs the plane.
   std::string time;                ///< The time of the sky, ISO 8601; see sky::plan.

@@ -15,11 +15,12 @@ ROOT = Path(__file__).resolve().parent.parent
 ROWS = [
     ["compiler/contract"],
     ["compiler/geometry"],
-    ["compiler/source", "compiler/materials", "compiler/climate", "compiler/simplify", "grammars", "lsystems"],
+    ["compiler/parcels", "compiler/source", "compiler/materials", "compiler/climate", "compiler/simplify", "grammars", "lsystems"],
     ["compiler/impostor"],
     ["compiler/map"],
     ["compiler/assume"],
     ["compiler/roads"],
+    ["compiler/lots"],
     ["compiler/ground"],
     ["compiler/structures"],
     ["compiler/buildings"],
@@ -61,7 +62,7 @@ STEPS = {"exporters/gltf": [["", "pictures"], ["pack"], ["write", "read"]]}
 
 # Functions whose last bits differ between CPUs and C libraries.
 NOT_REPRODUCIBLE = re.compile(r"<random>|std::hash\b|std::(a?sinh?|a?cosh?|a?tanh?|atan2|exp2?|expm1|pow|log(2|10|1p)?|cbrt|hypot)\(")
-REPRODUCIBLE_ROOMS = ["grammars", "lsystems", "compiler/simplify", "compiler/climate"] + [room for row in ROWS[4:17] for room in row]
+REPRODUCIBLE_ROOMS = ["grammars", "lsystems", "compiler/parcels", "compiler/simplify", "compiler/climate"] + [room for row in ROWS[4:18] for room in row]
 # sky light, which is only in rendered pictures
 EXEMPT = [Path("compiler/sky") / name for name in ("generate.cpp", "preetham.cpp", "spectrum.cpp", "stars.cpp", "atmosphere")]
 

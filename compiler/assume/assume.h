@@ -11,8 +11,8 @@ namespace citykiln::assume {
 
 /// Settings of assume().
 struct Settings {
-  Assumptions on = kAllAssumptions;  ///< The assumptions that are made.
-  std::uint64_t seed = 0;            ///< Selects the random draws.
+  Assumptions on = kUsualAssumptions;  ///< The assumptions that are made.
+  std::uint64_t seed = 0;              ///< Selects the random draws.
 };
 
 /// Returns the features with assumed properties. Track::assumed and Footprint::assumed say which assumptions changed a

@@ -90,6 +90,20 @@ bool bake_lamp_kind(Baking& baking, const Lamps& lamps, const ground::GradedTerr
   return true;
 }
 
+// Plants are at most as wide as high (bounds.h), so no point is farther from the foot than this share of the height.
+constexpr double kReach = 1.225;
+constexpr double kHighestLeftOut_m = 2;
+
+void leave_out_low_plants(Placed& placed, double tolerance_m) {
+  const double highest_m = std::min(kHighestLeftOut_m, tolerance_m / kReach);
+  for (auto& [prototype, placements] : placed.trees)
+    std::erase_if(placements, [&](const Placement& p) {
+      if (p.scale > highest_m) return false;
+      placed.left_out_m = std::max(placed.left_out_m, kReach * p.scale);
+      return true;
+    });
+}
+
 }  // namespace
 
 plants::Prototype merged_variant(plants::Prototype prototype, double tolerance_m) {
@@ -101,6 +115,7 @@ Placed placed_in(const Baking& baking, const SharedByLevels& shared) {
   Placed placed{shared.trees, shared.lamps, shared.things};
   if (has_detail(Detail::kGrassBlades, baking.tolerance_m))
     for (const auto& [prototype, placements] : shared.blades) placed.trees[prototype] = placements;
+  leave_out_low_plants(placed, baking.tolerance_m);
   if (!baking.part) return placed;
   for (auto& [prototype, placements] : placed.trees)
     std::erase_if(placements, [&](const Placement& p) { return !baking.holds(bounds_of(p)); });
@@ -132,6 +147,7 @@ void add_features_of(Baking& baking, const Placed& placed) {
 
 void bake_trees(Baking& baking, const Placed& placed, const PrototypeCache& prototypes, std::size_t most_instances) {
   plants::PlacedPlants trees = placed.trees;
+  baking.tile.plant_error_m = std::max(baking.tile.plant_error_m, placed.left_out_m);
   const std::size_t others = placed.lamps.standing.size() + placed.things.size();
   bake_stands(baking, take_stands(trees, baking.tolerance_m, most_instances - std::min(others, most_instances)),
               prototypes);

@@ -16,6 +16,7 @@ struct Placed {
   plants::PlacedPlants trees;
   Lamps lamps;
   std::vector<PlacedThing> things{};
+  double left_out_m = 0;  ///< The largest distance of a point of a plant that was left out from the plant's foot.
 };
 
 /// Returns the instances of a mesh, without its primitives.
@@ -23,7 +24,8 @@ struct Placed {
 InstancedMesh instances_of(const Baking& baking, const std::string& name, const std::vector<Placement>& placements,
                            double size_m);
 
-/// Returns the plants, lamps and things that belong to the baked part.
+/// Returns the plants, lamps and things that belong to the baked part. Plants of up to 2 m are left out where the
+/// tolerance allows that, such as shrubs at 2.5 m.
 /// @param common  Placed objects of the whole tile.
 Placed placed_in(const Baking& baking, const SharedByLevels& common);
 

@@ -35,6 +35,11 @@ void add_covers(Table& table, const std::vector<Object>& objects) {
   for (const Object& object : objects) table.add(object.id.osm, map::values_of(object.surface).name);
 }
 
+// Yards have the id of a building, which may be in another chunk.
+Assumptions assumption_of(const ground::LandCoverPolygon& surface) {
+  return surface.id.part >= map::kDerivedPart ? bit_of(Assumption::kYards) : kNoAssumptions;
+}
+
 void add_buildings(Table& table, const std::vector<buildings::Building>& buildings) {
   for (const buildings::Building& b : buildings)
     table.add(b.id.osm, map::word_of(static_cast<map::BuildingClass>(b.building_class)),
@@ -43,7 +48,11 @@ void add_buildings(Table& table, const std::vector<buildings::Building>& buildin
 
 template <typename Plant>
 void add_plants(Table& table, const std::vector<Plant>& plants) {
-  for (const Plant& plant : plants) table.add(plant.id.osm, name_of(plant.species_mix), plant.height_m);
+  for (const Plant& plant : plants)
+    if (plant.id.part >= map::kDerivedPart)
+      table.add(plant.id.osm, "", 0, bit_of(Assumption::kYards));  // of a building
+    else
+      table.add(plant.id.osm, name_of(plant.species_mix), plant.height_m);
 }
 
 std::string_view class_of_thing(const ThingClasses& classes, const std::string& kind) {
@@ -69,6 +78,8 @@ std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::spa
   for (const props::Barrier& b : chunk.barriers)
     if (b.kind == map::BarrierKind::kRailing)
       table.add(b.id.osm, "", 0, bit_of(Assumption::kRailings));  // of an element that is walked on
+    else if (b.id.part >= map::kDerivedPart)
+      table.add(b.id.osm, "", 0, bit_of(Assumption::kYards));  // of a building
     else
       table.add(b.id.osm, map::name_of(b.kind), b.height_m);
   add_plants(table, chunk.trees), add_plants(table, chunk.tree_rows);
@@ -87,7 +98,8 @@ std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::spa
     const bool is_aerialway = span.wires.front().kind == wires::WireKind::kCable;
     table.add(span.id.osm, is_aerialway ? "Aerialway" : "PowerLine", span.above_m);
   }
-  add_covers(table, chunk.surfaces);
+  for (const ground::LandCoverPolygon& surface : chunk.surfaces)
+    table.add(surface.id.osm, map::values_of(surface.surface).name, 0, assumption_of(surface));
   add_texts(table, chunk.texts);
   return std::move(table.rows);
 }

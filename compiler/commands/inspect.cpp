@@ -8,6 +8,7 @@
 #include <span>
 
 #include "compiler/commands/layers/geojson.h"
+#include "compiler/commands/layers/lots_layer.h"
 #include "compiler/commands/layers/map_layers.h"
 #include "compiler/commands/layers/scene_layers.h"
 #include "compiler/commands/run_paths.h"
@@ -16,6 +17,7 @@
 #include "compiler/contract/assumption_names.h"
 #include "compiler/map/locate.h"
 #include "compiler/map/plane/degrees.h"
+#include "compiler/map/private_ways.h"
 #include "compiler/roads/junctions/layers.h"
 #include "compiler/source/read_osm.h"
 #include "exporters/file.h"
@@ -196,8 +198,9 @@ Result<OrderedJson> inspect_map(const InspectRequest& request) {
   const map::Plane plane(map::default_origin(box));
   const map::Features features = map::locate(*osm, plane, box, {}, report);
   if (!request.layer.empty()) {
-    const Result<Done> done =
-        write_layer(request, layer_of(features, request.layer), plane, {"© OpenStreetMap contributors"});
+    const Result<Layer> layer = request.layer == "lots" ? lots_layer(features, map::private_ways(*osm), plane)
+                                                        : layer_of(features, request.layer);
+    const Result<Done> done = write_layer(request, layer, plane, {"© OpenStreetMap contributors"});
     if (!done) return done.error();
   }
   const std::vector<roads::RoadLayer> off_ground = roads::plan_layers(features, report);
@@ -259,8 +262,9 @@ Verb inspect_verb() {
       {"file", "FILE", "what to inspect: a .kiln, a .glb, a map or the folder of a run", false,
        store_text(request->path)},
       {"--layer", "NAME",
-       "layer to write: roads, junctions, areas, buildings or plants; of a run's folder also findings", false,
-       store_text(request->layer)},
+       "layer to write: roads, junctions, areas, buildings or plants; of a map also lots; of a run's folder also "
+       "findings",
+       false, store_text(request->layer)},
       {"--geojson", "FILE", "GeoJSON file for the layer, in longitude and latitude, for example for QGIS", false,
        store_text(request->geojson_path)},
       {"--sheet", "FILE.png", "draws a picture of all things (benches, bollards, ...) at 2, 10 and 50 cm", false,

@@ -26,6 +26,9 @@ inline constexpr auto kAllAssumptions = static_cast<Assumptions>((1U << static_c
 constexpr Assumptions bit_of(Assumption assumption) {
   return static_cast<Assumptions>(1U << static_cast<unsigned>(assumption));
 }
+
+/// All but houses, which --fill asks for.
+inline constexpr Assumptions kUsualAssumptions = kAllAssumptions & ~bit_of(Assumption::kHouses);
 /// True if a set has the assumption.
 constexpr bool has(Assumptions set, Assumption assumption) { return (set & bit_of(assumption)) != 0; }
 

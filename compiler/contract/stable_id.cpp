@@ -16,9 +16,14 @@ std::uint64_t mix(std::uint64_t x) {
 
 }  // namespace
 
+std::string_view name_of(OsmType type) {
+  constexpr std::string_view kNames[kOsmTypeCount] = {"none", "node", "way", "relation", "lot"};
+  return kNames[static_cast<std::size_t>(type)];
+}
+
 std::string to_string(OsmId id) {
   if (id.type == OsmType::kNone) return "-";
-  return "?nwr"[static_cast<int>(id.type)] + std::to_string(id.id);
+  return "?nwrl"[static_cast<int>(id.type)] + std::to_string(id.id);
 }
 
 StableId stable_id(ObjectId object) {

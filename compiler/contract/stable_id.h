@@ -5,20 +5,25 @@
 #include <compare>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace citykiln {
 
-/// The type of an OSM element.
-enum class OsmType : std::uint8_t { kNone, kNode, kWay, kRelation };
+/// The type of an OSM element, or kLot: a lot that citykiln fills where the map has no building (lots/fill_lots.h).
+enum class OsmType : std::uint8_t { kNone, kNode, kWay, kRelation, kLot };
+inline constexpr int kOsmTypeCount = 5;
 
-/// An element of the OSM file. `id` is negative for elements that an editor has not uploaded.
+/// Returns "none", "node", "way", "relation" or "lot".
+std::string_view name_of(OsmType type);
+
+/// An element of the OSM file, or a filled lot. `id` is negative for elements that an editor has not uploaded.
 struct OsmId {
   OsmType type = OsmType::kNone;
   std::int64_t id = 0;
   auto operator<=>(const OsmId&) const = default;
 };
 
-/// Returns "n123", "w123" or "r123" for a node, way or relation; "-" for none.
+/// Returns "n123", "w123", "r123" or "l123" for a node, way, relation or lot; "-" for none.
 std::string to_string(OsmId id);
 
 /// An object made from an OSM element: the element, and the index of the piece (polygon of a multipolygon, segment of a

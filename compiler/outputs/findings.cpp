@@ -86,7 +86,7 @@ std::string text_of(const Finding& finding) {
 
 // Parses the id of an element, such as "w123"; OsmType::kNone for other texts.
 OsmId id_of(const nlohmann::json& id) {
-  constexpr std::string_view kTypes = "-nwr";
+  constexpr std::string_view kTypes = "-nwrl";
   if (!id.is_string()) return {};
   const std::string text = id.get<std::string>();
   const std::size_t type = kTypes.find(text.empty() ? '-' : text.front());

@@ -57,7 +57,10 @@ std::vector<Tree> plan_trees(const map::Features& features, Report& report) {
   for (const map::PointFeature& point : features.points) {
     if (point.kind != map::PointKind::kTree) continue;
     account.in += report.counts(point.id.osm), account.out += report.counts(point.id.osm);
-    const SpeciesMix species_mix = species_mix_for(point.plant_tags, species_mix_of(PlantCommunity::kTownTrees));
+    // trees of yards are derived from buildings
+    const PlantCommunity usual =
+        point.id.part >= map::kDerivedPart ? PlantCommunity::kGardenTrees : PlantCommunity::kTownTrees;
+    const SpeciesMix species_mix = species_mix_for(point.plant_tags, species_mix_of(usual));
     trees.push_back({.id = point.id,
                      .at = point.at,
                      .height_m = planned_height_m(point.height_m, species_mix, point.plant_tags),

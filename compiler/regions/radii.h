@@ -12,6 +12,7 @@
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/profiles/profile_graph.h"
 #include "compiler/ground/water/river_areas.h"
+#include "compiler/lots/add_yards.h"
 #include "compiler/map/lanes/transitions.h"
 #include "compiler/plants/placing/blue_noise.h"
 #include "compiler/plants/placing/placing.h"
@@ -49,12 +50,15 @@ namespace citykiln::regions {
 // | ramps of storeys       | kStoreyRadius_m                |   1700 | two ramps of a railway that crosses a bridge   |
 // | paths to a bridge      | ground::kLongestApproach_m     |   2048 | a bridge or tunnel that moves the path         |
 // | knots                  | ground::kKnotStretch_m         |   1024 | heights along the same way                     |
+// | assumed yards          | lots::kYardRadius_m            |    768 | buildings and streets about the lots beside    |
+// | houses of filled lots  | parcels::kInfluenceRadius_m    |    512 | buildings and streets about the lot            |
 // | assumed railings       | things::kRailingRadius_m       |     72 | barriers, ways and heights beside the edge     |
 // | assumed contact lines  | things::kContactRadius_m       |    384 | tracks beside those at the other support       |
 // | wires                  | wires::kSpanRadius_m           |    512 | a support, and the ground that it stands on    |
 //
 // A way has either a transition of lanes or a fitted width, so their radii do not add up. Assumed pavements depend on
-// the kerbs of the streets beside them, which are fitted before. Storeys and fronts change buildings alone.
+// the kerbs of the streets beside them, which are fitted before. Storeys and fronts change buildings alone. Yards lie
+// beside the roads of kAssumedRoads_m, and about the houses that fill lots.
 //
 // Some facts have no radius and are therefore found by the survey of the whole extent: coastlines, levels of standing
 // water, profiles of running water, and the heights that fill places without a heightmap. The header's fields also come
@@ -81,6 +85,9 @@ static_assert(kRegionHalo_m >= scene::kHalo_m + scene::kRoadHalo_m + roads::kJun
                                    ground::kSpanEndRadius_m);
 // what is assumed by heights takes the place of wires in this chain
 static_assert(things::kRailingRadius_m <= wires::kSpanRadius_m && things::kContactRadius_m <= wires::kSpanRadius_m);
+// yards change surfaces, barriers, plants and doors, not heights of roads
+static_assert(kRegionHalo_m >= scene::kHalo_m + plants::kObstacleInfluence_m + lots::kYardRadius_m +
+                                   parcels::kInfluenceRadius_m + roads::kJunctionRadius_m + kAssumedRoads_m);
 static_assert(map::kLongestTransition_m <= roads::kLongestFitted_m);
 static_assert(kRegionHalo_m >= scene::kHalo_m + ground::kMaxInfluence_m + plants::kInfluenceRadius_m);
 

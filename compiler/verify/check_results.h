@@ -79,6 +79,13 @@ struct CheckResults {
       0,
       {}};
   Check assumed_masts{"no assumed mast stands in a carriageway, a building, water or the clearance of a track", 0, {}};
+  Check assumed_yards{
+      "no tree of an assumed yard stands in a building, way, water or barrier or below a power line, and no yard lies "
+      "on mapped land",
+      0,
+      {}};
+  Check assumed_houses{
+      "no house that fills a lot stands on a road, a railway, a path, water or another building", 0, {}};
   Check assumed_fronts{"every assumed shop front lies on a free part of its wall", 0, {}};
   // only for runs that wrote USD
   Check usd_layers{"every USD layer holds together: indices, extents, prototypes, materials, textures", 0, {}};

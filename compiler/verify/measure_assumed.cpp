@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/centroid.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/width_limits/narrowed_section.h"
@@ -308,6 +309,95 @@ OsmId track_too_near(const scene::Chunk& chunk, Vec2 p) {
   return {};
 }
 
+constexpr double kYardGrid_m = 4, kInBarrier_m = 0.25;
+// Houses of neighbouring lots may touch.
+constexpr double kInsideWall_m = 0.125;
+
+bool is_yard(const ground::LandCoverPolygon& surface) {
+  return surface.surface >= LandCoverClass::kLawn && surface.surface <= LandCoverClass::kAsphaltDrive;
+}
+
+// The mapped element in or below which a tree of a yard stands; none if its place is free.
+OsmId no_place_for_tree(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover, Vec2 p) {
+  if (const std::uint32_t top = ground::land_cover_at(land_cover, p); top != ground::kNoLandCover) {
+    const ground::LandCoverPolygon& surface = land_cover.surfaces[top];
+    const OsmId taken = no_place_for_lamp(land_cover, p);
+    if (taken.type != OsmType::kNone) return taken;
+    if (group_of_class(surface.surface) == LandCoverGroup::kPath) return surface.id.osm;
+  }
+  for (const plants::PowerLineCorridor& wire : chunk.corridors)
+    if (distance_to_polyline(wire.axis, p) < wire.width_m / 2) return wire.id.osm;
+  for (const props::Barrier& barrier : chunk.barriers)
+    if (distance_to_polyline(barrier.axis, p) < barrier.width_m / 2 + kInBarrier_m) return barrier.id.osm;
+  return {};
+}
+
+// True for mapped land on which no yard may lie.
+bool is_finer_than_use(const ground::LandCoverPolygon& surface) {
+  return !is_yard(surface) && surface.surface != LandCoverClass::kUnknown &&
+         surface.surface != LandCoverClass::kResidential && surface.surface != LandCoverClass::kCommercial &&
+         surface.surface != LandCoverClass::kRetail && surface.surface != LandCoverClass::kIndustrial;
+}
+
+// Mapped land with an index of its boxes.
+struct FinerLand {
+  std::vector<const ground::LandCoverPolygon*> all;
+  BoxGrid grid;
+};
+
+FinerLand finer_land(const scene::Chunk& chunk) {
+  FinerLand land;
+  std::vector<Box2> boxes;
+  for (const ground::LandCoverPolygon& surface : chunk.surfaces) {
+    const Box2 box = ground::box_of(surface);
+    if (!is_finer_than_use(surface) || box.is_empty()) continue;
+    land.all.push_back(&surface);
+    boxes.push_back(box);
+  }
+  if (!boxes.empty()) land.grid = grid_of(boxes, 32);
+  return land;
+}
+
+// True if a place lies in a polygon, and not on its border, where either side may be on top.
+bool is_well_inside(const ground::LandCoverPolygon& surface, Vec2 p) {
+  constexpr double kBorder_m = 0.0625;
+  for (const Vec2 step : {Vec2{kBorder_m, 0}, Vec2{-kBorder_m, 0}, Vec2{0, kBorder_m}, Vec2{0, -kBorder_m}})
+    if (ground::winding_number(surface, p + step) <= 0) return false;
+  return true;
+}
+
+void test_yard_places(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover, const Box2& box,
+                      AssumedPlaces& found) {
+  const FinerLand land = finer_land(chunk);
+  for (double x = box.min.x + kYardGrid_m / 2; x < box.max.x; x += kYardGrid_m)
+    for (double y = box.min.y + kYardGrid_m / 2; y < box.max.y; y += kYardGrid_m) {
+      const Vec2 p{x, y};
+      const std::uint32_t top = ground::land_cover_at(land_cover, p);
+      if (top == ground::kNoLandCover || !is_yard(land_cover.surfaces[top])) continue;
+      ++found.places;
+      if (land.all.empty()) continue;
+      for (const std::uint32_t i : boxes_about(land.grid, p))
+        if (is_well_inside(*land.all[i], p)) {
+          if (found.misplaced++ == 0)
+            found.at = p, found.first = land_cover.surfaces[top].id.osm, found.on = land.all[i]->id.osm;
+          break;
+        }
+    }
+}
+
+// The element on which a place of a house lies, other than the house's own lot; none if the place is free.
+OsmId no_place_for_house(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover, OsmId lot, Vec2 p) {
+  if (const std::uint32_t top = ground::land_cover_at(land_cover, p); top != ground::kNoLandCover) {
+    const ground::LandCoverPolygon& surface = land_cover.surfaces[top];
+    const bool is_mapped_path = group_of_class(surface.surface) == LandCoverGroup::kPath;
+    const OsmId on = is_mapped_path ? surface.id.osm : no_place_for_lamp(land_cover, p);
+    if (on.type != OsmType::kNone && on != lot) return on;
+  }
+  for (const buildings::Building& other : chunk.buildings)
+    if (other.id.osm != lot && contains(other.footprint, p)) return other.id.osm;
+  return {};
+}
+
 bool has_assumed_strips(const Road& road) {
   return has(road.assumed, Assumption::kPavements) || has(road.assumed, Assumption::kVerges);
 }
@@ -370,6 +460,41 @@ AssumedPlaces measure_assumed_masts(const scene::Chunk& chunk, const ground::Lan
       if (on.type == OsmType::kNone) continue;
       if (found.misplaced++ == 0) found.at = foot, found.first = mast.id.osm, found.on = on;
     }
+  return found;
+}
+
+AssumedPlaces measure_assumed_yards(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                    const Box2& box) {
+  AssumedPlaces found;
+  if (std::ranges::none_of(chunk.surfaces, is_yard)) return found;
+  for (const plants::Tree& tree : chunk.trees) {
+    if (tree.id.part < map::kDerivedPart || !box.contains_half_open(tree.at)) continue;
+    ++found.places;
+    const OsmId on = no_place_for_tree(chunk, land_cover, tree.at);
+    if (on.type != OsmType::kNone && found.misplaced++ == 0)
+      found.at = tree.at, found.first = tree.id.osm, found.on = on;
+  }
+  test_yard_places(chunk, land_cover, box, found);
+  return found;
+}
+
+AssumedPlaces measure_assumed_houses(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                     const Box2& box) {
+  AssumedPlaces found;
+  for (const buildings::Building& house : chunk.buildings) {
+    if (house.id.osm.type != OsmType::kLot) continue;
+    const Ring& ring = house.footprint.outer;
+    const Vec2 middle = centroid(house.footprint);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      for (const Vec2 wall : {ring[i], (ring[i] + ring[(i + 1) % ring.size()]) * 0.5}) {
+        const Vec2 p = wall + unit(middle - wall) * kInsideWall_m;
+        if (!box.contains_half_open(p)) continue;
+        ++found.places;
+        const OsmId on = no_place_for_house(chunk, land_cover, house.id.osm, p);
+        if (on.type != OsmType::kNone && found.misplaced++ == 0)
+          found.at = p, found.first = house.id.osm, found.on = on;
+      }
+  }
   return found;
 }
 

@@ -50,4 +50,16 @@ AssumedPlaces measure_assumed_masts(const scene::Chunk& chunk, const ground::Lan
 /// on another front, nor across the opening for a way. O(fronts · what is on their walls).
 AssumedPlaces measure_assumed_fronts(const scene::Chunk& chunk);
 
+/// Tests the yards of a tile. Their trees stand in no building, road, railway, path or water, in no mapped barrier, and
+/// not below a power line. At places of a grid of 4 m, no yard is on top where finer land than land use is mapped.
+/// @param land_cover  Covers the box.
+AssumedPlaces measure_assumed_yards(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                    const Box2& box);
+
+/// Tests the houses that fill lots: the corners and the middles of their walls, an eighth of a metre inside, lie on no
+/// road, railway, path or water, and in no other building.
+/// @param land_cover  Covers the box.
+AssumedPlaces measure_assumed_houses(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                     const Box2& box);
+
 }  // namespace citykiln::verify

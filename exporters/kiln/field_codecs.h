@@ -55,7 +55,7 @@ void flag(auto& io, Stream name, bool& value) {
 
 /// The id of an object: type of the OSM element, its number as the difference to the stream's last one, and the part.
 void id(auto& io, ObjectId& id) {
-  enumerator(io, "id type", id.osm.type, static_cast<OsmType>(4));
+  enumerator(io, "id type", id.osm.type, static_cast<OsmType>(kOsmTypeCount));
   io.delta("id", id.osm.id);
   io.number("part", id.part);
 }

@@ -42,7 +42,7 @@ void texts(auto& io, std::vector<map::ElementText>& all) {
   NameList names;
   std::optional<OsmId> before;
   list(io, "texts", all, 0, [&](map::ElementText& text) {
-    enumerator(io, "id type", text.id.type, static_cast<OsmType>(4));
+    enumerator(io, "id type", text.id.type, static_cast<OsmType>(kOsmTypeCount));
     io.delta("id", text.id.id);
     name(io, names, text.name);
     io.text("tags size", "tags bytes", text.tags);

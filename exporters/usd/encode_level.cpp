@@ -22,12 +22,11 @@ using bake::FeatureAttributes;
 using TextColumn = std::vector<std::string>;
 
 void write_ids(UsdBuilder& b) {
-  constexpr const char* kTypes[] = {"none", "node", "way", "relation"};
   std::vector<std::int64_t> ids;
   TextColumn types;
   for (const OsmId& id : b.tile.features) {
     ids.push_back(id.id);
-    types.emplace_back(kTypes[static_cast<std::size_t>(id.type)]);
+    types.emplace_back(name_of(id.type));
   }
   b.writer.write({.type = "int64[]", .name = "osm:id", .value = std::span<const std::int64_t>(ids), .is_custom = true});
   b.writer.write({.type = "token[]", .name = "osm:type", .value = UsdTokens{types}, .is_custom = true});
@@ -63,7 +62,7 @@ void write_assumed(UsdBuilder& b) {
 // | attribute     | type     | value                                              |
 // |---------------|----------|----------------------------------------------------|
 // | osm:id        | int64[]  | id of the OpenStreetMap element                    |
-// | osm:type      | token[]  | "none", "node", "way" or "relation"                |
+// | osm:type      | token[]  | "none", "node", "way", "relation" or "lot"         |
 // | osm:class     | string[] | its class, "Apartments"                            |
 // | osm:name      | string[] | name=*, or ""                                      |
 // | osm:height_m  | float[]  | from foot to top, or 0                             |

@@ -45,10 +45,6 @@ const map::ElementText* element_text_of(const scene::Scene& scene, OsmId id) {
   return nullptr;
 }
 
-std::string_view type_name(OsmType type) {
-  return type == OsmType::kNode ? "node" : type == OsmType::kWay ? "way" : "relation";
-}
-
 std::string tags_html(std::string_view json) {
   const auto tags = nlohmann::json::parse(json, nullptr, false);
   std::string html;
@@ -62,7 +58,7 @@ std::string tags_html(std::string_view json) {
 // A link to the element, its name, and its tags.
 std::string element_html(const scene::Scene& scene, OsmId id) {
   std::string html = id.id > 0 ? fmt::format(R"(<a href="https://www.openstreetmap.org/{}/{}">{}</a>)",
-                                             type_name(id.type), id.id, to_string(id))
+                                             name_of(id.type), id.id, to_string(id))
                                : to_string(id);
   const map::ElementText* text = element_text_of(scene, id);
   if (!text) return html;

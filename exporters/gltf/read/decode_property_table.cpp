@@ -40,7 +40,7 @@ std::vector<OsmId> ids_of(const Table& table) {
   const auto types = values_in<std::uint8_t>(table.reader, member(table.columns, "type"), "values", table.count);
   std::vector<OsmId> features(table.count);
   for (std::size_t i = 0; i < table.count; ++i) {
-    expect(types[i] < 4, "OSM types from 0 to 3");
+    expect(types[i] < kOsmTypeCount, "OSM types from 0 to 4");
     features[i] = {static_cast<OsmType>(types[i]), static_cast<std::int64_t>(ids[i])};
   }
   return features;

@@ -44,10 +44,6 @@ std::size_t light_number(GlbBuilder& f, std::vector<props::Luminaire>& known, co
   return known.size() - 1;
 }
 
-const char* osm_type_of(OsmType type) {
-  return type == OsmType::kNode ? "node" : type == OsmType::kWay ? "way" : "relation";
-}
-
 // All numbers are written with a fraction.
 Json extras_of_lamp(const bake::PlacedLamp& lamp) {
   const OsmId id = lamp.placement.feature;
@@ -55,7 +51,7 @@ Json extras_of_lamp(const bake::PlacedLamp& lamp) {
           {"lumen", lamp.light.lumen},
           {"temperature_k", lamp.light.temperature_k},
           {"osm_id", static_cast<double>(id.id)},
-          {"osm_type", osm_type_of(id.type)}};
+          {"osm_type", name_of(id.type)}};
 }
 
 Json node_of(const GlbBuilder& f, const bake::PlacedLamp& lamp, std::size_t light) {

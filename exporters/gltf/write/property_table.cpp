@@ -44,7 +44,7 @@ void add_ids(Columns& columns) {
   for (const OsmId& id : columns.builder.tile.features)
     ids.push_back(static_cast<std::uint64_t>(id.id)), types.push_back(static_cast<std::uint8_t>(id.type));
   columns.add("id", scalar("OSM id", "UINT64", "id of the OpenStreetMap element"), column_of(columns.builder, ids));
-  columns.add("type", scalar("OSM type", "UINT8", "0 none, 1 node, 2 way, 3 relation"),
+  columns.add("type", scalar("OSM type", "UINT8", "0 none, 1 node, 2 way, 3 relation, 4 lot"),
               column_of(columns.builder, types));
 }
 
@@ -125,11 +125,6 @@ Json id_value(std::int64_t v) {
   return fits ? Json(v) : Json(static_cast<double>(v));
 }
 
-std::string osm_type_name(OsmType type) {
-  constexpr const char* kNames[] = {"none", "node", "way", "relation"};
-  return kNames[static_cast<std::size_t>(type)];
-}
-
 // The tags as an object of texts; null where they are no JSON object.
 Json tags_object(const std::string& json) {
   Json tags;
@@ -173,14 +168,14 @@ Json property_table(GlbBuilder& builder) {
 std::string feature_name(const bake::BakedTile& tile, std::uint32_t feature) {
   assert(feature < tile.features.size());
   const OsmId id = tile.features[feature];
-  return id.type == OsmType::kNone ? "none" : fmt::format("{}_{}", osm_type_name(id.type), id.id);
+  return id.type == OsmType::kNone ? "none" : fmt::format("{}_{}", name_of(id.type), id.id);
 }
 
 Json extras_of(const bake::BakedTile& tile, std::uint32_t feature) {
   assert(feature < tile.features.size());
   const OsmId id = tile.features[feature];
   Json extras = {{"feature", feature}};
-  if (id.type != OsmType::kNone) extras["osm_id"] = id_value(id.id), extras["osm_type"] = osm_type_name(id.type);
+  if (id.type != OsmType::kNone) extras["osm_id"] = id_value(id.id), extras["osm_type"] = name_of(id.type);
   if (feature < tile.attributes.size()) add_attributes(tile.attributes[feature], extras);
   return extras;
 }

@@ -31,8 +31,8 @@ nlohmann::json property_table(GlbBuilder& builder);
 std::string feature_name(const bake::BakedTile& tile, std::uint32_t feature);
 
 /// Returns the extras of a node that shows one feature: {feature, osm_id, osm_type, class, name, height_m, tags,
-/// assumed}. `feature` is the row of the property table, osm_type is "node", "way" or "relation", tags is an object,
-/// and assumed is a list of names. Unknown values are left out; row 0 has `feature` only.
+/// assumed}. `feature` is the row of the property table, osm_type is "node", "way", "relation" or "lot", tags is an
+/// object, and assumed is a list of names. Unknown values are left out; row 0 has `feature` only.
 /// @param feature  An index into tile.features.
 nlohmann::json extras_of(const bake::BakedTile& tile, std::uint32_t feature);
 

@@ -197,5 +197,68 @@ TEST(MeasureAssumed, FindsMastsInTheClearSpaceOfATrack) {
   EXPECT_EQ(measured().places, 0u) << "mapped masts are not tested";
 }
 
+// A lawn of a yard with a tree of it at a place.
+scene::Chunk yard_with_tree(Vec2 at) {
+  scene::Chunk chunk;
+  chunk.surfaces = {
+      {{kMainStreet, map::kDerivedPart}, LandCoverClass::kLawn, 6400, {{{20, 20}, {100, 20}, {100, 100}, {20, 100}}}}};
+  chunk.trees = {{.id = {kMainStreet, map::kDerivedPart}, .at = at}};
+  return chunk;
+}
+
+AssumedPlaces yards_of(const scene::Chunk& chunk) {
+  const ground::LandCoverIndex cover = ground::index_land_cover(chunk.surfaces, kTile);
+  return measure_assumed_yards(chunk, cover, kTile);
+}
+
+TEST(MeasureAssumed, FindsTreesOfYardsInRoadsBarriersAndBelowWires) {
+  scene::Chunk chunk = yard_with_tree({50, 50});
+  EXPECT_EQ(yards_of(chunk).places, 401u);
+  EXPECT_EQ(yards_of(chunk).misplaced, 0u);
+  chunk.barriers = {{.id = {kMappedWay, 0}, .axis = {{40, 50.2}, {60, 50.2}}, .width_m = 0.25}};
+  EXPECT_EQ(yards_of(chunk).on, kMappedWay);
+  chunk.barriers.clear();
+  chunk.corridors = {{{kMappedWay, 0}, {{0, 55}, {120, 55}}, 12}};
+  EXPECT_EQ(yards_of(chunk).misplaced, 1u);
+  chunk.corridors.clear();
+  chunk.surfaces.push_back(
+      {{kMappedWay, 0}, LandCoverClass::kResidentialRoad, 1, {{{0, 47}, {120, 47}, {120, 53}, {0, 53}}}});
+  EXPECT_EQ(yards_of(chunk).misplaced, 1u);
+}
+
+TEST(MeasureAssumed, FindsYardsOverMappedLand) {
+  scene::Chunk chunk = yard_with_tree({50, 50});
+  const std::vector<Ring> part = {{{60, 60}, {80, 60}, {80, 80}, {60, 80}}};
+  chunk.surfaces.push_back({{kMappedWay, 0}, LandCoverClass::kGarden, 400, part});
+  EXPECT_EQ(yards_of(chunk).misplaced, 0u);
+  chunk.surfaces.back().surface = LandCoverClass::kAerodrome;  // of a lower priority
+  EXPECT_EQ(yards_of(chunk).misplaced, 25u);
+  chunk.surfaces.back().surface = LandCoverClass::kRetail;
+  EXPECT_EQ(yards_of(chunk).misplaced, 0u);
+}
+
+TEST(MeasureAssumed, FindsHousesOfLotsOnRoadsAndOtherBuildings) {
+  scene::Chunk chunk;
+  buildings::Building house;
+  house.id = {{OsmType::kLot, 7}, 0};
+  house.footprint.outer = {{40, 40}, {50, 40}, {50, 50}, {40, 50}};
+  chunk.buildings = {house};
+  const auto measured = [&] {
+    return measure_assumed_houses(chunk, ground::index_land_cover(chunk.surfaces, kTile), kTile);
+  };
+  EXPECT_EQ(measured().places, 8u);
+  EXPECT_EQ(measured().misplaced, 0u);
+  chunk.surfaces = {{{kMappedWay, 0}, LandCoverClass::kResidentialRoad, 1, {{{0, 47}, {120, 47}, {120, 53}, {0, 53}}}}};
+  EXPECT_EQ(measured().on, kMappedWay);
+  EXPECT_EQ(measured().misplaced, 3u);
+  chunk.surfaces.clear();
+  house.id = {kMainStreet, 0};
+  house.footprint.outer = {{44, 35}, {60, 35}, {60, 47}, {44, 47}};
+  chunk.buildings.push_back(house);
+  EXPECT_EQ(measured().misplaced, 3u) << "a corner and the middles of two walls";
+  chunk.buildings.back().id = {{OsmType::kLot, 7}, 1};
+  EXPECT_EQ(measured().misplaced, 0u) << "of the same lot";
+}
+
 }  // namespace
 }  // namespace citykiln::verify

@@ -110,7 +110,7 @@ TEST(ChunkCodec, AValueBeyondItsTypeIsNamed) {
     return wrong_in(changed);
   };
   EXPECT_EQ(with("part", std::uint64_t{1} << 32), "part");
-  EXPECT_EQ(with("id type", 4), "id type");
+  EXPECT_EQ(with("id type", 5), "id type");
   EXPECT_EQ(with("point step", 2), "point step");
   EXPECT_EQ(with("points", 1), "points");
   EXPECT_EQ(with("points", 4), "points");

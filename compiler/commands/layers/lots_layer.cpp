@@ -1,0 +1,45 @@
+#include "compiler/commands/layers/lots_layer.h"
+
+#include <utility>
+
+#include "compiler/assume/assume.h"
+#include "compiler/climate/climate_at.h"
+#include "compiler/lots/add_yards.h"
+#include "compiler/map/passageways.h"
+#include "compiler/roads/fit_assumed_widths.h"
+#include "compiler/roads/plan.h"
+#include "compiler/roads/width_limits/limit_widths.h"
+
+namespace citykiln::commands {
+
+Layer lots_layer(map::Features features, std::span<const OsmId> private_ways, const map::Plane& plane) {
+  Report ignored;
+  features.tracks = roads::fit_assumed_widths(features);
+  features = assume::assume(std::move(features), {}, ignored);
+  features.passageways = map::plan_passageways(features, ignored);
+  std::vector<roads::Road> roads = roads::plan(features, ignored);
+  const std::vector<roads::Junction> junctions = roads::plan_junctions(roads, ignored);
+  roads = roads::limit_widths(std::move(roads), junctions, features.footprints, roads::ways_through_buildings(features),
+                              ignored);
+  const lots::ClimateAt climate_at = [&](Vec2 at) {
+    const map::LonLat place = plane.backward(at);
+    return climate::climate_at(place.lon_deg, place.lat_deg);
+  };
+  Layer layer;
+  for (const lots::Lot& lot : lots::lots_of_map(
+           features,
+           {.roads = roads, .junctions = junctions, .private_ways = private_ways, .climate_at = climate_at})) {
+    const ObjectId id = features.footprints[lot.main].id;
+    LayerFeature& feature = layer.emplace_back(LayerFeature{
+        id, std::string(lots::name_of(lot.kind)), GeometryKind::kPolygon, flat(std::span(&lot.parcel.polygon, 1))});
+    feature.properties.add("area_m2", area_m2(lot.parcel.polygon));
+    feature.properties.add("front_m", lot.parcel.front.length_m);
+    feature.properties.add("setback_m", lot.house_m);
+    feature.properties.add("buildings", lot.footprints.size());
+    feature.properties.add("country_group", map::name_of(lot.country));
+    feature.properties.add("climate", climate::name_of(lot.climate));
+  }
+  return layer;
+}
+
+}  // namespace citykiln::commands

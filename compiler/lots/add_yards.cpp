@@ -1,0 +1,164 @@
+#include "compiler/lots/add_yards.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "compiler/contract/for_each_slot.h"
+#include "compiler/geometry/centroid.h"
+#include "compiler/lots/border_yards.h"
+#include "compiler/lots/plant_yard.h"
+
+namespace citykiln::lots {
+namespace {
+
+using map::BarrierKind;
+
+// Parts of ids of one building: areas and plants are numbered, barriers have room for pieces at the extent's border.
+constexpr std::uint32_t kPartsOfBuilding = 256, kPartsOfBarrier = 4, kEntrancePart = 255;
+
+double width_of(BarrierKind kind) {
+  switch (kind) {
+    case BarrierKind::kHedge:
+      return 0.625;
+    case BarrierKind::kWall:
+      return 0.25;
+    default:
+      return 0.125;
+  }
+}
+
+// The yard of one lot.
+struct Yard {
+  YardGround ground;
+  std::vector<YardBarrier> barriers{};
+  std::vector<YardPlant> plants{};
+};
+
+Capsules street_fronts(const std::vector<parcels::Line>& lines) {
+  std::vector<Capsule> strips;
+  for (const parcels::Line& line : lines) {
+    if (line.kind != parcels::LineKind::kStreet) continue;
+    for (std::size_t i = 0; i + 1 < line.axis.size(); ++i) {
+      const Vec2 a = line.axis[i], b = line.axis[i + 1];
+      const Vec2 aside = left_of(unit(b - a)) * ((line.left_m - line.right_m) / 2);
+      strips.push_back({a + aside, b + aside, (line.left_m + line.right_m) / 2});
+    }
+  }
+  return index_capsules(std::move(strips));
+}
+
+bool wants_entrance(const Lot& lot, const map::Footprint& main) {
+  return (lot.kind == LotKind::kDetached || lot.kind == LotKind::kRow) && lot.door && !lot.door->is_mapped &&
+         !main.has_shop && !has(main.assumed, Assumption::kFronts);
+}
+
+struct YardMaker {
+  const map::Features& features;
+  const YardSite& site;
+  const MapLand land;
+  const std::vector<Lot> lots;
+  const MappedThings mapped;
+  std::vector<std::optional<YardRule>> rules{};
+
+  RandomSequence draw_of(const Lot& lot) const {
+    return {site.seed, stable_id(features.footprints[lot.main].id), "yard"};
+  }
+
+  std::vector<Yard> yards() {
+    for (const Lot& lot : lots) rules.push_back(rule_for(lot, draw_of(lot)));
+    auto yards = for_each_slot<Yard>(lots.size(), site.threads, [&](std::size_t i) {
+      return rules[i] ? Yard{.ground = lay_yard(features, lots[i], *rules[i], mapped)} : Yard{};
+    });
+    std::vector<Capsule> openings;
+    for (const Yard& yard : yards)
+      openings.insert(openings.end(), yard.ground.openings.begin(), yard.ground.openings.end());
+    const BorderObstacles obstacles{mapped, index_capsules(std::move(openings)), street_fronts(land.land.lines)};
+    const SharedEdges edges = index_edges(lots);
+    for_each_index(lots.size(), site.threads, [&](std::size_t i) {
+      if (!rules[i]) return;
+      yards[i].barriers = barriers_of(static_cast<std::uint32_t>(i), lots, rules, edges, obstacles);
+      yards[i].plants = plants_of(lots[i], *rules[i], yards[i].ground, obstacles, draw_of(lots[i]));
+    });
+    return yards;
+  }
+};
+
+struct YardAdder {
+  map::Features& features;
+
+  void add(const Lot& lot, const Yard& yard) {
+    const ObjectId building = features.footprints[lot.main].id;
+    const std::uint32_t first = map::kDerivedPart + kPartsOfBuilding * building.part;
+    std::uint32_t part = first;
+    for (const YardArea& area : yard.ground.areas)
+      features.areas.push_back({.id = {building.osm, part++},
+                                .polygon = area.polygon,
+                                .surface = area.surface,
+                                .area_m2 = area_m2(area.polygon)});
+    part = first;
+    for (std::size_t i = 0; i < yard.barriers.size() && i < kPartsOfBuilding / kPartsOfBarrier; ++i) {
+      const YardBarrier& barrier = yard.barriers[i];
+      features.barriers.push_back({.id = {building.osm, part},
+                                   .axis = barrier.axis,
+                                   .kind = barrier.kind,
+                                   .height_m = barrier.height_m,
+                                   .width_m = width_of(barrier.kind)});
+      part += kPartsOfBarrier;
+    }
+    part = first;
+    for (const YardPlant& plant : yard.plants) {
+      const map::PlantKind kind = plant.is_shrub ? map::PlantKind::kBush : map::PlantKind::kUnknown;
+      features.points.push_back({.id = {building.osm, part++},
+                                 .at = plant.at,
+                                 .kind = map::PointKind::kTree,
+                                 .height_m = plant.height_m,
+                                 .plant_tags = {.kind = kind}});
+    }
+    if (wants_entrance(lot, features.footprints[lot.main]))
+      features.points.push_back(
+          {.id = {building.osm, first + kEntrancePart}, .at = lot.door->at, .kind = map::PointKind::kEntrance});
+  }
+};
+
+MapLand land_of_site(const map::Features& features, const YardSite& site) {
+  return land_of(features, site.roads, site.private_ways);
+}
+
+std::vector<Lot> lots_on(const map::Features& features, const MapLand& land, const YardSite& site) {
+  return plan_lots(features, land, parcels::divide(land.land, site.threads), site.climate_at, site.threads);
+}
+
+// Yards belong to the extent by their building's centroid, as buildings do.
+bool is_in_extent(const map::Features& features, const Lot& lot) {
+  return features.extent.contains(centroid(features.footprints[lot.main].polygon));
+}
+
+}  // namespace
+
+std::vector<Lot> lots_of_map(const map::Features& features, const YardSite& site) {
+  return lots_on(features, land_of_site(features, site), site);
+}
+
+map::Features with_yards(map::Features features, const YardSite& site, Report& report) {
+  MapLand land = land_of_site(features, site);
+  std::vector<Lot> lots = lots_on(features, land, site);
+  YardMaker maker{features, site, std::move(land), std::move(lots),
+                  mapped_things(features, site.roads, site.junctions, site.private_ways)};
+  const std::vector<Yard> yards = maker.yards();
+  YardAdder adder{features};
+  for (std::size_t i = 0; i < yards.size(); ++i) {
+    const Lot& lot = maker.lots[i];
+    if (!maker.rules[i] || !is_in_extent(features, lot)) continue;
+    adder.add(lot, yards[i]);
+    map::Footprint& main = features.footprints[lot.main];
+    main.assumed |= bit_of(Assumption::kYards);
+    report.count_assumed(Assumption::kYards, main.id.osm);
+  }
+  std::ranges::stable_sort(features.areas, {}, &map::AreaFeature::id);
+  std::ranges::stable_sort(features.barriers, {}, &map::Barrier::id);
+  std::ranges::stable_sort(features.points, {}, &map::PointFeature::id);
+  return features;
+}
+
+}  // namespace citykiln::lots

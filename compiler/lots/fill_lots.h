@@ -1,0 +1,41 @@
+// Puts houses on residential lots that have no building (--fill lots).
+//
+// | step | where |
+// |---|---|
+// | land without buildings is divided into lots | parcels/empty_lots.h |
+// | a row of usual sizes is drawn for each side of a street | houses.inc |
+// | the largest rectangle of the lot that keeps its distances | house_room.h |
+// | the rules of the row divide it into bodies | grammars/rules/lots |
+// | roofs, styles: as for mapped houses without them | assume/assume.h |
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "compiler/contract/result.h"
+#include "compiler/lots/add_yards.h"
+#include "grammars/language/read_rules.h"
+
+namespace citykiln::lots {
+
+/// The rules of houses by their files, such as "lots/detached.cga".
+///
+/// They begin with the rectangle as a lot with its first edge along the street, and with the attribute `levels`. Each
+/// terminal with a bottom face on the ground becomes a building of its height. Its name says which: House, Flats, Shop
+/// or Garage; other names are left out. A lot has at most 2,000 shapes.
+using HouseRules = std::map<std::string, grammars::Program, std::less<>>;
+
+/// Reads the rules that houses.inc names. Errors: those of read_rules().
+Result<HouseRules> read_house_rules(const grammars::Loader& load);
+
+/// Returns the features with houses on lots without buildings whose middle is residential land, or land of no mapped
+/// use beside a residential street. They are footprints of a type of their own (OsmType::kLot), numbered by the ids of
+/// lots, and marked with Assumption::kHouses.
+///
+/// None stands on anything that is mapped, and none where the lot has no room for one. Roofs and styles are assumed if
+/// `assumed` says so. A house depends on what lies within parcels::kInfluenceRadius_m. The result does not depend on
+/// the order of features.
+map::Features with_houses(map::Features features, const YardSite& site, const HouseRules& rules, Assumptions assumed,
+                          Report& report);
+
+}  // namespace citykiln::lots

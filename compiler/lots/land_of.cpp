@@ -1,0 +1,178 @@
+#include "compiler/lots/land_of.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/segment.h"
+#include "compiler/map/buildings/building_classes.h"
+#include "compiler/parcels/strips.h"
+
+namespace citykiln::lots {
+namespace {
+
+using map::LandCoverClass;
+using map::LandCoverGroup;
+using parcels::LineKind;
+using roads::Road;
+
+constexpr double kLandBucket_m = 64;
+// A path is the pavement of a street within this distance of its kerb.
+constexpr double kBesideStreet_m = 10;
+// The widest half of a street to which this applies, and the shortest stretch of a path.
+constexpr double kWidestHalf_m = 20, kShortestBeside_m = 20;
+// The cosine of 20 degrees.
+constexpr double kAlongStreet = 0.94;
+
+struct SizeRow {
+  map::CountryGroup group;
+  double front_m, depth_m;
+};
+constexpr SizeRow kSizes[] = {
+#define LOT_SIZE(group, front_m, depth_m) {map::CountryGroup::group, front_m, depth_m},
+#define LOT_SIZE_ELSEWHERE(front_m, depth_m) {map::CountryGroup::kCount, front_m, depth_m},
+#include "compiler/lots/lot_sizes.inc"
+};
+
+std::uint8_t size_of(map::CountryGroup group) {
+  const auto row = std::ranges::find(kSizes, group, &SizeRow::group);
+  return static_cast<std::uint8_t>(row == std::end(kSizes) ? std::size(kSizes) - 1 : row - std::begin(kSizes));
+}
+
+LineKind kind_of_line(const Road& road) {
+  const LandCoverGroup group = map::values_of(road.surface).group;
+  if (road.surface == LandCoverClass::kTram) return LineKind::kNone;
+  if (road.surface == LandCoverClass::kMotorwayRoad || road.surface == LandCoverClass::kRunway)
+    return LineKind::kBarrier;
+  if (group == LandCoverGroup::kRail) return LineKind::kBarrier;
+  return group == LandCoverGroup::kRoad ? LineKind::kStreet : LineKind::kNone;
+}
+
+bool may_be_pavement(const Road& road) {
+  return road.surface == LandCoverClass::kPavedFootPath || road.surface == LandCoverClass::kFootPath ||
+         road.surface == LandCoverClass::kCyclePath;
+}
+
+parcels::Line line_of(const Road& road, LineKind kind) {
+  const double left_m = roads::left_m(road) + roads::raised_left_m(road),
+               right_m = roads::right_m(road) + roads::raised_right_m(road);
+  return {.id = stable_id(road.id),
+          .axis = road.axis,
+          .left_m = left_m - kUnderPavement_m,
+          .right_m = right_m - kUnderPavement_m,
+          .kind = kind,
+          .left_size = size_of(road.country),
+          .right_size = size_of(road.country)};
+}
+
+// Segments of streets, to find paths that run along them.
+struct StreetSegments {
+  struct Segment {
+    Vec2 a, b;
+    double half_m;
+  };
+  std::vector<Segment> all;
+  BoxGrid grid;
+};
+
+StreetSegments street_segments(std::span<const Road> roads) {
+  StreetSegments streets;
+  std::vector<Box2> boxes;
+  for (const Road& road : roads) {
+    if (kind_of_line(road) != LineKind::kStreet || road.surface == LandCoverClass::kServiceRoad) continue;
+    const double half_m = std::min(kWidestHalf_m, std::max(roads::left_m(road), roads::right_m(road)));
+    for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
+      streets.all.push_back({road.axis[i], road.axis[i + 1], half_m});
+      boxes.push_back(box_of(std::array{road.axis[i], road.axis[i + 1]}).widened(half_m + kBesideStreet_m));
+    }
+  }
+  if (!boxes.empty()) streets.grid = grid_of(boxes, kLandBucket_m);
+  return streets;
+}
+
+bool is_beside_street(const StreetSegments& streets, Vec2 p, Vec2 along) {
+  if (streets.all.empty()) return false;
+  return std::ranges::any_of(boxes_about(streets.grid, p), [&](std::uint32_t i) {
+    const StreetSegments::Segment& s = streets.all[i];
+    return std::abs(dot(unit(s.b - s.a), along)) >= kAlongStreet &&
+           distance_to_segment(s.a, s.b, p) <= s.half_m + kBesideStreet_m;
+  });
+}
+
+// True if at two of three places a segment of a path runs along a street.
+bool is_segment_beside(const StreetSegments& streets, Vec2 a, Vec2 b) {
+  int beside = 0;
+  for (const double share : {0.25, 0.5, 0.75}) beside += is_beside_street(streets, a + (b - a) * share, unit(b - a));
+  return beside >= 2;
+}
+
+// Adds the stretches of a path along streets as streets.
+void add_pavement_paths(const Road& path, const StreetSegments& streets, std::vector<parcels::Line>& lines) {
+  for (std::size_t i = 0; i + 1 < path.axis.size();) {
+    std::size_t end = i;
+    while (end + 1 < path.axis.size() && is_segment_beside(streets, path.axis[end], path.axis[end + 1])) ++end;
+    const auto first = path.axis.begin() + static_cast<std::ptrdiff_t>(i);
+    Polyline stretch(first, first + static_cast<std::ptrdiff_t>(end - i + 1));
+    if (end > i && length_m(stretch) >= kShortestBeside_m) {
+      parcels::Line line = line_of(path, LineKind::kStreet);
+      line.id = stable_id(line.id, "pavement", i);
+      line.axis = std::move(stretch);
+      lines.push_back(std::move(line));
+    }
+    i = std::max(end, i + 1);
+  }
+}
+
+bool is_house(const map::Footprint& footprint) {
+  const auto own = static_cast<map::BuildingClass>(footprint.building_class);
+  return !footprint.is_part && !footprint.outline && !footprint.is_open && footprint.min_height_m <= 0 &&
+         footprint.polygon.outer.size() >= 3 && own != map::BuildingClass::kRoof && own != map::BuildingClass::kSteps &&
+         own != map::BuildingClass::kColumn && own != map::BuildingClass::kShelter;
+}
+
+bool is_taken(const map::AreaFeature& area) {
+  return area.surface != LandCoverClass::kUnknown && area.surface != LandCoverClass::kPool &&
+         !is_land_of_yards(area.surface);
+}
+
+}  // namespace
+
+bool is_land_of_yards(LandCoverClass surface) {
+  return surface == LandCoverClass::kResidential || surface == LandCoverClass::kCommercial ||
+         surface == LandCoverClass::kRetail || surface == LandCoverClass::kIndustrial;
+}
+
+MapLand land_of(const map::Features& features, std::span<const Road> roads, std::span<const OsmId> private_ways) {
+  MapLand made;
+  parcels::Land& land = made.land;
+  land.extent = features.extent;
+  land.sizes.clear();
+  for (const SizeRow& row : kSizes)
+    land.sizes.push_back({.area_m2 = row.front_m * row.depth_m, .front_m = row.front_m, .depth_m = row.depth_m});
+  const StreetSegments streets = street_segments(roads);
+  for (const Road& road : roads) {
+    if (std::ranges::binary_search(private_ways, road.id.osm)) continue;
+    if (may_be_pavement(road)) add_pavement_paths(road, streets, land.lines);
+    if (const LineKind kind = kind_of_line(road); kind != LineKind::kNone) land.lines.push_back(line_of(road, kind));
+    made.roads.resize(land.lines.size(), static_cast<std::uint32_t>(&road - roads.data()));
+  }
+  for (const map::Waterway& river : features.waterways)
+    if (river.passage == map::Passage::kGround)
+      land.lines.push_back({.id = stable_id(river.id),
+                            .axis = river.axis,
+                            .left_m = river.width_m / 2,
+                            .right_m = river.width_m / 2,
+                            .kind = LineKind::kBarrier});
+  made.roads.resize(land.lines.size(), parcels::kNone);
+  for (const map::AreaFeature& area : features.areas)
+    if (is_taken(area)) land.taken.push_back(area.polygon);
+  for (std::uint32_t f = 0; f < features.footprints.size(); ++f) {
+    if (!is_house(features.footprints[f])) continue;
+    land.footprints.push_back({stable_id(features.footprints[f].id), features.footprints[f].polygon.outer});
+    made.footprints.push_back(f);
+  }
+  return made;
+}
+
+}  // namespace citykiln::lots

@@ -1,0 +1,102 @@
+#include "compiler/lots/mapped_things.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace citykiln::lots {
+namespace {
+
+using map::LandCoverGroup;
+using roads::Road;
+
+void add_line(std::span<const Vec2> line, double half_m, std::vector<Capsule>& capsules) {
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) capsules.push_back({line[i], line[i + 1], half_m});
+}
+
+void add_outline(const Ring& ring, std::vector<Capsule>& capsules) {
+  add_line(ring, 0, capsules);
+  if (ring.size() > 1) capsules.push_back({ring.back(), ring.front(), 0});
+}
+
+// The road with its raised lanes; its middle lies beside the axis if its sides differ.
+void add_road(const Road& road, std::vector<Capsule>& capsules) {
+  const double left_m = roads::left_m(road) + roads::raised_left_m(road),
+               right_m = roads::right_m(road) + roads::raised_right_m(road);
+  for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
+    const Vec2 a = road.axis[i], b = road.axis[i + 1], aside = left_of(unit(b - a)) * ((left_m - right_m) / 2);
+    capsules.push_back({a + aside, b + aside, (left_m + right_m) / 2});
+  }
+}
+
+Capsules crossings_of(std::span<const Road> roads, std::span<const roads::Junction> junctions) {
+  const auto arms = roads::arms_of(junctions, roads);
+  std::vector<Capsule> nodes;
+  for (std::size_t j = 0; j < junctions.size(); ++j) {
+    if (junctions[j].family != roads::Family::kStreet) continue;
+    double half_m = 0;
+    bool is_street = false;
+    for (const roads::Arm& arm : arms[j]) {
+      half_m = std::max(half_m, roads::width_m(roads[arm.road]) / 2);
+      is_street |= roads::is_through_street(roads[arm.road]);
+    }
+    if (!is_street) continue;
+    for (const Vec2 node : junctions[j].nodes) nodes.push_back({node, node, half_m + kSight_m});
+  }
+  return index_capsules(std::move(nodes));
+}
+
+}  // namespace
+
+PolygonIndex index_polygons(std::vector<const Polygon*> all) {
+  constexpr double kBucket_m = 32;
+  PolygonIndex index{std::move(all), {}};
+  std::vector<Box2> boxes;
+  for (const Polygon* polygon : index.all) boxes.push_back(box_of(polygon->outer));
+  if (!boxes.empty()) index.grid = grid_of(boxes, kBucket_m);
+  return index;
+}
+
+bool is_inside_any(const PolygonIndex& polygons, Vec2 p) {
+  return !polygons.all.empty() && std::ranges::any_of(boxes_about(polygons.grid, p),
+                                                      [&](std::uint32_t i) { return contains(*polygons.all[i], p); });
+}
+
+MappedThings mapped_things(const map::Features& features, std::span<const Road> roads,
+                           std::span<const roads::Junction> junctions, std::span<const OsmId> private_ways) {
+  std::vector<const Polygon*> buildings, pools;
+  std::vector<Capsule> walls, streets, paths, drives, barriers, trees, wires, parking;
+  for (const map::Footprint& f : features.footprints) {
+    if (f.min_height_m > 0 || f.polygon.outer.size() < 3) continue;
+    buildings.push_back(&f.polygon);
+    for (const Ring* ring : rings_of(f.polygon)) add_outline(*ring, walls);
+  }
+  for (const Road& road : roads) {
+    const LandCoverGroup group = map::values_of(road.surface).group;
+    const bool is_private = std::ranges::binary_search(private_ways, road.id.osm);
+    add_road(road, is_private ? drives : group == LandCoverGroup::kPath ? paths : streets);
+  }
+  for (const map::Barrier& barrier : features.barriers) add_line(barrier.axis, barrier.width_m / 2, barriers);
+  for (const map::PointFeature& point : features.points)
+    if (point.kind == map::PointKind::kTree) trees.push_back({point.at, point.at, 0});
+  for (const map::TreeRow& row : features.tree_rows) add_line(row.axis, 0, trees);
+  for (const map::PowerLine& line : features.power_lines)
+    add_line(line.axis, line.corridor_m / 2 + kClearOfWires_m, wires);
+  for (const map::AreaFeature& area : features.areas) {
+    if (area.surface == map::LandCoverClass::kParking) add_outline(area.polygon.outer, parking);
+    if (area.surface == map::LandCoverClass::kPool) pools.push_back(&area.polygon);
+  }
+  return {.buildings = index_polygons(std::move(buildings)),
+          .walls = index_capsules(std::move(walls)),
+          .roads = index_capsules(std::move(streets)),
+          .paths = index_capsules(std::move(paths)),
+          .drives = index_capsules(std::move(drives)),
+          .barriers = index_capsules(std::move(barriers)),
+          .trees = index_capsules(std::move(trees)),
+          .wires = index_capsules(std::move(wires)),
+          .crossings = crossings_of(roads, junctions),
+          .parking = index_capsules(std::move(parking)),
+          .pools = index_polygons(std::move(pools))};
+}
+
+}  // namespace citykiln::lots

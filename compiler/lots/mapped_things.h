@@ -1,0 +1,52 @@
+// Indexes of the mapped things that yards keep clear of.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "compiler/lots/capsules.h"
+#include "compiler/map/features.h"
+#include "compiler/roads/junctions/junction.h"
+#include "compiler/roads/recipe.h"
+
+namespace citykiln::lots {
+
+/// Polygons with an index of their boxes.
+struct PolygonIndex {
+  std::vector<const Polygon*> all;
+  BoxGrid grid;
+};
+
+/// Returns the index of polygons, which must outlive it.
+PolygonIndex index_polygons(std::vector<const Polygon*> all);
+/// True if a polygon contains p. O(vertices near).
+bool is_inside_any(const PolygonIndex& polygons, Vec2 p);
+
+/// The mapped things on the ground.
+struct MappedThings {
+  PolygonIndex buildings;  ///< All outlines on the ground, roofs without walls included.
+  Capsules walls;          ///< Their edges.
+  Capsules roads;          ///< Streets and rails with their pavements.
+  Capsules paths;          ///< Paths.
+  Capsules drives;         ///< Private ways.
+  Capsules barriers;
+  Capsules trees;      ///< Trees and tree rows.
+  Capsules wires;      ///< Power lines, as wide as trees keep clear of them.
+  Capsules crossings;  ///< Nodes of junctions: hedges and trees there would hide traffic.
+  Capsules parking;    ///< Borders of car parks.
+  PolygonIndex pools;
+};
+
+/// Returns the things of a map, which must outlive it. O(n log n).
+/// @param private_ways  Sorted.
+MappedThings mapped_things(const map::Features& features, std::span<const roads::Road> roads,
+                           std::span<const roads::Junction> junctions, std::span<const OsmId> private_ways);
+
+/// The distance of hedges and trees to a node of a junction, beyond half its widest arm: the triangle of sight of a
+/// crossing in built-up land is about 10 m (RASt 06, 6.3.9.3).
+inline constexpr double kSight_m = 10;
+/// The distance of trees to wires of power lines, beyond the half of their corridor.
+inline constexpr double kClearOfWires_m = 3;
+
+}  // namespace citykiln::lots

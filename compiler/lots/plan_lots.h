@@ -1,0 +1,83 @@
+// Plans lots: divides the land of a map (parcels/divide.h) and says what each lot is: its kind, its front, its door.
+//
+//        rear            y ▲      x runs along the street, y away from it, from the pavement's outer edge
+//     ┌─────────┐          │
+//     │  ┌───┐  │          │
+//     │  │   │  │ house_m ─┤
+//     │  └─D─┘  │          │      D the door: a mapped entrance, else the middle of the wall nearest to the street
+//     │  front  │          └────► x
+//    ═╧═════════╧═ street
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "compiler/climate/climate_class.h"
+#include "compiler/lots/land_of.h"
+#include "compiler/map/features.h"
+#include "compiler/parcels/parcels.h"
+#include "compiler/roads/recipe.h"
+
+namespace citykiln::lots {
+
+/// The kind of a lot, by land use and its main building. The order is that of outputs.
+enum class LotKind : std::uint8_t {
+  kDetached,    ///< A house that touches no other.
+  kRow,         ///< A house in a row, or one half of two.
+  kApartments,  ///< An apartment house that stands free.
+  kPerimeter,   ///< A house of several storeys in a closed row of a block.
+  kShop,        ///< Shops, offices, hotels.
+  kWorks,       ///< Industry.
+  kPublic,      ///< Churches, schools, public buildings.
+  kNone,        ///< Others, such as garages and barns: no yard is assumed.
+  kCount
+};
+
+/// The name of a kind, such as "detached".
+std::string_view name_of(LotKind kind);
+
+/// The frame of a lot: see the picture above.
+struct Frame {
+  Vec2 origin, along, inward;  ///< Plane metres; unit vectors.
+  Vec2 local(Vec2 p) const { return {dot(p - origin, along), dot(p - origin, inward)}; }
+  Vec2 plane(Vec2 p) const { return origin + along * p.x + inward * p.y; }
+};
+
+/// Returns the frame at the place of a front that is nearest to a point; nothing for a front without length.
+/// @param line  The line of the front.
+std::optional<Frame> frame_of(const parcels::Front& front, const parcels::Line& line, Vec2 to);
+
+/// The door from which the path to the street begins.
+struct Door {
+  Vec2 at, outward;        ///< On the wall; a unit vector.
+  bool is_mapped = false;  ///< True for a mapped entrance or house number.
+};
+
+/// A lot with buildings.
+struct Lot {
+  parcels::Lot parcel;
+  LotKind kind{};
+  map::CountryGroup country{};
+  climate::ClimateClass climate{};
+  std::uint32_t main = 0;                   ///< The main building: an index into Features::footprints.
+  std::vector<std::uint32_t> footprints{};  ///< All buildings, as such indices.
+  Frame frame{};
+  double house_m = 0;  ///< The y of the main building's point nearest to the street, at least 0.
+  std::optional<Door> door{};
+};
+
+/// Returns the class of climate at a place of the plane.
+using ClimateAt = std::function<climate::ClimateClass(Vec2)>;
+
+/// Returns the lots with buildings, sorted by the ids of their main buildings.
+///
+/// A lot depends on what lies within parcels::kInfluenceRadius_m, and its kind on walls within 1 m and on the smallest
+/// area of land use at its main building. O(n log n).
+std::vector<Lot> plan_lots(const map::Features& features, const MapLand& land, const parcels::Parcels& parcels,
+                           const ClimateAt& climate_at, int threads);
+
+}  // namespace citykiln::lots

@@ -1,0 +1,112 @@
+#include "compiler/lots/yard_rules.h"
+
+namespace citykiln::lots {
+namespace {
+
+using map::CountryGroup;
+using map::LandCoverClass;
+
+enum class YardBorder : std::uint8_t { kNone, kHedge, kFence, kWall };
+
+// The group of rows for all groups without rows of their own.
+constexpr auto kAnywhere = CountryGroup::kCount;
+
+struct YardRow {
+  CountryGroup group;
+  LotKind kind;
+  std::uint32_t weight;
+  LandCoverClass front, rear, path, drive;
+  double drive_percent;
+  YardBorder street;
+  double street_m;
+  YardBorder sides;
+  double sides_m, trees, shrubs;
+};
+
+#define YARD_ROW(group, kind, weight, front, rear, path, drive, percent, street, street_m, sides, sides_m, trees, \
+                 shrubs)                                                                                          \
+  {group,                                                                                                         \
+   LotKind::kind,                                                                                                 \
+   weight,                                                                                                        \
+   LandCoverClass::front,                                                                                         \
+   LandCoverClass::rear,                                                                                          \
+   LandCoverClass::path,                                                                                          \
+   LandCoverClass::drive,                                                                                         \
+   percent,                                                                                                       \
+   YardBorder::street,                                                                                            \
+   street_m,                                                                                                      \
+   YardBorder::sides,                                                                                             \
+   sides_m,                                                                                                       \
+   trees,                                                                                                         \
+   shrubs},
+#define YARD(group, ...) YARD_ROW(CountryGroup::group, __VA_ARGS__)
+#define YARD_ANYWHERE(...) YARD_ROW(kAnywhere, __VA_ARGS__)
+constexpr YardRow kYardRows[] = {
+#include "compiler/lots/yards.inc"
+};
+#undef YARD_ROW
+
+BorderRule border_rule(YardBorder border, double height_m) {
+  switch (border) {
+    case YardBorder::kHedge:
+      return {map::BarrierKind::kHedge, height_m};
+    case YardBorder::kFence:
+      return {map::BarrierKind::kFence, height_m};
+    case YardBorder::kWall:
+      return {map::BarrierKind::kWall, height_m};
+    default:
+      return {};
+  }
+}
+
+std::uint32_t weight_of(CountryGroup group, LotKind kind) {
+  std::uint32_t sum = 0;
+  for (const YardRow& row : kYardRows)
+    if (row.group == group && row.kind == kind) sum += row.weight;
+  return sum;
+}
+
+const YardRow* drawn_row(CountryGroup group, LotKind kind, std::uint32_t drawn) {
+  for (const YardRow& row : kYardRows) {
+    if (row.group != group || row.kind != kind) continue;
+    if (drawn < row.weight) return &row;
+    drawn -= row.weight;
+  }
+  return nullptr;
+}
+
+bool is_arid(climate::ClimateClass climate) {
+  using enum climate::ClimateClass;
+  return climate == kBSh || climate == kBSk || climate == kBWh || climate == kBWk;
+}
+
+}  // namespace
+
+bool is_soft(LandCoverClass surface) {
+  return surface == LandCoverClass::kLawn || surface == LandCoverClass::kGravelYard ||
+         surface == LandCoverClass::kEarthYard;
+}
+
+std::optional<YardRule> rule_for(const Lot& lot, const RandomSequence& draw) {
+  CountryGroup group = lot.country;
+  if (weight_of(group, lot.kind) == 0) group = kAnywhere;
+  const std::uint32_t weight = weight_of(group, lot.kind);
+  if (weight == 0) return std::nullopt;
+  const YardRow& row = *drawn_row(group, lot.kind, draw.below(weight, 0));
+  YardRule rule{.front = row.front,
+                .rear = row.rear,
+                .path = row.path,
+                .drive = row.drive,
+                .has_drive = draw.unit(1) * 100 < row.drive_percent,
+                .street = border_rule(row.street, row.street_m),
+                .sides = border_rule(row.sides, row.sides_m),
+                .trees = row.trees,
+                .shrubs = row.shrubs};
+  if (!is_arid(lot.climate)) return rule;
+  if (rule.front == LandCoverClass::kLawn && draw.unit(2) < 0.5) rule.front = LandCoverClass::kGravelYard;
+  if (rule.rear == LandCoverClass::kLawn && draw.unit(3) < 0.5) rule.rear = LandCoverClass::kEarthYard;
+  rule.trees /= 2, rule.shrubs /= 2;
+  return rule;
+}
+
+}  // namespace citykiln::lots

@@ -1,0 +1,58 @@
+// Faces: the plane divided by strips, taken land, footprints and the borders of lots, cell by cell.
+//
+// All lines are snap-rounded together (geometry/arrangement.h), so faces cover the extent and share no area, whatever
+// the lines are. A point inside each face says what it is.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "compiler/geometry/arrangement.h"
+#include "compiler/parcels/empty_lots.h"
+#include "compiler/parcels/field.h"
+#include "compiler/parcels/strips.h"
+
+namespace citykiln::parcels {
+
+/// The side of the cells of faces. Cells begin at whole multiples of it.
+inline constexpr double kFaceCell_m = 128;
+
+enum class FaceKind : std::uint8_t { kOutside, kLine, kTaken, kLand };
+
+struct Face {
+  FaceKind kind = FaceKind::kLand;
+  std::uint32_t label = 0;          ///< By the field (fronts.h).
+  std::uint32_t footprint = kNone;  ///< The footprint that it lies in, the first of several.
+  double area_m2 = 0;
+};
+
+/// An edge of a face, which lies to its left.
+struct FaceEdge {
+  GridPoint from, to;
+  std::uint32_t face = 0;
+  std::uint32_t beyond = kNone;  ///< The face on the other side; kNone at the outermost cells.
+  Border border;                 ///< The border along it, kInner for borders of lots and cells.
+};
+
+struct Faces {
+  std::vector<Face> faces;
+  std::vector<FaceEdge> edges;  ///< Sorted by (from, to).
+};
+
+/// The lines that divide the plane. Refers to its parts.
+struct Layout {
+  Box2 extent;
+  std::span<const StripPiece> strips;
+  std::span<const Polygon> taken;
+  std::span<const Footprint> footprints;
+  std::span<const std::pair<Vec2, Vec2>> borders;
+  const Field* field = nullptr;
+  const Splits* splits = nullptr;  ///< Null: no lots are split.
+};
+
+/// Returns the faces of all cells that the extent touches. Cost: that of arrange() and of a triangulation.
+Faces faces_of(const Layout& layout, int threads);
+
+}  // namespace citykiln::parcels

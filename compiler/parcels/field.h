@@ -1,0 +1,74 @@
+// The field of streets: which street's edge a place belongs to.
+//
+//     |  piece |  piece |      each piece of an edge has the land in front of it, and a wedge where
+//     |        |        |\     the edge turns outward; a place belongs to the nearest piece that it
+//    ═══════════════════════   sees along a straight line square to the edge
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "compiler/geometry/box_grid.h"
+#include "compiler/parcels/strips.h"
+
+namespace citykiln::parcels {
+
+/// The land in front of a part of a frontage: the places x of a convex polygon, at the distance normal · (x - foot).
+struct Piece {
+  Vec2 foot, normal;  ///< A point of the frontage, and the direction away from it, length 1.
+  Vec2 along;         ///< The direction of the frontage; {0, 0} for a wedge, whose distances are from its tip.
+  Ring land;          ///< Convex, counter-clockwise.
+  std::uint32_t frontage = 0;
+  std::uint32_t label = 0;  ///< The owner of places in it (fronts.h).
+};
+
+/// Lines that cannot be looked across.
+struct Obstacles {
+  std::vector<std::pair<Vec2, Vec2>> segments;
+  BoxGrid grid;
+};
+
+/// Returns the axes of streets and barriers and the edges of taken land.
+Obstacles obstacles_of(const std::vector<Line>& lines, const std::vector<Polygon>& taken);
+
+/// Returns the distance from p at which an obstacle lies in the direction `towards`; at most `most_m`.
+/// @param towards  Length 1.
+double distance_to_obstacle(const Obstacles& obstacles, Vec2 p, Vec2 towards, double most_m);
+
+struct Field {
+  std::vector<Piece> pieces;
+  BoxGrid grid;
+  const Obstacles* obstacles = nullptr;
+};
+
+/// Returns the field of these pieces.
+Field field_of(std::vector<Piece> pieces, const Obstacles& obstacles);
+
+/// Appends the land in front of a part of a frontage.
+/// @param from_m, to_m  Distances from the frontage's first point.
+void add_piece(std::vector<Piece>& pieces, const Strips& strips, std::uint32_t frontage, double from_m, double to_m,
+               double depth_m, std::uint32_t label);
+/// Appends the wedges between the ends of a frontage and of the next one, if it turns outward.
+void add_wedges(std::vector<Piece>& pieces, const Strips& strips, std::uint32_t frontage, double depth_m,
+                std::uint32_t label);
+
+/// True if no obstacle lies between a place and the piece's frontage.
+bool is_seen_by(const Field& field, const Piece& piece, Vec2 p);
+
+inline double distance_m(const Piece& piece, Vec2 p) { return dot(p - piece.foot, piece.normal); }
+
+/// Returns the index of the piece that a place belongs to, kNone if no piece sees it. The first of equally
+/// near pieces counts.
+std::uint32_t nearest_piece(const Field& field, Vec2 p);
+/// The nearest piece except those of a frontage, nearer than `most_m`.
+std::uint32_t nearest_other(const Field& field, Vec2 p, std::uint32_t frontage, double most_m);
+
+/// True if p is in a convex counter-clockwise ring or on its border.
+inline bool is_in_convex(std::span<const Vec2> ring, Vec2 p) {
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+    if (twice_area(ring[j], ring[i], p) < 0) return false;
+  return true;
+}
+
+}  // namespace citykiln::parcels

@@ -1,0 +1,48 @@
+// Strips: the outlines of streets and other lines, and their edges as chains.
+//
+//      │ │         each axis segment has a strip; where two arms of a node enclose
+//   ───┘ └───      less than half a turn, their edges are cut at their crossing,
+//   ───┐ ┌───      else a joint fills the gap between them
+//      │ │
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "compiler/parcels/parcels.h"
+
+namespace citykiln::parcels {
+
+inline constexpr std::uint32_t kNone = 0xffffffffu;
+
+/// An edge of a street's strip, directed so that the land lies to its left.
+struct Frontage {
+  std::uint32_t line = 0, segment = 0;
+  Side side = Side::kLeft;
+  Vec2 a, b;                   ///< Cut where the next strip begins, so it may have no length.
+  Vec2 normal;                 ///< Towards the land, length 1.
+  std::uint32_t next = kNone;  ///< The street's edge that continues this one about the same land.
+  std::uint32_t previous = kNone;
+  bool turns_outward = false;  ///< True if the next one turns away from the land, as at a dead end.
+  bool is_corner = false;      ///< True if the next one turns towards the land by more than 40°.
+  std::uint8_t size = 0;       ///< Index into Land::sizes.
+  double length_m() const { return distance(a, b); }
+};
+
+/// A polygon of strips, counter-clockwise and convex up to the rounding of its points.
+struct StripPiece {
+  Ring ring;
+  std::vector<Border> borders;  ///< One for each edge; kInner for edges inside strips.
+};
+
+struct Strips {
+  std::vector<Frontage> frontages;  ///< Edges of streets, in the order of lines.
+  std::vector<StripPiece> pieces;
+};
+
+/// Returns the strips of lines. Widths are limited from below by kLeastStrip_m.
+/// @param lines  Sorted by id. Lines of kNone and axes of fewer than two different points have no strip.
+/// Cost: O(n log n).
+Strips strips_of(const std::vector<Line>& lines);
+
+}  // namespace citykiln::parcels
