@@ -1,5 +1,5 @@
-# Runs when Godot imports a tile: leaves out layers that were not chosen, draws objects that share a mesh as one MultiMesh,
-# and adds collision shapes. The choices are in city.json beside the tile.
+# Runs when Godot imports a tile: leaves out layers that were not chosen, shows vertex colours, which Godot 3.2 leaves off,
+# draws objects that share a mesh as one MultiMesh, and adds collision shapes. The choices are in city.json beside the tile.
 tool
 extends EditorScenePostImport
 
@@ -27,6 +27,9 @@ func post_import(scene):
 
 func take_layer(layer, scene):
 	var copies = {}
+	for node in [layer] + layer.get_children():
+		if node is MeshInstance:
+			show_colours(node.mesh)
 	for child in layer.get_children():
 		if child is MeshInstance and child.get_child_count() == 0:
 			copies[child.mesh] = copies.get(child.mesh, []) + [child]
@@ -35,6 +38,13 @@ func take_layer(layer, scene):
 			join(copies[mesh], mesh, layer, scene)
 	if layer is MeshInstance and layer.name in choices["collision"] and is_finest():
 		add_collision(layer, scene)
+
+
+func show_colours(mesh):
+	for i in mesh.get_surface_count():
+		var material = mesh.surface_get_material(i)
+		if material is SpatialMaterial and mesh.surface_get_format(i) & Mesh.ARRAY_FORMAT_COLOR:
+			material.vertex_color_use_as_albedo = true
 
 
 # Replaces objects that share a mesh by one MultiMeshInstance.
