@@ -32,8 +32,18 @@ install(CODE "
 ")
 
 # ---- add-ons for programs that read the tiles ------------------------------------------------------------------------
-install(DIRECTORY importers/godot3 importers/godot4 DESTINATION ${share})
-install(FILES ${PROJECT_BINARY_DIR}/citykiln-blender.zip DESTINATION ${share}/blender OPTIONAL)
+install(DIRECTORY exporters/godot/godot3 exporters/godot/godot4 DESTINATION ${share})
+# Blender installs add-ons from zip files
+install(CODE "
+  file(GLOB sources RELATIVE \"${PROJECT_SOURCE_DIR}/exporters/blender\" \"${PROJECT_SOURCE_DIR}/exporters/blender/citykiln/*.py\")
+  if(sources)
+    set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${share}/blender\")
+    file(MAKE_DIRECTORY \"\${folder}\")
+    execute_process(
+      COMMAND ${CMAKE_COMMAND} -E tar cf \"\${folder}/citykiln.zip\" --format=zip --mtime=2026-01-01 \${sources}
+      WORKING_DIRECTORY \"${PROJECT_SOURCE_DIR}/exporters/blender\" COMMAND_ERROR_IS_FATAL ANY)
+  endif()
+")
 
 # ---- licence and changes ---------------------------------------------------------------------------------------------
 install(FILES package/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,19 +1,23 @@
-# Runs when Godot imports a tile: leaves out layers that were not chosen, shows vertex colours, which Godot 3.2 leaves off,
-# draws objects that share a mesh as one MultiMesh, and adds collision shapes. The choices are in city.json beside the tile.
+# Runs when Godot imports a tile: leaves out layers that were not chosen, puts vertex colours in again, draws objects that
+# share a mesh as one MultiMesh, and adds collision shapes. The choices are in city.json beside the tile.
 tool
 extends EditorScenePostImport
+
+const TileColours = preload("tile_colours.gd")
 
 # Fewer objects of a mesh than this stay single objects.
 const LEAST_COPIES = 2
 
 var choices
+var colours
+var coloured = {}
 
 
 func post_import(scene):
 	var file = File.new()
 	file.open(get_source_folder().plus_file("city.json"), File.READ)
 	choices = parse_json(file.get_as_text())
-	var box = AABB()
+	colours = TileColours.new().open(get_source_file())
 	for tile in scene.get_children():
 		for layer in tile.get_children():
 			if layer.name in choices["layers"]:
@@ -41,10 +45,9 @@ func take_layer(layer, scene):
 
 
 func show_colours(mesh):
-	for i in mesh.get_surface_count():
-		var material = mesh.surface_get_material(i)
-		if material is SpatialMaterial and mesh.surface_get_format(i) & Mesh.ARRAY_FORMAT_COLOR:
-			material.vertex_color_use_as_albedo = true
+	if not mesh in coloured:
+		coloured[mesh] = true
+		colours.apply(mesh)
 
 
 # Replaces objects that share a mesh by one MultiMeshInstance.
