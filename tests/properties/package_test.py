@@ -22,8 +22,7 @@ def call(*words, **options):
 
 
 def flags_in_help(verb):
-    return set(re.findall(r"--[a-z][a-z-]+", "\n".join(
-        line[:40] for line in run(verb, "--help").stdout.splitlines() if line.startswith("  -"))))
+    return set(re.findall(r"^  (?:-\w,)?(--[a-z-]+)", run(verb, "--help").stdout, re.MULTILINE))
 
 
 class Package(ProgramTest):
