@@ -22,7 +22,8 @@ def call(*words, **options):
 
 
 def flags_in_help(verb):
-    return set(re.findall(r"^  (?:-\w,)?(--[a-z-]+)", run(verb, "--help").stdout, re.MULTILINE))
+    names = ",".join(re.findall(r"^  (-\S+)", run(verb, "--help").stdout, re.MULTILINE)).split(",")
+    return {name for name in names if name.startswith("--")}
 
 
 class Package(ProgramTest):
