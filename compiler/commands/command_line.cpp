@@ -37,8 +37,11 @@ CLI::App& declare(CLI::App& app, const Verb& verb, Console& console) {
   CLI::App& command = *app.add_subcommand(verb.name, verb.help);
   for (const Option& option : verb.options) declare(command, option);
   if (!verb.examples.empty()) command.footer(fmt::format("Examples:\n  {}", fmt::join(verb.examples, "\n  ")));
-  command.add_flag("--json", console.is_json, "print the result as one JSON document");
-  command.add_flag("--quiet", console.is_quiet, "print errors only");
+  command.add_flag(kJson.flag, console.is_json, kJson.help);
+  command.add_flag(kQuiet.flag, console.is_quiet, kQuiet.help);
+  command.set_help_flag("-h," + std::string(kHelp.flag), kHelp.help);
+  // a group without a name is not in the help
+  if (verb.is_hidden) command.group("");
   return command;
 }
 
@@ -63,7 +66,7 @@ int run_verb(const CLI::App& command, const Verb& verb, const Console& console) 
 
 /// All long flags of a verb: "--out" of "-o,--out".
 std::vector<std::string> long_flags_of(const Verb& verb) {
-  std::vector<std::string> flags = {"--json", "--quiet", "--help"};
+  std::vector<std::string> flags = {kJson.flag, kQuiet.flag, kHelp.flag};
   for (const Option& option : verb.options)
     for (const std::string_view flag : split(option.flags, ','))
       if (flag.starts_with("--")) flags.emplace_back(flag);
@@ -74,7 +77,8 @@ std::vector<std::string> long_flags_of(const Verb& verb) {
 Result<Done> are_known(std::span<const Verb> verbs, std::span<const char* const> words) {
   if (words.empty() || words.front()[0] == '-') return Done{};
   std::vector<std::string> names;
-  for (const Verb& verb : verbs) names.push_back(verb.name);
+  for (const Verb& verb : verbs)
+    if (!verb.is_hidden) names.push_back(verb.name);
   const auto verb = std::ranges::find(verbs, words.front(), &Verb::name);
   if (verb == verbs.end())
     return Error{words.front(), fmt::format("is not a verb{}; the verbs are {}", did_you_mean(words.front(), names),

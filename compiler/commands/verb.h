@@ -37,7 +37,16 @@ struct Verb {
   std::vector<Option> options;
   std::function<Result<Exit>(const Console& console)> run;  ///< Called after all options are stored.
   std::vector<std::string> examples{};                      ///< Complete command lines for the help.
+  bool is_hidden = false;                                   ///< Not in the help: for builds of packages.
 };
+
+/// A switch that every verb has.
+struct SharedSwitch {
+  const char *flag, *help;
+};
+inline constexpr SharedSwitch kJson = {"--json", "print the result as one JSON document"};
+inline constexpr SharedSwitch kQuiet = {"--quiet", "print errors only"};
+inline constexpr SharedSwitch kHelp = {"--help", "print the options and examples"};
 
 /// Returns the verb of this name, here and below.
 Verb compile_verb();
@@ -48,6 +57,9 @@ Verb check_verb();
 Verb chart_verb();
 Verb plan_verb();
 Verb gather_verb();
+/// @param verbs  The verbs that the manual page, or the completion, describes.
+Verb man_verb(std::vector<Verb> verbs);
+Verb completion_verb(std::vector<Verb> verbs);
 
 /// A range of numbers. Both ends are included if it is closed, else neither.
 struct NumberRange {

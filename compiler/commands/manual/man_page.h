@@ -1,0 +1,15 @@
+// The manual page citykiln(1), made from the tables of the verbs, so that it lists every option.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "compiler/commands/verb.h"
+
+namespace citykiln::commands {
+
+/// Returns the manual page in the language of man(7). It has a section for each verb with its options and examples, and
+/// no date, so the same tables give the same bytes. Hidden verbs are left out.
+std::string man_page(std::span<const Verb> verbs);
+
+}  // namespace citykiln::commands
