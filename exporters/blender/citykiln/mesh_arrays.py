@@ -8,10 +8,15 @@ from .glb import GlbError
 LINEAR = numpy.arange(256) / 255
 STORED = numpy.where(LINEAR <= 0.0031308, LINEAR * 12.92, 1.055 * LINEAR ** (1 / 2.4) - 0.055).astype(numpy.float32)
 
+COS_FLAT = 0.9994
+# twice the area of triangles whose direction is lost in rounding
+LEAST_M2 = 1e-4
+
 
 class MeshArrays:
-    """positions (n, 3), triangles (t, 3), slots (t): numbers in `materials`; and where the mesh has them normals (n, 3),
-    colours (n, 4), uvs (n, 2; v upwards), features (t)."""
+    """positions (n, 3), triangles (t, 3), slots (t): numbers in `materials`; is_smooth (t); and where the mesh has them normals
+    (n, 3), colours (n, 4), uvs (n, 2; v upwards), features (t). Normals are left out where all stand on their faces, which
+    Blender shows without them: normals of a file take much of the time and memory of an import."""
 
     def __init__(self, glb, primitives):
         counts = [glb.gltf["accessors"][p["attributes"]["POSITION"]]["count"] for p in primitives]
@@ -19,19 +24,33 @@ class MeshArrays:
         n = sum(counts)
         self.materials = list(dict.fromkeys(p.get("material") for p in primitives))
         self.positions = numpy.empty((n, 3), numpy.float32)
-        self.normals = numpy.zeros((n, 3), numpy.float32) if has("NORMAL") else None
+        self.normals = numpy.zeros((n, 3), numpy.float32) if has("NORMAL") else None  # zero: of the faces
         self.colours = numpy.ones((n, 4), numpy.float32) if has("COLOR_0") else None
         self.uvs = numpy.zeros((n, 2), numpy.float32) if has("TEXCOORD_0") else None
         features = numpy.zeros(n, numpy.int32) if has("_FEATURE_ID_0") else None
-        triangles, slots, first = [], [], 0
+        triangles, slots, smooth, first = [], [], [], 0
         for primitive, count in zip(primitives, counts):
             corners = indices_of(glb, primitive, count)
-            self._fill(glb, primitive["attributes"], slice(first, first + count), features)
+            rows = slice(first, first + count)
+            self._fill(glb, primitive["attributes"], rows, features)
+            smooth.append(numpy.full(len(corners), self._keeps_normals(primitive, rows, corners)))
             triangles.append(corners.astype(numpy.int32) + first)
             slots.append(numpy.full(len(corners), self.materials.index(primitive.get("material")), numpy.int32))
             first += count
         self.triangles, self.slots = numpy.concatenate(triangles), numpy.concatenate(slots)
+        self.is_smooth = numpy.concatenate(smooth)
+        if not self.is_smooth.any():
+            self.normals = None
         self.features = None if features is None else features[self.triangles[:, 0]]
+
+    def _keeps_normals(self, primitive, rows, corners):
+        """Whether a primitive has normals that its faces have not."""
+        if "NORMAL" not in primitive["attributes"]:
+            return False
+        if not are_flat(self.positions[rows], corners, self.normals[rows]):
+            return True
+        self.normals[rows] = 0
+        return False
 
     def _fill(self, glb, attributes, rows, features):
         turn_into(self.positions[rows], glb.array(attributes["POSITION"]))
@@ -55,6 +74,17 @@ def indices_of(glb, primitive, count):
     if len(indices) % 3 != 0 or indices.max() >= count:
         raise GlbError(f"{glb.path}: has a triangle whose corners are not vertices")
     return indices.reshape(-1, 3)
+
+
+def are_flat(positions, triangles, normals):
+    """Whether all normals stand on their triangles, within 2 degrees. Triangles without area have none to compare."""
+    a, b, c = (positions[triangles[:, i]] for i in range(3))
+    across = numpy.cross(b - a, c - a)
+    length = numpy.linalg.norm(across, axis=1)
+    for i in range(3):
+        if (numpy.einsum("ij,ij->i", across, normals[triangles[:, i]]) < COS_FLAT * length - LEAST_M2).any():
+            return False
+    return True
 
 
 def stored_colours(colours):

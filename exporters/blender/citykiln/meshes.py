@@ -73,7 +73,7 @@ def add_faces(mesh, arrays):
         mesh.polygons.foreach_set("loop_total", numpy.full(count, 3, numpy.int32))
     if len(arrays.materials) > 1:
         mesh.polygons.foreach_set("material_index", arrays.slots)
-    mesh.polygons.foreach_set("use_smooth", numpy.full(count, arrays.normals is not None))
+    mesh.polygons.foreach_set("use_smooth", arrays.is_smooth)
 
 
 def set_normals(mesh, normals):
