@@ -7,13 +7,15 @@ bl_info = {"name": "citykiln", "author": "citykiln", "version": (0, 1, 0), "blen
 
 import bpy  # noqa: E402
 
-from . import import_run  # noqa: E402
+from . import import_map, import_run, panel  # noqa: E402
 
-CLASSES = [import_run.IMPORT_SCENE_OT_citykiln_run]
+CLASSES = [import_map.CitykilnPreferences, import_run.IMPORT_SCENE_OT_citykiln_run, import_map.IMPORT_SCENE_OT_citykiln_map,
+           panel.MESH_OT_citykiln_select, panel.VIEW3D_PT_citykiln]
 
 
 def draw_menu(menu, context):
     menu.layout.operator(import_run.IMPORT_SCENE_OT_citykiln_run.bl_idname, text="citykiln run (folder)")
+    menu.layout.operator(import_map.IMPORT_SCENE_OT_citykiln_map.bl_idname, text="citykiln map (.osm, .osm.pbf)")
 
 
 def register():

@@ -9,7 +9,7 @@ from .materials import Materials
 from .meshes import Meshes
 from .objects import Builder
 from .run_folder import LAYERS, Run, RunError
-from .scene_origin import place_run
+from .scene_origin import keep_origin, place_run
 from .sky_world import set_world
 from .tile import Tile
 
@@ -44,6 +44,7 @@ def bring_in(context, folder, wishes, on_progress=lambda share: None):
         on_progress(i / len(files))
         builder.add_tile(Tile(path), name)
     context.scene.collection.children.link(collection)
+    keep_origin(context.scene, run)
     notes = [] if not wishes.has_sky else set_world(context.scene, run)
     return ". ".join([f"{run.name}: {len(files)} files, {len(collection.all_objects)} objects in {time.time() - start_s:.1f} s", *notes])
 

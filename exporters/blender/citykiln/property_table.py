@@ -17,9 +17,18 @@ def read_table(glb):
     for name, property_ in schema["classes"][table["class"]]["properties"].items():
         if name in table["properties"]:
             columns[name] = read_column(glb, schema, property_, table["properties"][name], table["count"])
+    if "assumed" in columns:
+        names = bit_names(schema["classes"][table["class"]]["properties"]["assumed"]["description"])
+        columns["assumed"] = [", ".join(name for bit, name in names if bits & bit) for bits in columns["assumed"]]
     if "type" in columns:
         columns["type"] = [TYPES[number] for number in columns["type"]]
     return columns
+
+
+def bit_names(description):
+    """Bits and their names, from a text that ends so: "a sum of bits: 1 pavements, 2 lamps"."""
+    words = [part.split() for part in description.rpartition(":")[2].split(",")]
+    return [(int(bit), name) for bit, name in words]
 
 
 def read_column(glb, schema, property_, column, count):

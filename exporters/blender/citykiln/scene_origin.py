@@ -11,10 +11,19 @@ FARTHEST_M = 100e3
 
 def place_run(scene, run):
     """The matrix of a run in a scene. Error: it is too far away."""
-    if LON not in scene or LAT not in scene:
-        scene[LON], scene[LAT] = run.origin_deg
-    x, y, angle = placement((scene[LON], scene[LAT]), run.origin_deg)
+    x, y, angle = placement(origin_of(scene) or run.origin_deg, run.origin_deg)
     if max(abs(x), abs(y)) > FARTHEST_M:
         raise RunError(f"{run.folder}: lies {max(abs(x), abs(y)) / 1000:.0f} km from the scene's first run, farther than "
                        f"{FARTHEST_M / 1000:.0f} km: import it into a new scene")
     return mathutils.Matrix.Translation((x, y, 0)) @ mathutils.Matrix.Rotation(angle, 4, "Z")
+
+
+def origin_of(scene):
+    """Longitude and latitude; None in a scene without a run."""
+    return (scene[LON], scene[LAT]) if LON in scene and LAT in scene else None
+
+
+def keep_origin(scene, run):
+    """The first run that was imported gives the scene its origin."""
+    if origin_of(scene) is None:
+        scene[LON], scene[LAT] = run.origin_deg
