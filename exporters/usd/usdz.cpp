@@ -8,7 +8,7 @@
 namespace citykiln::exporters {
 namespace {
 
-// Of the data of each file, as the specification requires.
+// The data of each file begin at a multiple of so many bytes, as the specification requires.
 constexpr std::size_t kAlignment = 64;
 
 }  // namespace

@@ -1,4 +1,4 @@
-"""Blender's meshes of the meshes of .glb files. Those of copies are made once for all tiles, where they are equal."""
+"""Blender's meshes of the meshes of .glb files. Equal meshes of copies are one for all tiles."""
 import hashlib
 
 import bpy

@@ -35,7 +35,7 @@ def facts_of_object(thing):
 
 
 def picked_facts(context):
-    """What the active face or object shows: facts, or a sentence that says what to do."""
+    """The facts of the active face or object, or a sentence that says what to do."""
     thing = context.object
     if thing is None:
         return "Choose an object"

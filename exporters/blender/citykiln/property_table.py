@@ -53,7 +53,7 @@ def read_texts(glb, column, count):
 
 
 def facts_of_row(columns, row):
-    """What is known of an object, with the names of glTF's extras: osm_id, osm_type, class, name, height_m, tags, assumed."""
+    """The known facts of an object, with the names of glTF's extras: osm_id, osm_type, class, name, height_m, tags, assumed."""
     facts = {name: columns[name][row] for name in ("class", "name", "height_m", "tags", "assumed")
              if name in columns and columns[name][row]}
     if columns["type"][row] != "none":
