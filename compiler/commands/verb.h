@@ -60,6 +60,7 @@ Verb gather_verb();
 /// @param verbs  The verbs that the manual page, or the completion, describes.
 Verb man_verb(std::vector<Verb> verbs);
 Verb completion_verb(std::vector<Verb> verbs);
+Verb addon_verb();
 
 /// A range of numbers. Both ends are included if it is closed, else neither.
 struct NumberRange {

@@ -128,6 +128,15 @@ OrderedJson tiles_of(std::span<const WrittenTile> written, const scene::Header& 
   return tiles;
 }
 
+/// The sky of the run, by which programs that import its tiles light them.
+OrderedJson sky_of(const sky::Sky& sky) {
+  return {{"time", sky.time},
+          {"to_sun", {sky.to_sun.x, sky.to_sun.y, sky.to_sun.z}},
+          {"turbidity", sky.turbidity},
+          {"visibility_km", sky.visibility_km},
+          {"ground_m", sky.ground_m}};
+}
+
 // Adds the numbers of objects of each assumption.
 void add_assumed(const OrderedJson& assumed, Report& report) {
   for (const auto& [name, objects] : assumed.items())
@@ -187,6 +196,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["region_m"] = {header.extent.min.x, header.extent.min.y, header.extent.max.x, header.extent.max.y};
   json["region_deg"] = box_deg_of(header.extent, plane);
   json["tile_m"] = header.tile_m;
+  json["sky"] = sky_of(header.sky);
   json["seed"] = header.seed;
   json["resampling_error_m"] = header.resampling_error_m;
   json["target"] = values_of(outputs.target).name;

@@ -1,0 +1,94 @@
+"""The primitives of a mesh joined to arrays as Blender's meshes have them. Does not need Blender."""
+import numpy
+
+from .axes import turn_into
+from .glb import GlbError
+
+# the stored byte of a linear one, as Blender keeps colours of bytes
+LINEAR = numpy.arange(256) / 255
+STORED = numpy.where(LINEAR <= 0.0031308, LINEAR * 12.92, 1.055 * LINEAR ** (1 / 2.4) - 0.055).astype(numpy.float32)
+
+COS_FLAT = 0.9994
+# twice the area of triangles whose direction is lost in rounding
+LEAST_M2 = 1e-4
+
+
+class MeshArrays:
+    """positions (n, 3), triangles (t, 3), slots (t): numbers in `materials`; is_smooth (t); and where the mesh has them normals
+    (n, 3), colours (n, 4), uvs (n, 2; v upwards), features (t). Normals are left out where all stand on their faces, which
+    Blender shows without them: normals of a file take much of the time and memory of an import."""
+
+    def __init__(self, glb, primitives):
+        counts = [glb.gltf["accessors"][p["attributes"]["POSITION"]]["count"] for p in primitives]
+        has = lambda name: any(name in p["attributes"] for p in primitives)
+        n = sum(counts)
+        self.materials = list(dict.fromkeys(p.get("material") for p in primitives))
+        self.positions = numpy.empty((n, 3), numpy.float32)
+        self.normals = numpy.zeros((n, 3), numpy.float32) if has("NORMAL") else None  # zero: of the faces
+        self.colours = numpy.ones((n, 4), numpy.float32) if has("COLOR_0") else None
+        self.uvs = numpy.zeros((n, 2), numpy.float32) if has("TEXCOORD_0") else None
+        features = numpy.zeros(n, numpy.int32) if has("_FEATURE_ID_0") else None
+        triangles, slots, smooth, first = [], [], [], 0
+        for primitive, count in zip(primitives, counts):
+            corners = indices_of(glb, primitive, count)
+            rows = slice(first, first + count)
+            self._fill(glb, primitive["attributes"], rows, features)
+            smooth.append(numpy.full(len(corners), self._keeps_normals(primitive, rows, corners)))
+            triangles.append(corners.astype(numpy.int32) + first)
+            slots.append(numpy.full(len(corners), self.materials.index(primitive.get("material")), numpy.int32))
+            first += count
+        self.triangles, self.slots = numpy.concatenate(triangles), numpy.concatenate(slots)
+        self.is_smooth = numpy.concatenate(smooth)
+        if not self.is_smooth.any():
+            self.normals = None
+        self.features = None if features is None else features[self.triangles[:, 0]]
+
+    def _keeps_normals(self, primitive, rows, corners):
+        """Whether a primitive has normals that its faces have not."""
+        if "NORMAL" not in primitive["attributes"]:
+            return False
+        if not are_flat(self.positions[rows], corners, self.normals[rows]):
+            return True
+        self.normals[rows] = 0
+        return False
+
+    def _fill(self, glb, attributes, rows, features):
+        turn_into(self.positions[rows], glb.array(attributes["POSITION"]))
+        if "NORMAL" in attributes:
+            turn_into(self.normals[rows], glb.array(attributes["NORMAL"]))
+        if "COLOR_0" in attributes:
+            self.colours[rows] = stored_colours(glb.array(attributes["COLOR_0"]))
+        if "TEXCOORD_0" in attributes:
+            uvs = glb.array(attributes["TEXCOORD_0"])
+            self.uvs[rows, 0] = uvs[:, 0]
+            numpy.subtract(1, uvs[:, 1], out=self.uvs[rows, 1])
+        if "_FEATURE_ID_0" in attributes:
+            features[rows] = glb.array(attributes["_FEATURE_ID_0"])
+
+
+def indices_of(glb, primitive, count):
+    """The triangles of a primitive. Error: a corner that is no vertex, which would end Blender."""
+    if primitive.get("mode", 4) != 4 or "indices" not in primitive:
+        raise GlbError(f"{glb.path}: has a primitive that is not of indexed triangles")
+    indices = glb.array(primitive["indices"])
+    if len(indices) % 3 != 0 or indices.max() >= count:
+        raise GlbError(f"{glb.path}: has a triangle whose corners are not vertices")
+    return indices.reshape(-1, 3)
+
+
+def are_flat(positions, triangles, normals):
+    """Whether all normals stand on their triangles, within 2 degrees. Triangles without area have none to compare."""
+    a, b, c = (positions[triangles[:, i]] for i in range(3))
+    across = numpy.cross(b - a, c - a)
+    length = numpy.linalg.norm(across, axis=1)
+    for i in range(3):
+        if (numpy.einsum("ij,ij->i", across, normals[triangles[:, i]]) < COS_FLAT * length - LEAST_M2).any():
+            return False
+    return True
+
+
+def stored_colours(colours):
+    """Linear colours in bytes as Blender stores them: red, green and blue by the curve of sRGB, alpha as it is."""
+    out = STORED[colours]
+    out[:, 3] = LINEAR[colours[:, 3]]
+    return out
