@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
   using namespace citykiln::commands;
   // makes exceeding the file size limit a write error with a message, instead of ending the process
   std::signal(SIGXFSZ, SIG_IGN);
-  const std::array verbs = {compile_verb(), bake_verb(),  preview_verb(), inspect_verb(),
-                            check_verb(),   chart_verb(), plan_verb(),    gather_verb()};
+  const std::array verbs = {compile_verb(), bake_verb(), preview_verb(), inspect_verb(), check_verb(),
+                            chart_verb(),   plan_verb(), gather_verb(),  view_verb()};
   return run(verbs, argc, argv);
 }

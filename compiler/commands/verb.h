@@ -48,6 +48,7 @@ Verb check_verb();
 Verb chart_verb();
 Verb plan_verb();
 Verb gather_verb();
+Verb view_verb();
 
 /// A range of numbers. Both ends are included if it is closed, else neither.
 struct NumberRange {
