@@ -21,7 +21,7 @@ struct ViewRequest {
   bool only_writes = false;
 };
 
-/// What the callbacks of the module need.
+/// The data of the callbacks of the module.
 struct Serving {
   const ServedRun& run;
   const Console& console;

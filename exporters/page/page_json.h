@@ -36,7 +36,7 @@ struct PageSky {
 /// The value of a property of a recipe.
 using PageValue = std::variant<bool, std::int64_t, double, std::string>;
 
-/// What the page tells about a feature. Places are in the frame of the tileset's root.
+/// The facts about a feature. Places are in the frame of the tileset's root.
 struct FeatureRecord {
   std::string kind{}, name{};
   Vec3 at;            ///< The middle of the object, or of a line; half way up a building.

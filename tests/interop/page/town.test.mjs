@@ -103,7 +103,7 @@ test("goes to an OSM id, and shows its class and tags", async () => {
   await open.still();
   const { at } = await open.camera();
   assert.ok(Math.hypot(at[0] - record.at[0], at[1] - record.at[1]) < 2 * record.size_m + 80);
-  assert.ok(shareOf(await open.picture(2), isPicked) > 0.002, "the building is not marked in the picture");
+  assert.ok(shareOf(await open.picture(1), isPicked) > 0.002, "the building is not marked in the picture");
   const text = await open.text("#feature-text");
   for (const word of [record.class, "building", record.recipe.style, record.recipe.roof]) assert.ok(text.includes(word), `${word} is not in: ${text}`);
 });
@@ -147,9 +147,9 @@ test("a click picks what is there: tags, recipe, what is assumed", async () => {
   const text = await open.text("#feature-text");
   for (const word of [record.class, "Tags", "building", "Recipe", "storeys", "Assumed", record.assumed[0], "Findings"])
     assert.ok(text.includes(word), `${word} is not in: ${text}`);
-  assert.ok(shareOf(await open.picture(2), isPicked) > 0.005);
+  assert.ok(shareOf(await open.picture(1), isPicked) > 0.005);
   await page.click("#close-feature");
-  assert.equal(shareOf(await open.picture(2), isPicked), 0);
+  assert.equal(shareOf(await open.picture(1), isPicked), 0);
 });
 
 test("a layer goes and comes back", async () => {
@@ -224,9 +224,9 @@ test("a finding is flown to, marked and explained", async () => {
   });
   assert.ok(Math.abs(mark[0]) < 0.3 && Math.abs(mark[1]) < 0.3, "the finding is in the middle of the picture");
   await page.selectOption("#finding-code", "none");
-  const without = await open.picture(2);
+  const without = await open.picture(1);
   await page.selectOption("#finding-code", finding.properties.code);
-  assert.ok(changedShare(without, await open.picture(2)) > 0, "no mark in the picture");
+  assert.ok(changedShare(without, await open.picture(1)) > 0, "no mark in the picture");
   await page.selectOption("#finding-code", "");
 });
 
@@ -248,7 +248,7 @@ test("measures a distance and a height", async () => {
   const { record } = await aBuilding();
   await open.put(record.at[0], record.at[1] - record.size_m / 2 - 40, 50, 0, -0.8);
   await page.click("#measure");
-  const before = await open.picture(2), [x, y] = await middle();
+  const before = await open.picture(1), [x, y] = await middle();
   const places = [];
   for (const [dx, dy] of [[-60, 60], [40, -10]]) {
     places.push(await page.evaluate(([px, py]) => {
@@ -263,9 +263,9 @@ test("measures a distance and a height", async () => {
   assert.ok(Math.abs(far - distance(...places)) < 0.06, text);
   assert.ok(Math.abs(height - (places[1][2] - places[0][2])) < 0.06, text);
   assert.ok(Math.abs(Math.hypot(flat, height) - far) < 0.1, text);
-  assert.ok(changedShare(before, await open.picture(2)) > 0.0003, "no line in the picture");
+  assert.ok(changedShare(before, await open.picture(1)) > 0.0003, "no line in the picture");
   await page.click("#measure");
-  assert.equal(changedShare(before, await open.picture(2)), 0, "the line goes");
+  assert.equal(changedShare(before, await open.picture(1)), 0, "the line goes");
 });
 
 test("saves the picture that is seen", async () => {

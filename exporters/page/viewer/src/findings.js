@@ -10,7 +10,7 @@ export class Findings {
   /** @param {Function} fly Called with a finding to fly to. */
   constructor(scene, page, collection, frame, rays, fly, changed) {
     Object.assign(this, { scene, page, frame, rays, fly, changed, all: collection.features, count: STEP, code: "" });
-    this.marks = new Points(new BufferGeometry(), new PointsMaterial({ size: 12, sizeAttenuation: false, vertexColors: true, depthTest: false, toneMapped: false }));
+    this.marks = new Points(new BufferGeometry(), new PointsMaterial({ size: 9, sizeAttenuation: false, vertexColors: true, depthTest: false, toneMapped: false }));
     this.marks.frustumCulled = false;
     this.marks.renderOrder = 10;
     scene.add(this.marks);

@@ -10,6 +10,8 @@ export const CANDELA = 1 / 6250;
 const LEAST_WHITE = 0.002;
 /** Level white ground in the picture, where the tone curve starts to bend below 1. */
 const KEY = 1.5;
+/** The share by which eyes get used to the colour of the light. */
+const ADAPTED = 0.7;
 
 const vertexShader = `varying vec3 to;
 void main() {
@@ -41,10 +43,17 @@ function makeDome() {
   return dome;
 }
 
-function textureOf({ columns, rows, radiance }, exposure) {
+/** Returns the factors on red, green and blue by which white ground is exposed, and looks nearly white. */
+function exposureOf([r, g, b]) {
+  const grey = 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  const exposure = KEY / Math.max(grey, LEAST_WHITE);
+  return [r, g, b].map((c) => (grey > LEAST_WHITE ? exposure * (grey / Math.max(c, 0.1 * grey)) ** ADAPTED : exposure));
+}
+
+function textureOf({ columns, rows, radiance }, gains) {
   const texels = new Uint16Array(columns * rows * 4);
   for (let i = 0; i < columns * rows; ++i) {
-    for (let c = 0; c < 3; ++c) texels[4 * i + c] = THREE.DataUtils.toHalfFloat(Math.min(radiance[3 * i + c] * exposure, 60000));
+    for (let c = 0; c < 3; ++c) texels[4 * i + c] = THREE.DataUtils.toHalfFloat(Math.min(radiance[3 * i + c] * gains[c], 60000));
     texels[4 * i + 3] = THREE.DataUtils.toHalfFloat(1);
   }
   const texture = new THREE.DataTexture(texels, columns, rows, THREE.RGBAFormat, THREE.HalfFloatType);
@@ -75,11 +84,12 @@ export class Sky {
     if (!sky) return;
     this.number = number;
     byId("time").value = String(number);
-    const colour = (rgb) => new THREE.Color().setRGB(...rgb.map((c) => c * this.exposure));
-    this.exposure = KEY / Math.max(Math.max(...sky.white_ground), LEAST_WHITE);
+    const gains = exposureOf(sky.white_ground);
+    const colour = (rgb) => new THREE.Color().setRGB(...rgb.map((c, i) => c * gains[i]));
+    this.exposure = gains[1];
     const { uniforms } = this.dome.material;
     uniforms.table.value?.dispose();
-    uniforms.table.value = textureOf(sky, this.exposure);
+    uniforms.table.value = textureOf(sky, gains);
     uniforms.ground.value = colour(sky.ground);
     uniforms.toSun.value.fromArray(sky.to_light);
     this.sun.position.fromArray(sky.to_light).multiplyScalar(1000);

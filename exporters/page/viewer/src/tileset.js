@@ -9,6 +9,8 @@ import { byId } from "./dom.js";
 /** The layers, in the order of compiler/bake/layer.h. Meshes outside of them are of the land around. */
 export const LAYERS = ["ground", "roads", "water", "buildings", "structures", "props", "plants"];
 
+const COARSE_PX = 20;
+
 /** Returns the layer that a mesh belongs to: that of the node above it. */
 function layerOf(object) {
   for (let node = object; node; node = node.parent) {
@@ -64,9 +66,16 @@ export class Tileset {
 
   /** Sets the largest error on the picture, in pixels, of a coarse tile that stands for finer ones. */
   setDetail(error_px) {
+    const isOffered = [...byId("detail").options].some((option) => Number(option.value) === error_px);
+    if (!isOffered) return;
     this.tiles.errorTarget = error_px;
     byId("detail").value = String(error_px);
     this.watch.changed();
+  }
+
+  /** True for slow machines, which draw at half the resolution. */
+  get isCoarse() {
+    return this.tiles.errorTarget >= COARSE_PX;
   }
 
   addLoaders() {

@@ -73,7 +73,7 @@ export class Viewer {
   start() {
     this.sky.set(Math.max(0, this.page.skies.findIndex((sky) => sky.is_of_run)));
     this.goHome();
-    this.moves.travel && this.moves.follow(Infinity);
+    this.moves.follow(Infinity);
     this.openLink();
     this.last_ms = performance.now();
     this.renderer.setAnimationLoop((now_ms) => this.frameAt(now_ms));
@@ -111,8 +111,9 @@ export class Viewer {
   resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const size = this.renderer.getSize(new THREE.Vector2());
-    if (size.x === width && size.y === height) return;
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    const ratio = this.tileset.isCoarse ? 0.5 : Math.min(2, window.devicePixelRatio);
+    if (size.x === width && size.y === height && this.renderer.getPixelRatio() === ratio) return;
+    this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
@@ -213,7 +214,7 @@ export class Viewer {
 
   get link() {
     const { position } = this.camera, { heading, pitch, mode } = this.moves;
-    return writeLink({ position, heading, pitch, mode, hidden: this.layers.hidden, colours: this.colours.mode, time: this.sky.number, id: this.panel.id });
+    return writeLink({ position, heading, pitch, mode, hidden: this.layers.hidden, colours: this.colours.mode, time: this.sky.number, detail_px: this.tileset.tiles.errorTarget, id: this.panel.id });
   }
 
   async copyLink() {
@@ -224,6 +225,7 @@ export class Viewer {
 
   openLink() {
     const state = readLink(location.hash.slice(1));
+    this.tileset.setDetail(state.detail_px);
     if (!state.position) return;
     this.moves.travel = null;
     this.camera.position.fromArray(state.position);
