@@ -5,7 +5,7 @@ import { byId, make } from "./dom.js";
 import { featuresOf, tableOf } from "./features.js";
 
 const CIVIDIS = ["#00224e", "#35456c", "#666970", "#948e77", "#c8b866", "#fee838"];
-const MAPPED = new Color("#0072b2"), ASSUMED = new Color("#e69f00"), NONE = new Color("#bbbbbb");
+const MAPPED = new Color("#0072b2"), ASSUMED = new Color("#e69f00"), NONE = new Color("#333333");
 /** The least error of each class, in metres. */
 const ERRORS_M = [0, 0.1, 0.5, 1.5, 5, 20];
 
