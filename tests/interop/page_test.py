@@ -191,6 +191,11 @@ class AddsToARun(PageTest):
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, r"^citykiln: --emit: .*3dtiles.*\n$")
 
+    def test_a_plan_with_a_page_is_one_clear_line(self):
+        done = run("plan", TOWN / "town.osm", "--emit", "kiln,3dtiles,page", "-o", self.folder / "plan")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"^citykiln: --emit: .*leave page out\n$")
+
 
 class UsesTheTown(PageTest):
     def setUp(self):
