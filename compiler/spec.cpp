@@ -116,14 +116,15 @@ struct OutputFormat {
   bool Outputs::*is_written;
 };
 constexpr std::array kOutputFormats = {OutputFormat{"kiln", &Outputs::manifest}, OutputFormat{"glb", &Outputs::glb},
-                                       OutputFormat{"usd", &Outputs::usd}, OutputFormat{"3dtiles", &Outputs::tiles3d}};
+                                       OutputFormat{"usd", &Outputs::usd}, OutputFormat{"3dtiles", &Outputs::tiles3d},
+                                       OutputFormat{"page", &Outputs::page}};
 
 Result<Done> set_emit(CompileSpec& spec, std::string_view text) {
   for (const OutputFormat& format : kOutputFormats) spec.outputs.*format.is_written = false;
   for (const std::string_view name : split(text, ',')) {
     const auto format = std::ranges::find(kOutputFormats, name, &OutputFormat::name);
     if (format == kOutputFormats.end())
-      return expected("kiln, glb, usd, 3dtiles or several of them, such as kiln,usd", name);
+      return expected("kiln, glb, usd, 3dtiles, page or several of them, such as kiln,usd", name);
     spec.outputs.*format->is_written = true;
   }
   return Done{};
@@ -333,9 +334,9 @@ constexpr Setting kSettings[] = {
      [](CompileSpec& spec, std::string_view text) { return add_tiles(text, spec.only); }},
     {"out", "FOLDER", "folder for all outputs; it is created if missing", false,
      [](CompileSpec& spec, std::string_view text) { return put(Result(std::string(text)), spec.outputs.folder); }},
-    {"emit", "kiln,glb,usd,3dtiles",
+    {"emit", "kiln,glb,usd,3dtiles,page",
      "outputs to write: kiln (manifest), glb (tiles), usd (a scene of the tiles), 3dtiles (tileset.json, on the "
-     "ellipsoid) or several (default: {})",
+     "ellipsoid), page (index.html, which shows 3dtiles in a browser) or several (default: {})",
      false, set_emit, emitted_in},
     {"lods", "M,M,...", "levels of detail: largest geometric error of each in metres, finest first (default: {})",
      false, [](CompileSpec& spec, std::string_view text) { return put(parse_ladder(text), spec.outputs.tolerances_m); },
@@ -508,6 +509,8 @@ Result<Done> fits_world(const CompileSpec& spec) {
     return Error{"--world", "3dtiles are on the ellipsoid, found plane; leave --world out"};
   if (spec.world == World::kEllipsoid && !spec.outputs.tiles3d)
     return Error{"--world", "kiln and glb are in the plane, found ellipsoid; add --emit 3dtiles"};
+  if (spec.outputs.page && !spec.outputs.tiles3d)
+    return Error{"--emit", "page shows the tiles of 3dtiles; give both, such as 3dtiles,page"};
   if (spec.outputs.geoid.ends_with(".pgm") && !std::ifstream(spec.outputs.geoid))
     return Error{spec.outputs.geoid, "the file cannot be read"};
   return Done{};

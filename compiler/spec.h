@@ -40,6 +40,7 @@ struct Outputs {
   bool glb = true;            ///< glb/<x>_<y>_L<n>.glb
   bool usd = false;           ///< usd/scene.usda and the layers of its tiles
   bool tiles3d = false;       ///< 3dtiles/tileset.json and its contents, on the ellipsoid
+  bool page = false;          ///< index.html and page/, which show the tileset in a browser
   bool surroundings = false;  ///< The land around the extent as a separate tile, in glTF, USD and 3D Tiles.
   std::string geoid;          ///< The argument of map::read_geoid(); "" if no height of the geoid is given.
   Target target = Target::kGeneric;

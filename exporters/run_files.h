@@ -29,4 +29,10 @@ inline constexpr const char* kTilesetFolder = "3dtiles";
 inline constexpr const char* kTilesetName = "tileset.json";              ///< In kTilesetFolder.
 inline constexpr const char* kSurroundingsContent = "surroundings.glb";  ///< In kGlbFolder and kTilesetFolder.
 
+inline constexpr const char* kPageIndexName = "index.html";
+inline constexpr const char* kPageFolder = "page";
+inline constexpr const char* kPageName = "page/page.json";           ///< page/page_json.h
+inline constexpr const char* kPageNamesName = "page/names.json";     ///< The names of features.
+inline constexpr const char* kPageFeatureFolder = "page/features/";  ///< Records of features.
+
 }  // namespace citykiln::exporters

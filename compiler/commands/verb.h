@@ -61,6 +61,7 @@ Verb gather_verb();
 Verb man_verb(std::vector<Verb> verbs);
 Verb completion_verb(std::vector<Verb> verbs);
 Verb addon_verb();
+Verb view_verb();
 
 /// A range of numbers. Both ends are included if it is closed, else neither.
 struct NumberRange {

@@ -13,6 +13,8 @@ constexpr Code kAllCodes[] = {
 
 }  // namespace
 
+std::span<const Code> all_codes() { return kAllCodes; }
+
 std::optional<Code> code_named(std::string_view name) {
   const auto* found = std::ranges::find(kAllCodes, name, [](Code code) { return name_of(code); });
   return found != std::end(kAllCodes) ? std::optional(*found) : std::nullopt;

@@ -20,6 +20,7 @@
 #include "compiler/outputs/tile_note.h"
 #include "compiler/outputs/usd_outputs.h"
 #include "compiler/outputs/write_clouds.h"
+#include "compiler/outputs/write_page.h"
 #include "compiler/outputs/write_tiles3d.h"
 #include "exporters/gltf/write/encode_tile.h"
 #include "exporters/kiln/manifest.h"
@@ -293,6 +294,11 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
     return done.error();
   if (outputs.tiles3d) {
     auto files = write_tiles3d(scene, outputs, threads, folder, report, on_progress);
+    if (!files) return files.error();
+    std::ranges::move(*files, std::back_inserter(written.files.files));
+  }
+  if (outputs.page) {
+    auto files = write_page(scene, outputs, threads, folder);
     if (!files) return files.error();
     std::ranges::move(*files, std::back_inserter(written.files.files));
   }

@@ -17,6 +17,7 @@
 #include "compiler/bake_scene.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/map/plane/geoid.h"
+#include "compiler/outputs/tile_lights.h"
 #include "exporters/gltf/write/encode_tile.h"
 #include "exporters/run_files.h"
 #include "exporters/tiles3d/quadtree.h"
@@ -27,6 +28,7 @@ namespace {
 
 using exporters::NodeKey;
 using exporters::TilesetTile;
+using Lights = std::vector<bake::PlacedLamp>;
 
 /// An encoded content that waits to be written, and its tile.
 struct Content {
@@ -52,9 +54,13 @@ class ContentMaker {
 
   /// @param name  The name of the content, relative to 3dtiles/.
   /// @param centre  The centre of the tile's square, at which the axes of its box are those of the plane.
-  Content content_of(bake::BakedTile&& baked, Vec2 centre, std::string name) const {
+  /// @param lights  Lamps that are lights of the content, in the plane.
+  Content content_of(bake::BakedTile&& baked, Vec2 centre, std::string name, const Lights& lights = {}) const {
     const bake::BakedTile tile = bake::bent(std::move(baked), globe_, geoid_);
-    exporters::EncodedTile encoded = exporters::encode_tile(tile, header_, options_, threads_);
+    const Lights bent_lights = bent(lights);
+    exporters::GlbOptions options = options_;
+    options.lights = bent_lights;
+    exporters::EncodedTile encoded = exporters::encode_tile(tile, header_, options, threads_);
     const map::GlobePoint there = globe_.at(at_height(centre, 0));
     return {std::move(encoded.glb),
             {.box = exporters::box_of(tile, {there.east, there.north, there.up}),
@@ -65,6 +71,15 @@ class ContentMaker {
   }
 
  private:
+  /// Lamps are a few metres high, so that their lean to the vertical of the origin does not matter.
+  Lights bent(Lights lights) const {
+    for (bake::PlacedLamp& lamp : lights) {
+      Vec3& at = lamp.placement.at;
+      at = globe_.at({at.x, at.y, at.z + map::height_m(geoid_, in_plan(at))}).at;
+    }
+    return lights;
+  }
+
   const scene::Header& header_;
   const map::Geoid& geoid_;
   map::Globe globe_;
@@ -127,6 +142,7 @@ class TreeWriter {
         own_levels_(outputs.tolerances_m.size()),
         inner_(inner_levels(outputs.tolerances_m.back(), tree_.root.height)),
         levels_m_(all_levels_m(outputs.tolerances_m, inner_)),
+        lights_(lights_of_tiles(scene, outputs.lights, threads)),
         slots_(scene.chunks.size() * levels_m_.size()) {}
 
   Result<TilesetTile> write(Report& report, const OnProgress& on_progress) {
@@ -156,7 +172,7 @@ class TreeWriter {
     if (at.level >= own_levels_) return;
     const std::string name = fmt::format("{}_L{}.glb", to_string(tile.tile), at.level);
     const Vec2 centre = centre_of(exporters::leaf_of(tree_, tile.tile));
-    slot(at).content = maker_.content_of(std::move(tile), centre, name);
+    slot(at).content = maker_.content_of(std::move(tile), centre, name, lights_[at.chunk]);
   }
 
   /// Writes a tile's level. The last level completes the tile.
@@ -278,6 +294,7 @@ class TreeWriter {
   std::size_t own_levels_;                                 ///< The number of levels that are contents of tiles.
   std::vector<InnerLevel> inner_;                          ///< By height, from 1.
   std::vector<double> levels_m_;                           ///< The tolerances of all levels that are baked.
+  std::vector<Lights> lights_;                             ///< By chunk.
   std::vector<Slot> slots_;                                ///< By chunk and level.
   std::vector<TilesetTile> chain_;                         ///< The levels of the current tile, finest first.
   std::map<NodeKey, std::vector<bake::BakedTile>> parts_;  ///< The tiles that inner nodes are joined from.

@@ -25,6 +25,7 @@ namespace citykiln::outputs {
 ///   on decimating the terrain (bake/tiles/simplify_tile.h), unless the tile is very wide for its tolerance, as above
 ///   levels of 2.5 m.
 /// - error_m of each tile is the error of its content, and larger than the errors of its children.
+/// - Outputs::lights are lights of all levels of a tile.
 /// - With Outputs::surroundings the root has no content and two children: the tree and the land around it.
 ///
 /// Adds to `report` kNoGeoidHeight and the objects that levels drop, unless .glb files are written too and count these.

@@ -1,0 +1,90 @@
+// citykiln view OUT: shows the tileset of a run in a browser, by a server on 127.0.0.1 alone.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "compiler/commands/run_paths.h"
+#include "compiler/commands/serve_module/serve_io.h"
+#include "compiler/commands/verb.h"
+#include "compiler/commands/view/complete_page.h"
+#include "compiler/commands/view/served_run.h"
+#include "compiler/contract/load_module.h"
+#include "exporters/run_files.h"
+
+namespace citykiln::commands {
+namespace {
+
+struct ViewRequest {
+  PageRequest page;
+  int port = 0;
+  bool only_writes = false;
+};
+
+/// The data of the callbacks of the module.
+struct Serving {
+  const ServedRun& run;
+  const Console& console;
+  int port = 0;
+};
+
+CitykilnAnswer decide(void* owner, const CitykilnRequest* request) {
+  const auto& serving = *static_cast<const Serving*>(owner);
+  const ServedRun::Answer answer = serving.run.answer(request->host, request->path, serving.port);
+  return {answer.status, answer.file, answer.type};
+}
+
+void listens(void* owner, int port) {
+  auto& serving = *static_cast<Serving*>(owner);
+  serving.port = port;
+  const std::string url = fmt::format("http://127.0.0.1:{}/", port);
+  serving.console.print_line(fmt::format("{}   (Ctrl-C ends)", url));
+  serving.console.print_json(fmt::format(R"({{"url": "{}"}})", url));
+  std::fflush(stdout);
+}
+
+Result<Exit> serve(const ViewRequest& request, const Console& console) {
+  const auto list = exporters::read_file_list(request.page.folder + "/" + exporters::kFileListName);
+  if (!list) return list.error();
+  const auto function = load_function("citykiln_serve.so", "citykiln_serve");
+  if (!function) return function.error();
+  const ServedRun run(request.page.folder, **list);
+  Serving serving{run, console};
+  const auto run_server = reinterpret_cast<decltype(&citykiln_serve)>(*function);
+  if (run_server(request.port, &serving, decide, listens) == 0) return Exit::kDone;
+  return Error{"--port", fmt::format("port {} of 127.0.0.1 is in use; give another one, or 0 for any", request.port)};
+}
+
+Result<Exit> run_view(const ViewRequest& asked, const Console& console) {
+  if (asked.page.folder.empty()) return Error{"", "no folder is given; expected the folder of a run, such as out/town"};
+  ViewRequest request = asked;
+  request.page.folder = folder_of(asked.page.folder);
+  if (const Result<Done> done = complete_page(request.page, console); !done) return done.error();
+  return request.only_writes ? Result<Exit>(Exit::kDone) : serve(request, console);
+}
+
+}  // namespace
+
+Verb view_verb() {
+  const auto request = std::make_shared<ViewRequest>();
+  Verb verb{"view", "shows a run in a browser, by a server on 127.0.0.1 alone", {}, {}};
+  verb.options = {
+      {"folder", "OUT", "folder of a run; without a tileset, one is baked into it first", false,
+       store_text(request->page.folder)},
+      {"--port", "N", "port of the server (default: any free one)", false, store_whole(request->port, 0)},
+      {"--write-only", "", "writes the page and ends; any static server can serve the folder", false,
+       [request](const std::string& text) -> Result<Done> {
+         request->only_writes = text == "true";
+         return Done{};
+       }},
+      {"--geoid-height", "M|FILE.pgm", "for a tileset that is baked: as for compile", false,
+       store_text(request->page.geoid)},
+      {"--lights", "N", "for a tileset that is baked: as for compile", false, store_whole(request->page.lights, 0)},
+      threads_option(request->page.threads)};
+  verb.examples = {"citykiln view out/town", "citykiln view out/town --port 8000",
+                   "citykiln view out/town --write-only"};
+  verb.run = [request](const Console& console) { return run_view(*request, console); };
+  return verb;
+}
+
+}  // namespace citykiln::commands

@@ -1,0 +1,135 @@
+#include "exporters/page/page_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compiler/contract/assumption_names.h"
+#include "compiler/contract/code_names.h"
+
+namespace citykiln::exporters {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+double with_four_digits(double value) { return std::stod(fmt::format("{:.4g}", value)); }
+double in_centimetres(double value) { return std::floor(value * 100 + 0.5) / 100; }
+
+OrderedJson rgb_json(const PageRgb& rgb) {
+  OrderedJson json = OrderedJson::array();
+  for (const double c : rgb) json.push_back(with_four_digits(c));
+  return json;
+}
+
+OrderedJson sky_json(const PageSky& sky) {
+  OrderedJson radiance = OrderedJson::array();
+  for (const PageRgb& rgb : sky.radiance)
+    for (const double c : rgb) radiance.push_back(with_four_digits(c));
+  return {{"time", sky.time},
+          {"label", sky.label},
+          {"is_of_run", sky.is_of_run},
+          {"are_lamps_lit", sky.are_lamps_lit},
+          {"to_light", {sky.to_light.x, sky.to_light.y, sky.to_light.z}},
+          {"light", rgb_json(sky.light)},
+          {"disk", rgb_json(sky.disk)},
+          {"white_ground", rgb_json(sky.white_ground)},
+          {"ground", rgb_json(sky.ground)},
+          {"columns", sky.columns},
+          {"rows", sky.rows},
+          {"radiance", std::move(radiance)}};
+}
+
+OrderedJson assumption_texts() {
+  OrderedJson json = OrderedJson::object();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(Assumption::kCount); ++i) {
+    const auto assumption = static_cast<Assumption>(i);
+    json[std::string(name_of(assumption))] = text_of(assumption);
+  }
+  return json;
+}
+
+OrderedJson code_texts() {
+  OrderedJson json = OrderedJson::object();
+  for (const Code code : all_codes()) json[std::string(name_of(code))] = text_of(code);
+  return json;
+}
+
+OrderedJson class_counts(const FeatureRecords& records) {
+  std::map<std::string, int> counts;
+  for (const auto& [id, record] : records)
+    if (!record.kind.empty()) ++counts[record.kind];
+  return counts;
+}
+
+struct ToJson {
+  OrderedJson operator()(double value) const { return in_centimetres(value); }
+  template <typename T>
+  OrderedJson operator()(const T& value) const {
+    return value;
+  }
+};
+
+OrderedJson record_json(const FeatureRecord& record) {
+  OrderedJson json = {{"class", record.kind}};
+  if (!record.name.empty()) json["name"] = record.name;
+  json["at"] = {in_centimetres(record.at.x), in_centimetres(record.at.y), in_centimetres(record.at.z)};
+  json["size_m"] = std::ceil(record.size_m);
+  if (record.height_m > 0) json["height_m"] = in_centimetres(record.height_m);
+  if (record.assumed != kNoAssumptions) json["assumed"] = names_in(record.assumed);
+  if (!record.tags.empty()) json["tags"] = OrderedJson::parse(record.tags, nullptr, false);
+  for (const auto& [name, value] : record.recipe) json["recipe"][name] = std::visit(ToJson{}, value);
+  return json;
+}
+
+// Bytes that are no UTF-8 become U+FFFD.
+std::string text_of_json(const OrderedJson& json) {
+  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string page_json(const PageFacts& facts, const FeatureRecords& records) {
+  OrderedJson json = {
+      {"title", facts.title},
+      {"attributions", facts.attributions},
+      {"levels_m", facts.levels_m},
+      {"region_m", {facts.region_m.min.x, facts.region_m.min.y, facts.region_m.max.x, facts.region_m.max.y}},
+      {"ground_m", in_centimetres(facts.ground_m)},
+      {"lights", facts.lights},
+      {"has_tags", facts.has_tags},
+      {"feature_files", facts.feature_files},
+      {"assumptions", assumption_texts()},
+      {"codes", code_texts()},
+      {"classes", class_counts(records)}};
+  json["skies"] = OrderedJson::array();
+  for (const PageSky& sky : facts.skies) json["skies"].push_back(sky_json(sky));
+  return text_of_json(json) + "\n";
+}
+
+std::size_t feature_file_count(const FeatureRecords& records) {
+  constexpr std::size_t kRecords = 500;
+  return (records.size() + kRecords - 1) / kRecords;
+}
+
+std::vector<std::string> feature_files(const FeatureRecords& records, std::size_t count) {
+  std::vector<std::string> texts(count);
+  for (const auto& [id, record] : records) {
+    std::string& text = texts[static_cast<std::size_t>(std::abs(id.id)) % count];
+    text += fmt::format("{}\"{}\":{}", text.empty() ? "{\n" : ",\n", to_string(id), text_of_json(record_json(record)));
+  }
+  for (std::string& text : texts) text += text.empty() ? "{}\n" : "\n}\n";
+  return texts;
+}
+
+std::string names_json(const FeatureRecords& records) {
+  std::map<std::string, OsmId> first;
+  for (const auto& [id, record] : records)
+    if (!record.name.empty()) first.emplace(record.name, id);
+  std::string text = "[";
+  for (const auto& [name, id] : first)
+    text += (text.size() > 1 ? ",\n" : "\n") + text_of_json(OrderedJson::array({name, to_string(id)}));
+  return text + "\n]\n";
+}
+
+}  // namespace citykiln::exporters

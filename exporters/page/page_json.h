@@ -1,0 +1,79 @@
+// The data of the page as JSON: page.json about the run, and files of records about features.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "compiler/contract/assumption.h"
+#include "compiler/contract/stable_id.h"
+#include "compiler/geometry/box.h"
+#include "compiler/geometry/vec.h"
+
+namespace citykiln::exporters {
+
+using PageRgb = std::array<double, 3>;
+
+/// A sky. Light is linear RGB; radiances are in sky::kUnitLuminance_cd_m2, `light` is the irradiance of a surface that
+/// faces the sun or, by night, the moon.
+struct PageSky {
+  std::string time;        ///< ISO 8601, UTC.
+  std::string label;       ///< For people.
+  bool is_of_run = false;  ///< True for the time that the run was compiled for.
+  bool are_lamps_lit = false;
+  Vec3 to_light{0, 0, 1};  ///< The direction to sun or moon, unit length.
+  PageRgb light{}, disk{}, white_ground{}, ground{};
+  /// The radiance of the sky: columns by azimuth, counter-clockwise from east, at (column + 0.5) / columns of a turn;
+  /// rows from the horizon to the zenith, at a height z = (row / (rows - 1))² of the unit direction.
+  std::size_t columns = 0, rows = 0;
+  std::vector<PageRgb> radiance{};
+};
+
+/// The value of a property of a recipe.
+using PageValue = std::variant<bool, std::int64_t, double, std::string>;
+
+/// The facts about a feature. Places are in the frame of the tileset's root.
+struct FeatureRecord {
+  std::string kind{}, name{};
+  Vec3 at;            ///< The middle of the object, or of a line; half way up a building.
+  double size_m = 0;  ///< The length of the diagonal of its box.
+  double height_m = 0;
+  std::string tags{};  ///< A JSON object, or empty.
+  Assumptions assumed = kNoAssumptions;
+  /// The recipe of its first object, by name in the order of the page. Names of lengths end in "_m".
+  std::vector<std::pair<std::string, PageValue>> recipe{};
+};
+
+using FeatureRecords = std::map<OsmId, FeatureRecord>;
+
+/// The facts about a run in page.json.
+struct PageFacts {
+  std::string title;
+  std::vector<std::string> attributions;
+  std::vector<double> levels_m;  ///< Tolerances, finest first.
+  Box2 region_m;
+  double ground_m = 0;     ///< The mean height of the ground in the tileset's frame.
+  std::size_t lights = 0;  ///< Lamps of a tile that are lights.
+  bool has_tags = false;
+  std::vector<PageSky> skies;
+  std::size_t feature_files = 0;
+};
+
+/// Returns page.json: the facts, the names and texts of assumptions and findings, and the number of features by class.
+/// Numbers of skies have four digits.
+std::string page_json(const PageFacts& facts, const FeatureRecords& records);
+
+/// Returns how many files the records are divided into: one for each 500.
+std::size_t feature_file_count(const FeatureRecords& records);
+/// Returns the records as the texts of that many files: a record is in the file (number of the id, without sign) modulo
+/// (number of files). A file is an object of records by the id, such as "w123".
+std::vector<std::string> feature_files(const FeatureRecords& records, std::size_t count);
+
+/// Returns the names as a list of [name, id], sorted; of features with one name the first is listed.
+std::string names_json(const FeatureRecords& records);
+
+}  // namespace citykiln::exporters

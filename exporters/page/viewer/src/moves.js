@@ -1,0 +1,163 @@
+// Moves the camera: flying, or walking with the eyes 1.7 m above the floor. Heading 0 looks north and grows clockwise; pitch is up.
+import { Vector3 } from "three";
+
+export const EYE_M = 1.7;
+const WALK_M_S = 1.5, RUN = 4, TURN_S = 1.2;
+/** Flying is faster the higher the camera is. */
+const FLY_PER_M_S = 0.8, LEAST_FLY_M_S = 6, MOST_FLY_M_S = 3000;
+const MOST_PITCH = 1.55;
+const TRAVEL_S = 1.2;
+
+const KEYS = {
+  KeyW: ["ahead", 1], ArrowUp: ["ahead", 1], KeyS: ["ahead", -1], ArrowDown: ["ahead", -1],
+  KeyD: ["aside", 1], ArrowRight: ["aside", 1], KeyA: ["aside", -1], ArrowLeft: ["aside", -1],
+  KeyE: ["up", 1], KeyQ: ["up", -1],
+  KeyL: ["turn", 1], KeyJ: ["turn", -1], KeyI: ["tilt", 1], KeyK: ["tilt", -1],
+};
+
+const ease = (t) => t * t * (3 - 2 * t);
+
+export class Moves {
+  constructor(canvas, camera, rays, changed) {
+    this.canvas = canvas;
+    this.camera = camera;
+    this.rays = rays;
+    this.changed = changed;
+    this.heading = this.pitch = 0;
+    this.mode = "fly";
+    this.held = new Map();
+    this.isFast = false;
+    this.above_m = 100;
+    this.travel = null;
+    this.listen();
+  }
+
+  listen() {
+    const { canvas } = this;
+    canvas.addEventListener("keydown", (event) => this.press(event));
+    canvas.addEventListener("keyup", (event) => (this.held.delete(event.code), (this.isFast = event.shiftKey)));
+    canvas.addEventListener("blur", () => this.held.clear());
+    canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
+    canvas.addEventListener("pointermove", (event) => event.buttons && this.drag(event));
+    canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+    canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+  }
+
+  press(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    this.isFast = event.shiftKey;
+    const key = KEYS[event.code];
+    if (!key) return;
+    event.preventDefault();
+    this.travel = null;
+    this.held.set(event.code, key);
+  }
+
+  drag(event) {
+    this.travel = null;
+    const radians = (this.camera.fov * Math.PI) / 180 / this.canvas.clientHeight;
+    if (event.buttons & 1) {
+      this.turn(-event.movementX * radians, event.movementY * radians);
+    } else {
+      const step_m = Math.max(this.above_m, 5) * radians;
+      this.step({ aside: -event.movementX * step_m, up: event.movementY * step_m, ahead: 0 });
+    }
+  }
+
+  wheel(event) {
+    event.preventDefault();
+    this.travel = null;
+    this.step({ ahead: -Math.sign(event.deltaY) * Math.max(this.above_m * 0.15, 1), aside: 0, up: 0 });
+  }
+
+  turn(heading, pitch) {
+    this.look(this.heading + heading, this.pitch + pitch);
+  }
+
+  /** Sets where the camera looks. */
+  look(heading, pitch) {
+    this.heading = heading;
+    this.pitch = Math.min(MOST_PITCH, Math.max(-MOST_PITCH, pitch));
+    this.camera.lookAt(this.camera.position.clone().add(this.direction()));
+    this.changed();
+  }
+
+  direction() {
+    const { heading: h, pitch: p } = this;
+    return new Vector3(Math.sin(h) * Math.cos(p), Math.cos(h) * Math.cos(p), Math.sin(p));
+  }
+
+  /** Moves by metres along the view, to its right and up. On foot, along the floor. */
+  step({ ahead, aside, up }) {
+    const { heading, camera } = this;
+    const right = new Vector3(Math.cos(heading), -Math.sin(heading), 0);
+    const along = this.mode === "walk" ? new Vector3(Math.sin(heading), Math.cos(heading), 0) : this.direction();
+    camera.position.addScaledVector(along, ahead).addScaledVector(right, aside);
+    if (this.mode === "fly") camera.position.z += up;
+    this.stand();
+    this.changed();
+  }
+
+  /** Keeps a walker on the floor, and a flyer above it. */
+  stand() {
+    const { position } = this.camera;
+    const floor = this.rays.floorBelow(position);
+    if (floor === undefined) return;
+    this.above_m = Math.max(position.z - floor, 0.5);
+    if (this.mode === "walk") position.z = floor + EYE_M;
+    else if (this.above_m < EYE_M) position.z = Math.max(position.z, floor + 0.5);
+  }
+
+  /** "fly" or "walk". */
+  setMode(mode) {
+    this.mode = mode;
+    if (mode === "walk") {
+      const { position } = this.camera;
+      const ground = this.rays.floorBelow(position) ?? this.rays.groundAt(position.x, position.y);
+      if (ground !== undefined) position.z = ground + EYE_M;
+      this.look(this.heading, 0);
+    }
+    this.stand();
+    this.changed();
+  }
+
+  /** Flies to a place and looks there from a distance. */
+  goTo(target, distance_m, pitch = -0.5) {
+    const back = new Vector3(Math.sin(this.heading) * Math.cos(pitch), Math.cos(this.heading) * Math.cos(pitch), Math.sin(pitch));
+    const to = target.clone().addScaledVector(back, -distance_m);
+    this.travel = { from: this.camera.position.clone(), to, pitch: [this.pitch, pitch], passed_s: 0 };
+    this.changed();
+  }
+
+  get isMoving() {
+    return this.travel !== null || this.held.size > 0;
+  }
+
+  update(seconds) {
+    if (this.travel) this.follow(seconds);
+    if (this.held.size === 0) return;
+    const sum = { ahead: 0, aside: 0, up: 0, turn: 0, tilt: 0 };
+    for (const [way, sign] of this.held.values()) sum[way] += sign;
+    if (sum.turn || sum.tilt) this.turn(sum.turn * TURN_S * seconds, sum.tilt * TURN_S * seconds);
+    const step_m = this.speed() * seconds;
+    if (sum.ahead || sum.aside || sum.up) this.step({ ahead: sum.ahead * step_m, aside: sum.aside * step_m, up: sum.up * step_m });
+  }
+
+  speed() {
+    const walk = this.mode === "walk";
+    const usual = walk ? WALK_M_S : Math.min(MOST_FLY_M_S, Math.max(LEAST_FLY_M_S, this.above_m * FLY_PER_M_S));
+    return this.isFast ? usual * RUN : usual;
+  }
+
+  follow(seconds) {
+    const { travel } = this;
+    travel.passed_s += seconds;
+    const t = ease(Math.min(1, travel.passed_s / TRAVEL_S));
+    this.camera.position.lerpVectors(travel.from, travel.to, t);
+    this.look(this.heading, travel.pitch[0] + (travel.pitch[1] - travel.pitch[0]) * t);
+    if (t < 1) return;
+    this.travel = null;
+    this.stand();
+    this.changed();
+  }
+}

@@ -1,0 +1,115 @@
+// Loads the tiles that the camera sees, by 3DTilesRendererJS, and lists the meshes of each: the layer, the tile's level and error.
+import { Matrix4 } from "three";
+import { DRACOLoader } from "three/addons/loaders/DRACOLoader.js";
+import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
+import { MeshoptDecoder } from "three/addons/libs/meshopt_decoder.module.js";
+import { TilesRenderer } from "3d-tiles-renderer/three";
+import { byId } from "./dom.js";
+
+/** The layers, in the order of compiler/bake/layer.h. Meshes outside of them are of the land around. */
+export const LAYERS = ["ground", "roads", "water", "buildings", "structures", "props", "plants"];
+
+const COARSE_PX = 20;
+
+/** Returns the layer that a mesh belongs to: that of the node above it. */
+function layerOf(object) {
+  for (let node = object; node; node = node.parent) {
+    const name = node.name.replace(/_\d+$/, "");
+    if (LAYERS.includes(name)) return name;
+  }
+  return "ground";
+}
+
+/** A loaded tile. */
+class LoadedTile {
+  constructor(scene, gltf, url) {
+    this.scene = scene;
+    this.gltf = gltf;
+    this.url = url;
+    const extras = gltf.parser.json.nodes[0].extras ?? {};
+    this.tolerance_m = extras.tolerance_m ?? 0;
+    this.error_m = extras.error_m ?? 0;
+    this.meshes = [];
+    scene.traverse((object) => {
+      if (!object.isMesh) return;
+      const layer = layerOf(object);
+      object.userData.loaded = this;
+      object.userData.layer = layer;
+      // rays choose meshes by layer; the camera sees all that have bit 0
+      object.layers.enable(1 + LAYERS.indexOf(layer));
+      this.meshes.push(object);
+    });
+  }
+}
+
+/** The tileset, turned into the frame of its root. */
+export class Tileset {
+  /** @param {object} watch Functions that are called: tileLoaded(tile), tileGone(tile), changed(). */
+  constructor(url, transform, camera, renderer, watch) {
+    this.loaded = new Map();
+    this.bytes = 0;
+    this.watch = watch;
+    this.renderer = renderer;
+    this.tiles = new TilesRenderer(url);
+    this.setDetail(Number(byId("detail").value));
+    byId("detail").addEventListener("change", (event) => this.setDetail(Number(event.target.value)));
+    this.addLoaders();
+    this.tiles.setCamera(camera);
+    this.tiles.setResolutionFromRenderer(camera, renderer);
+    this.tiles.group.applyMatrix4(new Matrix4().fromArray(transform).invert());
+    this.tiles.group.updateMatrixWorld(true);
+    this.tiles.addEventListener("load-model", ({ scene, tile, url }) => this.take(scene, tile, url));
+    this.tiles.addEventListener("dispose-model", ({ tile }) => this.forget(tile));
+    this.tiles.addEventListener("tile-visibility-change", () => this.watch.changed());
+    this.tiles.addEventListener("load-error", ({ url, error }) => this.watch.failed(url, error));
+  }
+
+  /** Sets the largest error on the picture, in pixels, of a coarse tile that stands for finer ones. */
+  setDetail(error_px) {
+    const isOffered = [...byId("detail").options].some((option) => Number(option.value) === error_px);
+    if (!isOffered) return;
+    this.tiles.errorTarget = error_px;
+    byId("detail").value = String(error_px);
+    this.watch.changed();
+  }
+
+  /** True for slow machines, which draw at half the resolution. */
+  get isCoarse() {
+    return this.tiles.errorTarget >= COARSE_PX;
+  }
+
+  addLoaders() {
+    const draco = new DRACOLoader(this.tiles.manager).setDecoderPath("page/");
+    const loader = new GLTFLoader(this.tiles.manager).setDRACOLoader(draco).setMeshoptDecoder(MeshoptDecoder);
+    this.tiles.manager.addHandler(/\.glb$/, loader);
+  }
+
+  take(scene, tile, url) {
+    const loaded = new LoadedTile(scene, tile.engineData.metadata, url);
+    this.loaded.set(tile, loaded);
+    this.watch.tileLoaded(loaded);
+  }
+
+  forget(tile) {
+    const loaded = this.loaded.get(tile);
+    if (!loaded) return;
+    this.loaded.delete(tile);
+    this.watch.tileGone(loaded);
+  }
+
+  /** The tiles that are shown now. */
+  get shown() {
+    return [...this.tiles.visibleTiles].map((tile) => this.loaded.get(tile)).filter(Boolean);
+  }
+
+  /** True if nothing is loading. */
+  get isWhole() {
+    const { queued, downloading, parsing } = this.tiles.stats;
+    return queued + downloading + parsing === 0 && this.loaded.size > 0;
+  }
+
+  update(camera) {
+    this.tiles.setResolutionFromRenderer(camera, this.renderer);
+    this.tiles.update();
+  }
+}
