@@ -28,7 +28,7 @@ timed() {
 
 if ! is_fresh "$out/report.json" "$citykiln" "$town"; then
   timed "compiling the map $town/town.osm" \
-    "$citykiln" compile --spec "$town/spec.json" --tags --emit kiln,glb,3dtiles,page -o "$out"
+    "$citykiln" compile --spec "$town/spec.json" --tags -o "$out"
 fi
 if ! is_fresh "$out/preview.png" "$citykiln" "$out/report.json"; then
   timed "rendering a picture" \
@@ -41,7 +41,6 @@ cat <<END
 Files in $out:
   preview.png   a picture of the town
   glb/          $(find "$out/glb" -name '*.glb' | wc -l) glTF tiles, $(megabytes "$out"/glb/*.glb): <x>_<y>_L<level>.glb, level 0 (0.1 m) is the finest
-  3dtiles/      the same tiles as 3D Tiles, and index.html, a page that shows them
   scene.kiln    the manifest, $(megabytes "$out/scene.kiln"): a recipe for every object
   report.json   counts of objects, and what was repaired or dropped
   findings.json every finding with its place, for QGIS
@@ -52,5 +51,5 @@ What to open next:
   in a browser  drag $out/glb/0_0_L1.glb onto https://gltf-viewer.donmccurdy.com or https://sandbox.babylonjs.com
   in Blender    File > Import > glTF 2.0, then choose $out/glb/0_0_L1.glb (tested with 3.4)
   your own map  $citykiln compile MAP.osm.pbf -o out/mine
-  fly over it   $citykiln view $out
+  fly over it   $citykiln view $out   (bakes 3D Tiles, then serves a page)
 END

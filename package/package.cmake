@@ -1,5 +1,5 @@
-# What is installed besides the program and its modules, and the Debian package of it all: `cpack -G DEB` in a build
-# folder writes citykiln_<version>_<architecture>.deb there.
+# The files that are installed besides the program and its modules, and the Debian package of it all: `cpack -G DEB` in
+# a build folder writes citykiln_<version>_<architecture>.deb there.
 set(share ${CMAKE_INSTALL_DATADIR}/citykiln)
 find_program(GZIP gzip REQUIRED)
 

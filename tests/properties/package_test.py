@@ -14,7 +14,7 @@ from pathlib import Path
 from citykiln_program import PROGRAM, ROOT, ProgramTest, long_test, run
 
 BUILD = Path(PROGRAM).parent
-VERBS = ["compile", "bake", "preview", "inspect", "check", "chart", "plan", "gather"]
+VERBS = ["compile", "bake", "preview", "view", "inspect", "check", "chart", "plan", "gather", "addon"]
 
 
 def call(*words, **options):
@@ -78,7 +78,7 @@ class Package(ProgramTest):
             self.assertIn(f"\\fB{shared}\\fR", page)
 
     def completed(self, *words):
-        """What bash offers for the last word."""
+        """The words that bash offers for the last one."""
         script = self.content / "usr/share/bash-completion/completions/citykiln"
         given = " ".join(f"'{word}'" for word in words)
         return call("bash", "-c", f". {script}; COMP_WORDS=({given}); COMP_CWORD={len(words) - 1}; _citykiln; "
