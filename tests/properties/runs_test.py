@@ -244,7 +244,8 @@ class Runs(ProgramTest):
         self.assertFalse((self.folder / "x.glb").exists())
 
     def test_strict_counts_the_codes_that_it_names(self):
-        found = sorted(report_of(self.whole("2.5"))["diagnoses"])[0]
+        # small objects are left out when tiles are baked, after the map was compiled
+        found = sorted(set(report_of(self.whole("2.5"))["diagnoses"]) - {"BelowTolerance"})[0]
         for codes, status in ((found, 2), (f"BrokenArea,{found}", 2), ("CoastlineOpen", 0)):
             done = run("compile", *town(), "--lods", "12.5", f"--strict={codes}", "-o", self.folder / "strict")
             self.assertEqual(done.returncode, status, done.stderr)
