@@ -61,7 +61,8 @@ struct Baking {
 };
 
 /// Generates every object of one kind that belongs to the baked part, adds its meshes to a layer and its error to the
-/// tile. An object that gives no mesh at this tolerance is dropped, kBelowTolerance.
+/// tile. An object that gives no mesh at this tolerance is dropped, kBelowTolerance; if it is derived from another one,
+/// such as a fence of a yard, it is only counted.
 /// @param kind                 The objects are counted in the account "bake/<kind>" of the report's ledger.
 /// @param bounds_of, generate  Functions of an object; generate() returns meshes and error_m.
 template <typename Object, typename BoundsOf, typename Generate>
@@ -75,7 +76,10 @@ void bake_each(Baking& baking, Layer layer, const std::vector<Object>& objects, 
     auto generated = generate(object);
     baking.certify(generated.error_m, bounds);
     if (generated.meshes.empty()) {
-      report.drop(account, Code::kBelowTolerance, object.id.osm, generated.error_m);
+      if (object.id.part >= map::kDerivedPart)
+        ++account.dropped[Code::kBelowTolerance];
+      else
+        report.drop(account, Code::kBelowTolerance, object.id.osm, generated.error_m);
       continue;
     }
     ++account.out;

@@ -40,8 +40,8 @@ Capsules crossings_of(std::span<const Road> roads, std::span<const roads::Juncti
       half_m = std::max(half_m, roads::width_m(roads[arm.road]) / 2);
       is_street |= roads::is_through_street(roads[arm.road]);
     }
-    if (!is_street) continue;
-    for (const Vec2 node : junctions[j].nodes) nodes.push_back({node, node, half_m + kSight_m});
+    for (const Vec2 node : junctions[j].nodes)
+      nodes.push_back({node, node, half_m + (is_street ? kSight_m : kBesideJunction_m)});
   }
   return index_capsules(std::move(nodes));
 }

@@ -46,6 +46,9 @@ MappedThings mapped_things(const map::Features& features, std::span<const roads:
 /// The distance of hedges and trees to a node of a junction, beyond half its widest arm: the triangle of sight of a
 /// crossing in built-up land is about 10 m (RASt 06, 6.3.9.3).
 inline constexpr double kSight_m = 10;
+/// The distance of hedges and trees to a node of another junction, such as of service roads, beyond half its widest
+/// arm: its outline is larger than the strips of its arms.
+inline constexpr double kBesideJunction_m = 4;
 /// The distance of trees to wires of power lines, beyond the half of their corridor.
 inline constexpr double kClearOfWires_m = 3;
 

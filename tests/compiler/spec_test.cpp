@@ -68,6 +68,7 @@ TEST(Spec, ParsesEverySetting) {
                                                       {"snow-line", "2200"},
                                                       {"strict", "true"},
                                                       {"assume", "pavements,lamps"},
+                                                      {"fill", "lots"},
                                                       {"time", "2026-06-21T15:00+02:00"},
                                                       {"visibility", "30"},
                                                       {"turbidity", "3"},
@@ -85,7 +86,8 @@ TEST(Spec, ErrorsSayTheExpectedValue) {
       {"tile", "0"},        {"only", "1-2"},     {"emit", "obj"},       {"lods", "1,1"},    {"lods", "0,1"},
       {"lods", ""},         {"lods", "0.1,500"}, {"lods", "1e9"},       {"target", "maya"}, {"split", "road"},
       {"drive-on", "top"},  {"seed", "-1"},      {"threads", "-1"},     {"threads", "1.5"}, {"strict", "yes"},
-      {"dem", "a,bound=1"}, {"time", "noon"},    {"snow-line", "high"}, {"world", "torus"}, {"compress", "zip"}};
+      {"dem", "a,bound=1"}, {"time", "noon"},    {"snow-line", "high"}, {"world", "torus"}, {"compress", "zip"},
+      {"fill", "all"}};
   for (const auto& [name, text] : rows) {
     EXPECT_NE(objection(name, text).find("expected "), std::string::npos)
         << name << " " << text << ": " << objection(name, text);

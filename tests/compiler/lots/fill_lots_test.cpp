@@ -133,6 +133,12 @@ TEST(HouseRoom, AvoidsNotchesAndHoles) {
       room_for_house(notched, frame, {.front_m = 2, .beside_m = 0, .most_width_m = 40, .most_depth_m = 25});
   ASSERT_TRUE(room);
   EXPECT_LE(room->max.x, 4);
+  // between two steps
+  const Polygon thin{.outer = {{-10, 0}, {10, 0}, {10, 12.1}, {4, 12.1}, {4, 12.3}, {10, 12.3}, {10, 30}, {-10, 30}},
+                     .holes = {}};
+  const auto above = room_for_house(thin, frame, {.front_m = 2, .beside_m = 0, .most_width_m = 40, .most_depth_m = 25});
+  ASSERT_TRUE(above);
+  EXPECT_LE(above->max.y, 12.1);
   const Polygon holed{.outer = rectangle({-10, 0}, {10, 30}), .holes = {{{2, 8}, {2, 12}, {6, 12}, {6, 8}}}};
   const auto beside =
       room_for_house(holed, frame, {.front_m = 2, .beside_m = 0, .most_width_m = 40, .most_depth_m = 25});

@@ -1,0 +1,30 @@
+#include "compiler/lots/mapped_things.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/compiler/lots/made_town.h"
+
+namespace citykiln::lots {
+namespace {
+
+// The distance from the node at (0, 0) to the circle about it, less half of the streets' width.
+double clear_of_junction_m(map::LandCoverClass surface) {
+  map::Features town;
+  town.tracks = {street(1, {{-60, 0}, {0, 0}, {60, 0}}, surface), street(2, {{0, 0}, {0, 60}}, surface)};
+  town.tracks[1].node_ids[0] = town.tracks[0].node_ids[1];
+  Report report;
+  const std::vector<roads::Road> roads = roads::plan(town, report);
+  const MappedThings mapped = mapped_things(town, roads, roads::plan_junctions(roads, report), {});
+  EXPECT_FALSE(mapped.crossings.all.empty());
+  double half_m = 0;
+  for (const roads::Road& road : roads) half_m = std::max(half_m, roads::width_m(road) / 2);
+  return -clearance_m(mapped.crossings, {0, 0}, 100) - half_m;
+}
+
+TEST(MappedThings, CrossingsOfStreetsNeedSightAndOthersTheirOutline) {
+  EXPECT_DOUBLE_EQ(clear_of_junction_m(map::LandCoverClass::kResidentialRoad), kSight_m);
+  EXPECT_DOUBLE_EQ(clear_of_junction_m(map::LandCoverClass::kServiceRoad), kBesideJunction_m);
+}
+
+}  // namespace
+}  // namespace citykiln::lots
