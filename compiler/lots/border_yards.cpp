@@ -71,17 +71,16 @@ struct BorderDrawer {
     return std::abs(clearance_m(obstacles.street_fronts, (a + b) * 0.5, 1)) <= kOnStrip_m && !has_neighbour(a, b);
   }
 
-  // Adds an edge, cut where the front yard ends.
+  // Adds an edge, cut where the front yard ends. Lots at a corner have the same barrier along both streets.
   void add_edge(Vec2 a, Vec2 b, std::vector<BorderPiece>& pieces) const {
-    const double inset_m = is_on_street(a, b) ? kUnderPavement_m + kInsidePavement_m : 0;
-    if (inset_m == 0 && is_of_neighbour(a, b)) return pieces.push_back({a, b, BorderPart::kNone, 0});
+    if (is_on_street(a, b)) return pieces.push_back({a, b, BorderPart::kStreet, kUnderPavement_m + kInsidePavement_m});
+    if (is_of_neighbour(a, b)) return pieces.push_back({a, b, BorderPart::kNone, 0});
     const double ya = lot.frame.local(a).y - lot.house_m, yb = lot.frame.local(b).y - lot.house_m;
     const auto part_at = [](double y) { return y <= 0 ? BorderPart::kStreet : BorderPart::kSides; };
-    if ((ya < 0) == (yb < 0) || std::abs(ya - yb) < kBorderStep_m)
-      return pieces.push_back({a, b, part_at(ya + yb), inset_m});
+    if ((ya < 0) == (yb < 0) || std::abs(ya - yb) < kBorderStep_m) return pieces.push_back({a, b, part_at(ya + yb), 0});
     const Vec2 cut = a + (b - a) * (ya / (ya - yb));
-    pieces.push_back({a, cut, part_at(ya), inset_m});
-    pieces.push_back({cut, b, part_at(yb), inset_m});
+    pieces.push_back({a, cut, part_at(ya), 0});
+    pieces.push_back({cut, b, part_at(yb), 0});
   }
 
   std::vector<BorderPiece> pieces() const {

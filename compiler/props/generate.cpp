@@ -17,6 +17,8 @@ using materials::MaterialMesh;
 
 // Depth below the ground, which coarse levels may lower.
 constexpr double kFootDepth_m = 0.5;
+// A coping is a slab on a wall: its thickness, how far it stands over on each side, and how deep the wall is in it.
+constexpr double kCoping_m = 0.08, kOverhang_m = 0.06, kInCoping_m = 0.03;
 // A mitre is at most this many times as long as half the width; sharper bends are bevelled.
 constexpr double kMaxMitre = 2;
 
@@ -63,12 +65,40 @@ FootAndTop foot_and_top(const Barrier& barrier, const ground::GradedTerrain& gro
   return {foot_m, std::max({foot_m + barrier.height_m, left_m, right_m})};
 }
 
-// Adds four vertices: left foot, left top, right top, right foot.
+// The corners of a cross-section: left foot, left top, right top, right foot.
 void add_profile(Mesh& mesh, Vec3 at, Vec2 side, FootAndTop heights) {
   const Vec2 left = snapped(in_plan(at) + side), right = snapped(in_plan(at) - side);
-  const double foot = snapped(heights.foot_m - kFootDepth_m), top = snapped(heights.top_m);
+  const double foot = snapped(heights.foot_m), top = snapped(heights.top_m);
   for (const Vec3 corner : {at_height(left, foot), at_height(left, top), at_height(right, top), at_height(right, foot)})
     mesh.positions.push_back(corner);
+}
+
+// A line on the ground with what a barrier's cross-sections need.
+struct DrapedAxis {
+  std::vector<Vec3> points;
+  std::vector<Vec2> sides;  ///< For half a width of 1.
+  bool is_closed;
+};
+
+DrapedAxis draped_axis(const Polyline& line, const ground::GradedTerrain& ground) {
+  DrapedAxis axis{.points = drape_line(line, ground), .sides = {}, .is_closed = false};
+  if (axis.points.size() < 2) return axis;
+  axis.is_closed = axis.points.size() > 3 && axis.points.front() == axis.points.back();
+  for (std::size_t i = 0; i < axis.points.size(); ++i) axis.sides.push_back(side_at(axis.points, i, axis.is_closed));
+  return axis;
+}
+
+// Joins cross-sections by `faces` faces each, 3: open below, 4: closed; and closes the ends of an open line.
+void join_profiles(Mesh& band, bool is_closed, std::uint32_t faces) {
+  const auto last = static_cast<std::uint32_t>(band.positions.size() - 4);
+  for (std::uint32_t i = 0; i < last; i += 4)
+    for (std::uint32_t k = 0; k < faces; ++k) {
+      const std::uint32_t next = (k + 1) % 4;
+      add_quad(band, i + k, i + next, i + next + 4, i + k + 4);
+    }
+  if (is_closed) return;
+  add_quad(band, 3, 2, 1, 0);
+  add_quad(band, last, last + 1, last + 2, last + 3);
 }
 
 }  // namespace
@@ -77,22 +107,27 @@ GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& grou
   assert(tolerance_m > 0);
   if (barrier.kind == BarrierKind::kRailing) return railing_mesh(barrier, ground, tolerance_m);
   if (barrier.height_m <= tolerance_m) return {{}, barrier.height_m};
-  const std::vector<Vec3> axis = drape_line(barrier.axis, ground);
-  if (axis.size() < 2) return {};
-  const bool is_closed = axis.size() > 3 && axis.front() == axis.back();
-  Mesh band;
-  for (std::size_t i = 0; i < axis.size(); ++i) {
-    const Vec2 side = side_at(axis, i, is_closed) * (barrier.width_m / 2);
-    add_profile(band, axis[i], side, foot_and_top(barrier, ground, axis[i], side));
+  const DrapedAxis axis = draped_axis(barrier.axis, ground);
+  if (axis.points.size() < 2) return {};
+  const bool has_coping = barrier.kind == BarrierKind::kWall && barrier.height_m > 2 * kCoping_m;
+  const bool draws_coping = has_coping && tolerance_m < kOverhang_m;
+  Mesh band, coping;
+  for (std::size_t i = 0; i < axis.points.size(); ++i) {
+    const Vec2 side = axis.sides[i] * (barrier.width_m / 2), over = axis.sides[i] * (barrier.width_m / 2 + kOverhang_m);
+    FootAndTop heights = foot_and_top(barrier, ground, axis.points[i], side);
+    if (draws_coping) {
+      add_profile(coping, axis.points[i], over, {heights.top_m - kCoping_m, heights.top_m});
+      heights.top_m -= kCoping_m - kInCoping_m;
+    }
+    add_profile(band, axis.points[i], side, {heights.foot_m - kFootDepth_m, heights.top_m});
   }
-  for (std::uint32_t i = 0; i + 1 < axis.size(); ++i)
-    for (std::uint32_t k = 0; k < 3; ++k) add_quad(band, 4 * i + k, 4 * i + k + 1, 4 * i + k + 5, 4 * i + k + 4);
-  const auto last = static_cast<std::uint32_t>(4 * (axis.size() - 1));
-  if (!is_closed) {
-    add_quad(band, 3, 2, 1, 0);
-    add_quad(band, last, last + 1, last + 2, last + 3);
-  }
-  return {{{std::move(band), material_of(barrier.kind), materials::kNoTint, barrier.id.osm}}, 0};
+  join_profiles(band, axis.is_closed, 3);
+  GeneratedProp prop{{{std::move(band), material_of(barrier.kind), materials::kNoTint, barrier.id.osm}},
+                     has_coping && !draws_coping ? kOverhang_m : 0};
+  if (!draws_coping) return prop;
+  join_profiles(coping, axis.is_closed, 4);
+  prop.meshes.push_back({std::move(coping), Material::kConcrete, materials::kNoTint, barrier.id.osm});
+  return prop;
 }
 
 Placement place(const StreetLamp& lamp, const ground::GradedTerrain& ground) {

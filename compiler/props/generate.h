@@ -19,7 +19,8 @@ struct GeneratedProp {
 };
 
 /// Generates a wall, fence or hedge: a rectangular cross-section swept along its axis, which is draped over the ground.
-/// A railing has posts and rails (railing_mesh.h). A barrier that is not higher than the tolerance gets no mesh, and
+/// A railing has posts and rails (railing_mesh.h). Walls end in a coping, which is left out where the tolerance is larger
+/// than what stands over; that is then the error. A barrier that is not higher than the tolerance gets no mesh, and
 /// its height is the error.
 GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& ground, double tolerance_m);
 

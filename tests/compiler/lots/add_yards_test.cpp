@@ -84,6 +84,22 @@ TEST(AddYards, FrontLawnsOfNorthAmericaAreOpen) {
   }
 }
 
+TEST(AddYards, LotsAtACornerHaveTheSameBarrierAlongBothStreets) {
+  map::Features features = made_town(CountryGroup::kBritishIsles, 7);
+  features.tracks[0].axis = {{-150, 0}, {80, 0}, {150, 0}}, features.tracks[0].node_ids = {100, 101, 102};
+  features.tracks.push_back(street(2, {{80, 0}, {80, 120}}));
+  features.tracks.back().node_ids = {101, 201};
+  double along_side_street_m = 0;
+  for (const map::Barrier& barrier : town_with_yards(std::move(features)).barriers)
+    for (std::size_t i = 0; i + 1 < barrier.axis.size(); ++i) {
+      const Vec2 a = barrier.axis[i], b = barrier.axis[i + 1];
+      if (std::min(a.x, b.x) < 73 && std::max(a.y, b.y) > 6) continue;
+      along_side_street_m += distance(a, b);
+      EXPECT_LE(barrier.height_m, 1) << a.y << ' ' << b.y;
+    }
+  EXPECT_GT(along_side_street_m, 10);
+}
+
 TEST(AddYards, PlantsKeepClearOfWallsWaysWiresAndCrossings) {
   map::Features town = made_town();
   town.tracks.push_back(street(2, {{0, 0}, {0, -150}}));

@@ -67,8 +67,9 @@ TEST(Generate, IsOpenOnlyUnderTheGround) {
   for (const Polyline& axis :
        {Polyline{{-60, -50}, {20, 30}, {50, 31}}, Polyline{{-30, -30}, {30, -30}, {30, 30}, {-30, -30}}}) {
     const GeneratedProp e = generate(wall(axis), hilly(), 0.02);
-    ASSERT_EQ(e.meshes.size(), 1u);
+    ASSERT_EQ(e.meshes.size(), 2u);
     ASSERT_FALSE(e.meshes[0].mesh.triangles.empty());
+    EXPECT_TRUE(open_edges(e.meshes[1].mesh).empty());
     for (const auto& [edge, count] : open_edges(e.meshes[0].mesh))
       for (const Vec3 p : {edge.first, edge.second}) EXPECT_LT(p.z, height_m_at(field, in_plan(p)));
   }
@@ -77,7 +78,7 @@ TEST(Generate, IsOpenOnlyUnderTheGround) {
 TEST(Generate, HasTheRecipesWidthAndHeight) {
   map::Heightfield flat = hills();
   std::fill(flat.heights.begin(), flat.heights.end(), 640);
-  const Mesh mesh = generate(wall({{0, 3}, {40, 3}}), ground::GradedTerrain(std::move(flat)), 0.02).meshes[0].mesh;
+  const Mesh mesh = generate(wall({{0, 3}, {40, 3}}), ground::GradedTerrain(std::move(flat)), 0.1).meshes[0].mesh;
   for (const Vec3 p : mesh.positions) {
     EXPECT_TRUE(p.y == 2.75 || p.y == 3.25);
     EXPECT_TRUE(p.z == 12 || p.z < 10);
@@ -89,6 +90,25 @@ TEST(Generate, HasTheRecipesWidthAndHeight) {
     six += dot(mesh.positions[a] - Vec3{20, 3, 9.5},
                cross(mesh.positions[b] - Vec3{20, 3, 9.5}, mesh.positions[c] - Vec3{20, 3, 9.5}));
   EXPECT_NEAR(six / 6, 40 * 0.5 * 2.5, 40 * 0.5 * 0.01);
+}
+
+TEST(Generate, WallsEndInACopingWhereTheToleranceShowsIt) {
+  map::Heightfield flat = hills();
+  std::fill(flat.heights.begin(), flat.heights.end(), 640);
+  const ground::GradedTerrain ground(std::move(flat));
+  const GeneratedProp fine = generate(wall({{0, 3}, {40, 3}}), ground, 0.05);
+  ASSERT_EQ(fine.meshes.size(), 2u);
+  EXPECT_EQ(fine.error_m, 0);
+  for (const Vec3 p : fine.meshes[0].mesh.positions) EXPECT_LT(p.z, 12);
+  Box2 plan;
+  for (const Vec3 p : fine.meshes[1].mesh.positions) {
+    EXPECT_TRUE(p.z == 12 || p.z < 12 - 0.07);
+    plan.grow(in_plan(p));
+  }
+  EXPECT_NEAR(plan.max.y - plan.min.y, 0.5 + 0.12, 0.005);
+  const GeneratedProp coarse = generate(wall({{0, 3}, {40, 3}}), ground, 0.1);
+  EXPECT_EQ(coarse.meshes.size(), 1u);
+  EXPECT_NEAR(coarse.error_m, 0.06, 0.001);
 }
 
 TEST(Generate, DropsWhatIsLowerThanTheToleranceAndIsTotal) {

@@ -53,15 +53,17 @@ export class OpenPage {
     });
   }
 
-  /** Puts the camera above the ground of a place. */
+  /** Puts the camera above the ground of a place, whose tile is loaded when it is near. */
   async put(x, y, above_m, heading, pitch) {
-    await this.page.evaluate(([x, y, above_m, heading, pitch]) => {
-      const { camera, moves, rays } = window.citykiln;
-      camera.position.set(x, y, (rays.groundAt(x, y) ?? 0) + above_m);
-      moves.look(heading, pitch);
-      moves.stand();
-    }, [x, y, above_m, heading, pitch]);
-    await this.still();
+    for (let i = 0; i < 2; ++i) {
+      await this.page.evaluate(([x, y, above_m, heading, pitch]) => {
+        const { camera, moves, page, rays } = window.citykiln;
+        camera.position.set(x, y, (rays.groundAt(x, y) ?? page.ground_m) + above_m);
+        moves.look(heading, pitch);
+        moves.stand();
+      }, [x, y, above_m, heading, pitch]);
+      await this.still();
+    }
   }
 
   /** The picture of the scene: rows of [r, g, b], 0 to 255, every `step`-th pixel. */

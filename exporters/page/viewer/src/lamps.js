@@ -1,5 +1,5 @@
 // Street lamps of the tiles that throw light (--lights). Only the nearest ones are lit, since each light is paid in every pixel.
-import { PointLight, Vector3 } from "three";
+import { Matrix4, PointLight, Vector3 } from "three";
 import { CANDELA } from "./sky.js";
 
 const LIT = 8;
@@ -7,19 +7,22 @@ const LIT = 8;
 const STEP_M = 4;
 
 export class Lamps {
-  constructor(scene) {
+  /** @param {Object3D} group The group that tiles are added to, turned into the frame of the scene. */
+  constructor(scene, group) {
+    this.group = group;
     this.places = new Map();
     this.pool = Array.from({ length: LIT }, () => new PointLight("white", 0));
     this.scene = scene;
     this.last = new Vector3(Infinity, 0, 0);
   }
 
-  /** Takes the lights out of a tile. */
+  /** Takes the lights out of a tile, which is loaded before it is added to the group. */
   take(tile) {
     const lights = [];
     tile.scene.updateMatrixWorld(true);
+    const toScene = tile.scene.parent ? new Matrix4() : this.group.matrixWorld;
     tile.scene.traverse((object) => object.isLight && lights.push(object));
-    this.places.set(tile, lights.map((light) => ({ at: light.getWorldPosition(new Vector3()), light })));
+    this.places.set(tile, lights.map((light) => ({ at: light.getWorldPosition(new Vector3()).applyMatrix4(toScene), light })));
     for (const light of lights) light.removeFromParent();
     if (lights.length > 0 && !this.pool[0].parent) this.scene.add(...this.pool);
     this.last.x = Infinity;

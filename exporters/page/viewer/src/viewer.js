@@ -45,7 +45,7 @@ export class Viewer {
     this.layers = new Layers(this.tileset, changed);
     this.colours = new Colours(this.tileset, page, changed);
     this.sky = new Sky(this.scene, this.renderer, page, () => this.skyChanged());
-    this.lamps = new Lamps(this.scene);
+    this.lamps = new Lamps(this.scene, this.tileset.tiles.group);
     this.outline = new Outline(this.scene);
     this.records = new Records(page.feature_files);
     this.measure = new Measure(this.scene, changed);
