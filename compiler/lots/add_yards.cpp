@@ -17,6 +17,9 @@ using map::BarrierKind;
 // Parts of ids of one building: areas and plants are numbered, barriers have room for pieces at the extent's border.
 constexpr std::uint32_t kPartsOfBuilding = 256, kPartsOfBarrier = 4, kEntrancePart = 255;
 
+// The name that rows of bays have in pitches/fields.inc.
+constexpr const char* kBays = "parking";
+
 double width_of(BarrierKind kind) {
   switch (kind) {
     case BarrierKind::kHedge:
@@ -91,11 +94,12 @@ struct YardAdder {
     const ObjectId building = features.footprints[lot.main].id;
     const std::uint32_t first = map::kDerivedPart + kPartsOfBuilding * building.part;
     std::uint32_t part = first;
-    for (const YardArea& area : yard.ground.areas)
-      features.areas.push_back({.id = {building.osm, part++},
-                                .polygon = area.polygon,
-                                .surface = area.surface,
-                                .area_m2 = area_m2(area.polygon)});
+    for (const YardArea& area : yard.ground.areas) {
+      const ObjectId id{building.osm, part++};
+      features.areas.push_back(
+          {.id = id, .polygon = area.polygon, .surface = area.surface, .area_m2 = area_m2(area.polygon)});
+      if (area.has_bays) features.sports_areas.push_back({id, kBays});
+    }
     part = first;
     for (std::size_t i = 0; i < yard.barriers.size() && i < kPartsOfBuilding / kPartsOfBarrier; ++i) {
       const YardBarrier& barrier = yard.barriers[i];
@@ -120,6 +124,16 @@ struct YardAdder {
           {.id = {building.osm, first + kEntrancePart}, .at = lot.door->at, .kind = map::PointKind::kEntrance});
   }
 };
+
+// Car parks without mapped lanes have bays.
+void add_bays(const MappedThings& mapped, map::Features& features, Report& report) {
+  for (const map::AreaFeature& area : features.areas) {
+    if (area.surface != map::LandCoverClass::kParking || area.id.part >= map::kDerivedPart) continue;
+    if (reaches_into(mapped.roads, area.polygon) || reaches_into(mapped.drives, area.polygon)) continue;
+    features.sports_areas.push_back({area.id, kBays});
+    report.count_assumed(Assumption::kYards, area.id.osm);
+  }
+}
 
 MapLand land_of_site(const map::Features& features, const YardSite& site) {
   return land_of(features, site.roads, site.private_ways);
@@ -155,7 +169,9 @@ map::Features with_yards(map::Features features, const YardSite& site, Report& r
     main.assumed |= bit_of(Assumption::kYards);
     report.count_assumed(Assumption::kYards, main.id.osm);
   }
+  add_bays(maker.mapped, features, report);
   std::ranges::stable_sort(features.areas, {}, &map::AreaFeature::id);
+  std::ranges::stable_sort(features.sports_areas, {}, &map::SportsArea::id);
   std::ranges::stable_sort(features.barriers, {}, &map::Barrier::id);
   std::ranges::stable_sort(features.points, {}, &map::PointFeature::id);
   return features;

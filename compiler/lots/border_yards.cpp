@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 
 namespace citykiln::lots {
@@ -19,6 +20,8 @@ constexpr double kMappedBarrier_m = 1.5;
 constexpr double kToWall_m = 0.5, kToPavement_m = 0.25, kToPath_m = 0.375;
 // Borders are tested at this spacing; shorter pieces are left out.
 constexpr double kBorderStep_m = 0.5, kShortestBorder_m = 1.5;
+// Lots may have needles, where the shares of neighbours meet: two edges this near to each other, to and fro.
+constexpr double kNeedle_m = 0.5, kToAndFro = -0.9;
 // The largest ratio of a mitre to the inset.
 constexpr double kLeastMitreCosine = 0.5;
 
@@ -71,10 +74,20 @@ struct BorderDrawer {
     return std::abs(clearance_m(obstacles.street_fronts, (a + b) * 0.5, 1)) <= kOnStrip_m && !has_neighbour(a, b);
   }
 
+  bool is_of_needle(Vec2 a, Vec2 b) const {
+    const Ring& ring = lot.parcel.polygon.outer;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 c = ring[i], d = ring[(i + 1) % ring.size()];
+      const bool is_back = dot(unit(b - a), unit(d - c)) < kToAndFro;
+      if (is_back && distance_to_segment(c, d, (a + b) * 0.5) < kNeedle_m) return true;
+    }
+    return false;
+  }
+
   // Adds an edge, cut where the front yard ends. Lots at a corner have the same barrier along both streets.
   void add_edge(Vec2 a, Vec2 b, std::vector<BorderPiece>& pieces) const {
     if (is_on_street(a, b)) return pieces.push_back({a, b, BorderPart::kStreet, kUnderPavement_m + kInsidePavement_m});
-    if (is_of_neighbour(a, b)) return pieces.push_back({a, b, BorderPart::kNone, 0});
+    if (is_of_neighbour(a, b) || is_of_needle(a, b)) return pieces.push_back({a, b, BorderPart::kNone, 0});
     const double ya = lot.frame.local(a).y - lot.house_m, yb = lot.frame.local(b).y - lot.house_m;
     const auto part_at = [](double y) { return y <= 0 ? BorderPart::kStreet : BorderPart::kSides; };
     if ((ya < 0) == (yb < 0) || std::abs(ya - yb) < kBorderStep_m) return pieces.push_back({a, b, part_at(ya + yb), 0});
@@ -163,17 +176,6 @@ struct BorderDrawer {
       if (clean.empty() || clean.back() != snapped(p)) clean.push_back(snapped(p));
     return clean;
   }
-
-  bool has_mapped_barrier() const {
-    const Capsules& barriers = obstacles.mapped.barriers;
-    if (barriers.all.empty()) return false;
-    for (const std::uint32_t i : boxes_about(barriers.grid, box_of(lot.parcel.polygon.outer))) {
-      const Capsule& c = barriers.all[i];
-      for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
-        if (contains(lot.parcel.polygon, c.a + (c.b - c.a) * share)) return true;
-    }
-    return false;
-  }
 };
 
 }  // namespace
@@ -196,7 +198,7 @@ std::vector<YardBarrier> barriers_of(std::uint32_t lot, std::span<const Lot> lot
   if (!rules[lot]) return barriers;
   const BorderDrawer drawer{lot, lots, rules, edges, obstacles};
   const std::vector<BorderPiece> pieces = drawer.pieces();
-  const bool has_mapped = drawer.has_mapped_barrier();
+  const bool has_mapped = reaches_into(obstacles.mapped.barriers, lots[lot].parcel.polygon);
   for (std::size_t i = 0; i < pieces.size();) {
     std::size_t end = i + 1;
     while (end < pieces.size() && pieces[end].continues(pieces[end - 1])) ++end;

@@ -28,4 +28,14 @@ double clearance_m(const Capsules& capsules, Vec2 p, double search_m) {
   return least_m;
 }
 
+bool reaches_into(const Capsules& capsules, const Polygon& polygon) {
+  if (capsules.all.empty() || polygon.outer.empty()) return false;
+  for (const std::uint32_t i : boxes_about(capsules.grid, box_of(polygon.outer))) {
+    const Capsule& c = capsules.all[i];
+    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
+      if (contains(polygon, c.a + (c.b - c.a) * share)) return true;
+  }
+  return false;
+}
+
 }  // namespace citykiln::lots

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/polygon.h"
 #include "compiler/geometry/vec.h"
 
 namespace citykiln::lots {
@@ -27,5 +28,8 @@ Capsules index_capsules(std::vector<Capsule> all);
 /// Returns the distance from p to the nearest capsule, negative inside of one; search_m if none is nearer.
 /// O(capsules near).
 double clearance_m(const Capsules& capsules, Vec2 p, double search_m);
+
+/// True if one of five places along the segment of a capsule, its ends included, lies in the polygon. O(capsules near).
+bool reaches_into(const Capsules& capsules, const Polygon& polygon);
 
 }  // namespace citykiln::lots

@@ -31,6 +31,8 @@ constexpr double kPastFront_m = 6, kCarLength_m = 5.5;
 // The first is the distance of drives to walls and the lot's border, on which a fence may stand; the second that of
 // paths and drives to mapped things.
 constexpr double kBesideDrive_m = 0.4375, kClearOfMapped_m = 0.5;
+// A row of bays and its lane (pitches/fields.inc).
+constexpr double kBaysDepth_m = 11;
 // Sheds of this size, with a plain class, may be garages.
 constexpr double kLeastGarage_m2 = 12, kLargestGarage_m2 = 60;
 // Private ways and car parks count as the lot's if they lie in it, or touch its border within this distance.
@@ -92,13 +94,9 @@ struct YardLayer {
   // True if a capsule lies partly in the lot or touches its border.
   bool touches_lot(const Capsules& capsules) const {
     if (capsules.all.empty()) return false;
-    const Ring& ring = lot.parcel.polygon.outer;
-    for (const std::uint32_t i : boxes_about(capsules.grid, box_of(ring).widened(kTouchesLot_m))) {
-      const Capsule& c = capsules.all[i];
-      for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
-        if (is_in_lot(c.a + (c.b - c.a) * share)) return true;
-    }
-    return std::ranges::any_of(ring, [&](Vec2 p) { return clearance_m(capsules, p, kTouchesLot_m) < kTouchesLot_m; });
+    if (reaches_into(capsules, lot.parcel.polygon)) return true;
+    return std::ranges::any_of(lot.parcel.polygon.outer,
+                               [&](Vec2 p) { return clearance_m(capsules, p, kTouchesLot_m) < kTouchesLot_m; });
   }
 
   // A path mapped in the lot, not only beside it.
@@ -124,11 +122,20 @@ struct YardLayer {
     ground.openings.push_back({from, to, width_m / 2});
   }
 
+  bool has_bays() const {
+    const bool has_customers = lot.kind == LotKind::kShop || lot.kind == LotKind::kWorks;
+    return has_customers && lot.house_m >= kBaysDepth_m && !touches_lot(mapped.parking);
+  }
+
   void lay_surfaces() {
     add(rule.rear, lot.parcel.polygon);
-    if (rule.front == rule.rear || lot.house_m < kLeastSeen_m) return;
-    for (Polygon& part : part_below(lot.parcel.polygon, lot.frame, lot.house_m + kBehindFront_m))
-      if (area_m2(part) >= 1) add(rule.front, std::move(part));
+    const bool is_with_bays = has_bays();
+    if ((rule.front == rule.rear && !is_with_bays) || lot.house_m < kLeastSeen_m) return;
+    for (Polygon& part : part_below(lot.parcel.polygon, lot.frame, lot.house_m + kBehindFront_m)) {
+      if (area_m2(part) < 1) continue;
+      add(rule.front, std::move(part));
+      ground.areas.back().has_bays = is_with_bays;
+    }
   }
 
   void lay_path() {

@@ -13,7 +13,8 @@ namespace citykiln::lots {
 /// A polygon of a yard.
 struct YardArea {
   map::LandCoverClass surface{};
-  Polygon polygon;  ///< Snapped.
+  Polygon polygon;        ///< Snapped.
+  bool has_bays = false;  ///< Bays for cars are painted on it.
 };
 
 /// The ground of a yard.
@@ -28,6 +29,7 @@ inline constexpr double kYardPath_m = 1.25, kDriveWidth_m = 2.75;
 
 /// Returns the ground of a lot's yard.
 ///
+/// In front of shops and works there are bays for cars, if there is room for a row and its lane.
 /// A path goes from the door square to its wall, then to the street. A drive leads to a garage, else past the house at
 /// the side with room, else in front of it if a car has room. Neither is laid where it would leave the lot, meet a
 /// wall or a mapped barrier, tree or pool; nor a path where a path is mapped in the lot; nor a drive where a drive or

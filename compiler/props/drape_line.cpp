@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 
 namespace citykiln::props {
@@ -49,6 +50,20 @@ std::vector<double> bends(Vec2 a, Vec2 b, const ground::GradedTerrain& ground) {
   return shares;
 }
 
+// Marks the points to keep between `first` and `last`.
+void keep_bends(const std::vector<Vec3>& line, double bend_m, std::size_t first, std::size_t last,
+                std::vector<bool>& kept) {
+  std::size_t farthest = first;
+  double farthest_m = bend_m;
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const double off_m = distance_to_segment(line[first], line[last], line[i]);
+    if (off_m > farthest_m) farthest_m = off_m, farthest = i;
+  }
+  if (farthest == first) return;
+  kept[farthest] = true;
+  keep_bends(line, bend_m, first, farthest, kept), keep_bends(line, bend_m, farthest, last, kept);
+}
+
 }  // namespace
 
 std::vector<Vec3> drape_line(const Polyline& line, const ground::GradedTerrain& ground) {
@@ -63,6 +78,17 @@ std::vector<Vec3> drape_line(const Polyline& line, const ground::GradedTerrain& 
     push(line[i]);
   }
   return points;
+}
+
+std::vector<Vec3> without_small_bends(const std::vector<Vec3>& line, double bend_m) {
+  if (line.size() < 3) return line;
+  std::vector<bool> kept(line.size());
+  kept.front() = kept.back() = true;
+  keep_bends(line, bend_m, 0, line.size() - 1, kept);
+  std::vector<Vec3> bends;
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (kept[i]) bends.push_back(line[i]);
+  return bends;
 }
 
 }  // namespace citykiln::props

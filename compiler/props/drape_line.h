@@ -15,4 +15,9 @@ namespace citykiln::props {
 /// at most 2^-10 m times (1 + slope) off the ground. Outside of the terrain no points are added. O(length / step).
 std::vector<Vec3> drape_line(const Polyline& line, const ground::GradedTerrain& ground);
 
+/// Returns a polyline without points that are at most bend_m from the line between points that are kept; the first and
+/// the last point are kept. Source: Douglas, Peucker, "Algorithms for the Reduction of the Number of Points Required to
+/// Represent a Digitized Line or its Caricature", Cartographica 10, 1973. O(points²) at most.
+std::vector<Vec3> without_small_bends(const std::vector<Vec3>& line, double bend_m);
+
 }  // namespace citykiln::props

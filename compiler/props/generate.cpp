@@ -19,6 +19,8 @@ using materials::MaterialMesh;
 constexpr double kFootDepth_m = 0.5;
 // A coping is a slab on a wall: its thickness, how far it stands over on each side, and how deep the wall is in it.
 constexpr double kCoping_m = 0.08, kOverhang_m = 0.06, kInCoping_m = 0.03;
+// Barriers follow the ground to this share of the tolerance, and so closely that their feet stay in it.
+constexpr double kBendShare = 0.25, kMostBend_m = 0.125;
 // A mitre is at most this many times as long as half the width; sharper bends are bevelled.
 constexpr double kMaxMitre = 2;
 
@@ -80,8 +82,8 @@ struct DrapedAxis {
   bool is_closed;
 };
 
-DrapedAxis draped_axis(const Polyline& line, const ground::GradedTerrain& ground) {
-  DrapedAxis axis{.points = drape_line(line, ground), .sides = {}, .is_closed = false};
+DrapedAxis draped_axis(const Polyline& line, const ground::GradedTerrain& ground, double bend_m) {
+  DrapedAxis axis{.points = without_small_bends(drape_line(line, ground), bend_m), .sides = {}, .is_closed = false};
   if (axis.points.size() < 2) return axis;
   axis.is_closed = axis.points.size() > 3 && axis.points.front() == axis.points.back();
   for (std::size_t i = 0; i < axis.points.size(); ++i) axis.sides.push_back(side_at(axis.points, i, axis.is_closed));
@@ -107,10 +109,13 @@ GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& grou
   assert(tolerance_m > 0);
   if (barrier.kind == BarrierKind::kRailing) return railing_mesh(barrier, ground, tolerance_m);
   if (barrier.height_m <= tolerance_m) return {{}, barrier.height_m};
-  const DrapedAxis axis = draped_axis(barrier.axis, ground);
+  // the top of a retaining wall is that of the land at each point
+  const double bend_m =
+      barrier.kind == BarrierKind::kRetainingWall ? 0 : std::min(kBendShare * tolerance_m, kMostBend_m);
+  const DrapedAxis axis = draped_axis(barrier.axis, ground, bend_m);
   if (axis.points.size() < 2) return {};
   const bool has_coping = barrier.kind == BarrierKind::kWall && barrier.height_m > 2 * kCoping_m;
-  const bool draws_coping = has_coping && tolerance_m < kOverhang_m;
+  const bool draws_coping = has_coping && tolerance_m - bend_m < kOverhang_m;
   Mesh band, coping;
   for (std::size_t i = 0; i < axis.points.size(); ++i) {
     const Vec2 side = axis.sides[i] * (barrier.width_m / 2), over = axis.sides[i] * (barrier.width_m / 2 + kOverhang_m);
@@ -123,7 +128,7 @@ GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& grou
   }
   join_profiles(band, axis.is_closed, 3);
   GeneratedProp prop{{{std::move(band), material_of(barrier.kind), materials::kNoTint, barrier.id.osm}},
-                     has_coping && !draws_coping ? kOverhang_m : 0};
+                     bend_m + (has_coping && !draws_coping ? kOverhang_m : 0)};
   if (!draws_coping) return prop;
   join_profiles(coping, axis.is_closed, 4);
   prop.meshes.push_back({std::move(coping), Material::kConcrete, materials::kNoTint, barrier.id.osm});

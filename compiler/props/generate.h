@@ -18,10 +18,10 @@ struct GeneratedProp {
   double error_m = 0;
 };
 
-/// Generates a wall, fence or hedge: a rectangular cross-section swept along its axis, which is draped over the ground.
-/// A railing has posts and rails (railing_mesh.h). Walls end in a coping, which is left out where the tolerance is larger
-/// than what stands over; that is then the error. A barrier that is not higher than the tolerance gets no mesh, and
-/// its height is the error.
+/// Generates a wall, fence or hedge: a rectangular cross-section swept along its axis, which is draped over the ground
+/// to a share of the tolerance, which is part of the error. A railing has posts and rails (railing_mesh.h). Walls end
+/// in a coping, which is left out where the tolerance is larger than what stands over; that is then the error. A
+/// barrier that is not higher than the tolerance gets no mesh, and its height is the error.
 GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& ground, double tolerance_m);
 
 /// Generates a lamp of 1 m height, to be scaled by height_m: its foot at the origin, its arm 0.21 m long along +x.

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/props/drape_line.h"
 
@@ -16,29 +15,6 @@ constexpr int kRails = 4;
 // A draped line is bent only where it would be off the ground by more than this; the railing's foot is deeper.
 constexpr double kBend_m = 0.03;
 constexpr double kMaxRailMitre = 2;
-
-// Leaves out points near the line between their neighbours (Douglas, Peucker 1973), from `first` to `last`.
-void keep_bends(const std::vector<Vec3>& line, std::size_t first, std::size_t last, std::vector<bool>& kept) {
-  std::size_t farthest = first;
-  double farthest_m = kBend_m;
-  for (std::size_t i = first + 1; i < last; ++i) {
-    const double off_m = distance_to_segment(line[first], line[last], line[i]);
-    if (off_m > farthest_m) farthest_m = off_m, farthest = i;
-  }
-  if (farthest == first) return;
-  kept[farthest] = true;
-  keep_bends(line, first, farthest, kept), keep_bends(line, farthest, last, kept);
-}
-
-std::vector<Vec3> bends_of(const std::vector<Vec3>& line) {
-  std::vector<bool> kept(line.size());
-  kept.front() = kept.back() = true;
-  keep_bends(line, 0, line.size() - 1, kept);
-  std::vector<Vec3> bends;
-  for (std::size_t i = 0; i < line.size(); ++i)
-    if (kept[i]) bends.push_back(line[i]);
-  return bends;
-}
 
 // The vector to the left at a point of a line, for half a width of 1, mitred between its two segments.
 Vec2 side_of(const std::vector<Vec3>& line, std::size_t i) {
@@ -103,7 +79,7 @@ GeneratedProp railing_mesh(const Barrier& railing, const ground::GradedTerrain& 
   if (railing.height_m <= tolerance_m) return {{}, railing.height_m};
   const std::vector<Vec3> draped = drape_line(railing.axis, ground);
   if (draped.size() < 2) return {};
-  const std::vector<Vec3> line = bends_of(draped);
+  const std::vector<Vec3> line = without_small_bends(draped, kBend_m);
   const double apart_m = railing.height_m / kRails;
   Mesh mesh;
   for (int i = 1; i <= kRails; ++i) add_rail(mesh, line, apart_m * i, railing.width_m * (i == kRails ? 1 : 0.5));

@@ -42,7 +42,7 @@ class GodotCity(ReaderTest):
         facts = self.facts()
         fine, coarse = (facts["tiles"]["0_0"][f"L{level}"] for level in (0, 1))
         self.assertEqual(set(fine["layers"]), set(LAYERS))
-        self.assertGreater(fine["copies"], 10 * fine["multis"])
+        self.assertGreater(fine["copies"], 5 * fine["multis"])
         self.assertLess(coarse["triangles"], fine["triangles"])
         self.assertLess(fine["triangles"], triangles_in(facts_of(self.run_folder / "glb/0_0_L0.glb")), "props are left out")
         self.assertEqual((fine["shapes"], coarse["shapes"]), (["ground"], []))

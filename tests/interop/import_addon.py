@@ -19,10 +19,11 @@ def done(step):
     """The result of a step."""
     if step["is_new"]:
         begin_scene()
-    options = {name: set(value) if isinstance(value, list) else value for name, value in step["options"].items()}
+    options = dict(step["options"])
     before = set(bpy.context.scene.collection.children)
     if "camera" in options:
         add_camera(options.pop("camera"))
+    options = {name: set(value) if isinstance(value, list) else value for name, value in options.items()}
     try:
         getattr(bpy.ops.import_scene, f"citykiln_{step['command']}")(**options)
     except RuntimeError as error:
@@ -42,7 +43,8 @@ def add_camera(place):
 
 def facts_of(collection):
     meshes = [thing for thing in collection.all_objects if thing.type == "MESH"]
-    return {"tiles": {tile.name: facts_of_tile(tile) for tile in collection.children},
+    # Blender adds .001 to names of other scenes
+    return {"tiles": {tile.name.partition(".")[0]: facts_of_tile(tile) for tile in collection.children},
             "layers": sorted({layer.name.split()[-1] for tile in collection.children for layer in tile.children}),
             "lights": sum(thing.type == "LIGHT" for thing in collection.all_objects),
             "materials": len({material.name for thing in meshes for material in thing.data.materials}),
@@ -52,11 +54,22 @@ def facts_of(collection):
 def facts_of_tile(tile):
     things = [thing for thing in tile.all_objects if thing.type == "MESH"]
     merged = [thing for thing in things if "features" in thing.data]
-    corners = [thing.matrix_world @ mathutils.Vector(corner) for thing in things for corner in thing.bound_box]
+    low, high = box_of(things)
     return {"triangles": sum(len(thing.data.polygons) for thing in things), "instances": len(things) - len(merged),
-            "low": [min(c[i] for c in corners) for i in range(3)], "high": [max(c[i] for c in corners) for i in range(3)],
+            "low": low, "high": high,
             "copies": [{key: str(value) for key, value in thing.items()} for thing in things if thing not in merged][:500],
             "merged": {thing.name.split()[-1]: facts_of_merged(thing.data) for thing in merged}}
+
+
+def box_of(things):
+    """The least and the largest coordinates of the vertices."""
+    boxes = []
+    for thing in things:
+        at = numpy.empty(3 * len(thing.data.vertices), numpy.float32)
+        thing.data.vertices.foreach_get("co", at)
+        turned = at.reshape(-1, 3) @ numpy.array(thing.matrix_world.to_3x3()).T + numpy.array(thing.matrix_world.translation)
+        boxes.append((turned.min(axis=0), turned.max(axis=0)))
+    return numpy.min([low for low, _ in boxes], axis=0).tolist(), numpy.max([high for _, high in boxes], axis=0).tolist()
 
 
 def facts_of_merged(mesh):

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/props/drape_line.h"
 #include "compiler/props/plan.h"
@@ -62,6 +63,21 @@ TEST(DrapeLine, KeepsAllPointsWithoutRepeats) {
   for (std::size_t i = 1; i < points.size(); ++i) EXPECT_NE(in_plan(points[i - 1]), in_plan(points[i]));
 }
 
+TEST(DrapeLine, LeavesOutSmallBendsOnly) {
+  const std::vector<Vec3> points = drape_line({{-60.5, -50}, {33.25, 41}, {50, -62}, {-64, -64}}, hilly());
+  const std::vector<Vec3> fewer = without_small_bends(points, 0.05);
+  EXPECT_LT(fewer.size(), points.size());
+  EXPECT_EQ(without_small_bends({{0, 0, 0}, {1, 0, 0.01}, {2, 0, 0}, {3, 1, 0}}, 0.05).size(), 3u);
+  EXPECT_EQ(fewer.front(), points.front());
+  EXPECT_EQ(fewer.back(), points.back());
+  for (const Vec3 p : points) {
+    double off_m = 1e9;
+    for (std::size_t i = 1; i < fewer.size(); ++i)
+      off_m = std::min(off_m, distance_to_segment(fewer[i - 1], fewer[i], p));
+    EXPECT_LE(off_m, 0.05);
+  }
+}
+
 TEST(Generate, IsOpenOnlyUnderTheGround) {
   const map::Heightfield field = hills();
   for (const Polyline& axis :
@@ -98,7 +114,7 @@ TEST(Generate, WallsEndInACopingWhereTheToleranceShowsIt) {
   const ground::GradedTerrain ground(std::move(flat));
   const GeneratedProp fine = generate(wall({{0, 3}, {40, 3}}), ground, 0.05);
   ASSERT_EQ(fine.meshes.size(), 2u);
-  EXPECT_EQ(fine.error_m, 0);
+  EXPECT_NEAR(fine.error_m, 0.0125, 1e-9);
   for (const Vec3 p : fine.meshes[0].mesh.positions) EXPECT_LT(p.z, 12);
   Box2 plan;
   for (const Vec3 p : fine.meshes[1].mesh.positions) {
@@ -108,7 +124,7 @@ TEST(Generate, WallsEndInACopingWhereTheToleranceShowsIt) {
   EXPECT_NEAR(plan.max.y - plan.min.y, 0.5 + 0.12, 0.005);
   const GeneratedProp coarse = generate(wall({{0, 3}, {40, 3}}), ground, 0.1);
   EXPECT_EQ(coarse.meshes.size(), 1u);
-  EXPECT_NEAR(coarse.error_m, 0.06, 0.001);
+  EXPECT_NEAR(coarse.error_m, 0.085, 1e-9);
 }
 
 TEST(Generate, DropsWhatIsLowerThanTheToleranceAndIsTotal) {

@@ -122,8 +122,9 @@ test("measures at the cross", async () => {
   await tabTo("scene", true);
   await page.keyboard.press("Enter");
   await page.waitForFunction(() => window.citykiln.measure.points.length === 1);
+  const { heading } = await open.camera();
   await page.keyboard.down("l");
-  await page.waitForTimeout(400);
+  await page.waitForFunction((heading) => Math.abs(window.citykiln.moves.heading - heading) > 0.1, heading);
   await page.keyboard.up("l");
   await open.still();
   await page.keyboard.press("Enter");
