@@ -128,7 +128,11 @@ class RecordMaker {
     for (const buildings::Building& b : chunk.buildings) add_object(b, (b.floor_m + b.top_m) / 2);
     add_all(chunk.bridges), add_all(chunk.tunnels), add_all(chunk.roads), add_all(chunk.watercourses);
     add_all(chunk.barriers), add_all(chunk.trees), add_all(chunk.tree_rows), add_all(chunk.lamps);
-    add_all(chunk.things), add_all(chunk.wire_spans), add_all(chunk.surfaces);
+    add_all(chunk.things), add_all(chunk.wire_spans);
+    // floors of buildings are not elements; they lie in tiles beside the building's, too
+    for (const ground::LandCoverPolygon& polygon : chunk.surfaces)
+      if (polygon.surface != map::LandCoverClass::kBuilding && polygon.id.part < map::kDerivedPart)
+        add_object(polygon, std::nullopt);
     add_attributes();
   }
 

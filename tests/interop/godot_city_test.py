@@ -29,7 +29,7 @@ class GodotCity(ReaderTest):
 
     def facts(self):
         import_into(self.project, [f"0_0_L{level}.glb" for level in (0, 1)])
-        pictures = [{"out": str(self.folder / "city.png"), "eye": y_up(eye), "look": [0, 380, 0], "fov_deg": 60, "size": [64, 36]}
+        pictures = [{"out": str(self.folder / "city.png"), "eye": y_up(eye), "look": [60, 380, 0], "fov_deg": 60, "size": [64, 36]}
                     for eye in (NEAR, FAR)]
         job = self.folder / "city.json"
         job.write_text(json.dumps({"scene": "res://city/city.tscn", "facts": str(self.folder / "facts.json"),

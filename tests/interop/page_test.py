@@ -108,6 +108,13 @@ class ServesTheTown(PageTest):
             self.assertEqual((status, body, kind), (200, (self.out / "index.html").read_bytes(), "text/html; charset=utf-8"))
             self.assertEqual(server.ask("/page/viewer.js")[2], "text/javascript; charset=utf-8")
 
+    def test_buildings_have_the_recipe_of_a_building(self):
+        records = {}
+        for path in sorted(self.out.glob("page/features/*.json")):
+            records.update(json.loads(path.read_text()))
+        self.assertGreater(sum("storeys" in record.get("recipe", {}) for record in records.values()), 100)
+        self.assertEqual([id for id, record in records.items() if record.get("recipe", {}).get("surface") == "FloorSlab"], [])
+
     def test_refuses_what_is_not_listed(self):
         (self.out.parent / "secret.txt").write_text("secret")
         (self.out / "unlisted.txt").write_text("secret")
