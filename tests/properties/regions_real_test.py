@@ -26,7 +26,17 @@ PLACES = {
 
 
 # boundaries that are no areas are in no region's file; relations that are no areas are in none either
-NOT_IN_REGIONS = {"source/area", "BrokenArea", "IncompleteArea", "MissingMember", "RelationWithoutTags"}
+# elements farther outside of the extent than the halo are in no region (compiler/regions/regions.md)
+NOT_IN_REGIONS = {"source/area", "OutsideBounds", "BrokenArea", "IncompleteArea", "MissingMember", "RelationWithoutTags"}
+
+
+def within_bounds(account):
+    """An account without what lies outside of the extent."""
+    if account is None:
+        return None
+    outside = account["dropped"].get("OutsideBounds", 0)
+    dropped = {reason: count for reason, count in account["dropped"].items() if reason != "OutsideBounds"}
+    return {**account, "in": account["in"] - outside, "dropped": dropped}
 
 
 def first_difference(one, other):
@@ -76,7 +86,7 @@ def differences(folder, place, arguments, region):
     ours, theirs = report_of(whole), report_of(out)
     lines += [f"account {name}: {ours['ledger'].get(name)} in one run, {theirs['ledger'].get(name)} in regions"
               for name in sorted(ours["ledger"].keys() | theirs["ledger"].keys())
-              if ours["ledger"].get(name) != theirs["ledger"].get(name) and name not in NOT_IN_REGIONS]
+              if within_bounds(ours["ledger"].get(name)) != within_bounds(theirs["ledger"].get(name)) and name not in NOT_IN_REGIONS]
     counts = [{name: each["count"] for name, each in report["diagnoses"].items()} for report in (ours, theirs)]
     lines += [f"diagnosis {name}: {counts[0].get(name, 0)} in one run, {counts[1].get(name, 0)} in regions"
               for name in sorted(counts[0].keys() | counts[1].keys())
