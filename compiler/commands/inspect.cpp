@@ -278,7 +278,9 @@ Verb inspect_verb() {
        false, store_text(request->layer)},
       {"--geojson", "FILE", "GeoJSON file for the layer, in longitude and latitude, for example for QGIS", false,
        store_text(request->geojson_path)},
-      {"-o,--out", "FILE.png", "draws a species at 0.1, 0.5, 1.2, 2.5 and 12.5 m, and prints its triangles and errors",
+      {"-o,--out", "FILE.png",
+       "draws a species at 0.1, 0.5, 1.2, 2.5 and 12.5 m (at a tenth if it is low), and prints its triangles and "
+       "errors",
        false, store_text(request->picture)},
       {"--sheet", "FILE.png", "draws a picture of all things (benches, bollards, ...) at 2, 10 and 50 cm", false,
        store_text(request->sheet.path)},

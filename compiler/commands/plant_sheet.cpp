@@ -24,6 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array kPlantTolerances_m = {0.1, 0.5, 1.2, 2.5, 12.5};
+// Plants below this height are drawn at a tenth of these tolerances.
+constexpr double kLow_m = 8, kLowShare = 0.1;
 constexpr int kPlantPixels = 240, kPlantSamples = 24;
 constexpr double kEye_m = 1.7;
 
@@ -126,10 +128,10 @@ void draw_plant(plants::Species species, int row, const bake::PrototypeCache& pr
   options.width = options.height = kPlantPixels, options.samples = kPlantSamples;
   const std::string name(values.file);
   for (std::size_t k = 0; k < kPlantTolerances_m.size(); ++k) {
-    const double tolerance_m = kPlantTolerances_m[k];
+    const double tolerance_m = kPlantTolerances_m[k] * (values.height_m < kLow_m ? kLowShare : 1);
     const bake::BakedPrototype& shape =
         prototypes.prototype({species, 0}, bake::prototype_height_m(values.height_m), tolerance_m);
-    console.print_line(fmt::format("{:<16} {:5.2f} m high at {:4} m: {:>7} triangles, error {:.3f} m", name,
+    console.print_line(fmt::format("{:<16} {:5.2f} m high at {:5.3g} m: {:>7} triangles, error {:.3f} m", name,
                                    values.height_m, tolerance_m, triangles_in(shape),
                                    shape.error_per_m * values.height_m));
     const bake::BakedTile tile = tile_of_plant(shape, name, values.height_m, tolerance_m);

@@ -12,7 +12,8 @@ MAP = """<osm version="0.6"><bounds minlat="43.730" minlon="7.420" maxlat="43.73
 <way id="9" version="1"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="4"/><nd ref="1"/>{area}</way>
 </osm>"""
 
-PLANT = """n: 4
+PLANT = """module oak_leaf
+n: 4
 height: 8
 width: 0.4
 axiom: A(3)
@@ -47,7 +48,7 @@ class Species(ProgramTest):
         counts = {}
         for node in gltf["nodes"]:
             stem, _, variant = node.get("name", "").rpartition("_")
-            if not stem or not variant.isdigit():
+            if not stem or stem.startswith("tile_") or not variant.isdigit():
                 continue
             extension = node.get("extensions", {}).get("EXT_mesh_gpu_instancing")
             count = 1 if extension is None else gltf["accessors"][extension["attributes"]["TRANSLATION"]]["count"]
@@ -121,7 +122,7 @@ class Species(ProgramTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(bytes_of_outputs(out), bytes_of_outputs(baked))
         picture = self.folder / "picture.png"
-        done = run("preview", out / "scene.kiln", "--width", "32", "--height", "32", "--samples", "1", "-o", picture)
+        done = run("preview", out / "scene.kiln", "--size", "32x32", "--spp", "1", "-o", picture)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue(picture.exists())
 
