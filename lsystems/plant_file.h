@@ -17,8 +17,8 @@ inline constexpr std::array<std::string_view, 4> kPlantEndings = {".lsys", ".hon
 
 /// A file of a plant.
 struct PlantFile {
-  LSystem system;                        ///< Of .tree files only the kinds of instances and the bark.
-  std::optional<TreeParameters> tree{};  ///< Of .tree files.
+  LSystem system;                        ///< A .tree file sets only the kinds of instances and the bark.
+  std::optional<TreeParameters> tree{};  ///< The parameters of a .tree file.
 };
 
 /// Reads a file; its extension, and for .lsys its first word, decide the notation.

@@ -109,7 +109,7 @@ bake::BakedTile tile_of_plant(const bake::BakedPrototype& shape, const std::stri
 }
 
 // From the south, so far away that the whole plant is seen.
-preview::Camera camera_before(double height_m, double crown_share) {
+preview::Camera plant_camera(double height_m, double crown_share) {
   const double size_m = height_m * std::max(1.0, crown_share), away_m = 1.8 * size_m;
   return {{0.3 * away_m, -away_m, std::min(kEye_m, 0.7 * height_m)}, {0, 0, 0.5 * height_m}, 36};
 }
@@ -135,7 +135,7 @@ void draw_plant(plants::Species species, int row, const bake::PrototypeCache& pr
                                    values.height_m, tolerance_m, triangles_in(shape),
                                    shape.error_per_m * values.height_m));
     const bake::BakedTile tile = tile_of_plant(shape, name, values.height_m, tolerance_m);
-    put_picture(preview::render(std::span(&tile, 1), sky, camera_before(values.height_m, values.crown_share), options),
+    put_picture(preview::render(std::span(&tile, 1), sky, plant_camera(values.height_m, values.crown_share), options),
                 kPlantPixels * static_cast<int>(k), kPlantPixels * row, sheet);
   }
 }

@@ -24,7 +24,7 @@ struct SpawnerRow {
   TagTests tags{};
   std::vector<SpawnedSpecies> species{};
   double grid_m = 0;       ///< The side of a cell, a multiple of 1/8 m.
-  double probability = 1;  ///< Of a plant in a cell.
+  double probability = 1;  ///< The probability of a plant in a cell.
   double jitter = 0;       ///< The side of the square in which a plant is placed, as a share of the cell's.
   double from_scale = 1, to_scale = 1;  ///< The range of the height, as a share of the species' height.
   std::string place{};                  ///< File and line.
