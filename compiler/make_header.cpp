@@ -21,6 +21,7 @@
 #include "compiler/surroundings/grid_lines.h"
 #include "compiler/surroundings/plan.h"
 #include "compiler/things/parked_cars.h"
+#include "lsystems/plant_file.h"
 
 namespace citykiln {
 namespace {
@@ -144,6 +145,26 @@ Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
   const Result<std::vector<buildings::RuleText>> available = available_rules(spec);
   if (!available) return available.error();
   return buildings::rules_for(buildings::styles_of(buildings), *available);
+}
+
+Result<plants::OwnSpecies> read_species(const std::string& folder) {
+  if (folder.empty()) return plants::OwnSpecies{};
+  std::vector<plants::SpeciesText> own;
+  std::vector<std::string_view> endings(lsystems::kPlantEndings.begin(), lsystems::kPlantEndings.end());
+  endings.push_back(".txt");
+  for (const std::string_view ending : endings) {
+    Result<std::vector<source::TextFile>> files = source::read_texts(folder, ending);
+    if (!files) return files.error();
+    for (source::TextFile& file : *files) {
+      const bool is_table = file.name == plants::kOwnSpeciesName || file.name == plants::kSpawnersName;
+      if (file.name.find('/') == std::string::npos && (ending != ".txt" || is_table))
+        own.push_back({std::move(file.name), std::move(file.text)});
+    }
+  }
+  if (own.empty())
+    return Error{folder, fmt::format("expected species.txt, spawners.txt or files {}, found none",
+                                     fmt::join(lsystems::kPlantEndings, ", "))};
+  return plants::read_species_folder(own, folder);
 }
 
 Result<things::Catalogue> read_things(const CompileSpec& spec) {

@@ -8,6 +8,7 @@
 #include "compiler/geometry/box.h"
 #include "compiler/lots/fill_lots.h"
 #include "compiler/map/plane/plane.h"
+#include "compiler/plants/species_folder.h"
 #include "compiler/scene/assemble.h"
 #include "compiler/scene/scene.h"
 #include "compiler/spec.h"
@@ -28,6 +29,10 @@ Result<lots::HouseRules> house_rules_for(const CompileSpec& spec);
 /// name.
 Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
                                                    const std::vector<buildings::Building>& buildings);
+
+/// Returns the species of the spec's folder; the shipped ones alone without one. Errors: those of
+/// plants::read_species_folder(); the folder cannot be read, or has no file of a species.
+Result<plants::OwnSpecies> read_species(const std::string& folder);
 
 /// Returns the shipped things, with those of the spec's folder; cars only if the spec asks for them. Errors: those of
 /// things::read_catalogue(); the folder cannot be read.

@@ -76,8 +76,10 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
 
   const Result<things::Catalogue> catalogue = read_things(spec);
   if (!catalogue) return catalogue.error();
+  const Result<plants::OwnSpecies> own_species = read_species(spec.species_folder);
+  if (!own_species) return own_species.error();
   map::Options reading = spec.map;
-  reading.things = &catalogue->table;
+  reading.things = &catalogue->table, reading.own_plants = &own_species->for_map;
 
   // read the map, project it to the plane and classify its elements
   timer.enter("read map");
@@ -137,7 +139,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   timer.enter("buildings");
   recipes.buildings = buildings::plan(features, graded, report);
   timer.enter("plants");
-  recipes.plants = plants::plan(features, recipes.surfaces, recipes.roads, recipes.heights, report);
+  recipes.plants = plants::plan(features, recipes.surfaces, recipes.roads, recipes.heights, report, own_species->table);
   timer.enter("props");
   recipes.props = props::plan(features, report);
   timer.enter("things");
@@ -195,7 +197,8 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   Result<std::vector<buildings::RuleText>> rules = rules_for(spec, recipes.buildings);
   if (!rules) return rules.error();
   header->rules = std::move(*rules);
-  header->species = plants::species_texts_for(recipes.plants, has_hedges(recipes.props));
+  header->species =
+      plants::species_texts_for(recipes.plants, has_hedges(recipes.props), own_species->texts, own_species->table);
   header->things = things::texts_for(*catalogue, *kinds, recipes.things);
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
   map::remove_diagnoses_outside(*osm, plane, features.extent, report);

@@ -405,6 +405,11 @@ constexpr Setting kSettings[] = {
      "folder with a table of things, things.txt, and rule files (.cga), which add to the shipped ones or replace those "
      "of the same name",
      false, set_text<&CompileSpec::things_folder>},
+    {"species", "FOLDER",
+     "folder with plants of your own (.lsys, .honda, .family, .tree) and tables of them, species.txt and spawners.txt, "
+     "which "
+     "add to the shipped ones or replace those of the same name",
+     false, set_text<&CompileSpec::species_folder>},
     {"cars", "", "parked cars in parking lanes, on car parks and in parking spaces, drawn by the seed", false,
      set_cars},
     {"tags", "", "keep all tags of the map's elements, in the manifest and as a property of each feature in .glb files",

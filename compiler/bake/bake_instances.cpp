@@ -31,8 +31,8 @@ InstancedMesh instances_of(const Baking& baking, const std::string& name, const 
 namespace {
 
 // "oak_3".
-std::string name_of(plants::Prototype prototype) {
-  return fmt::format("{}_{}", plants::values_of(prototype.species).file, prototype.variant);
+std::string name_of(const plants::SpeciesTable& table, plants::Prototype prototype) {
+  return fmt::format("{}_{}", table[prototype.species].file, prototype.variant);
 }
 
 double tallest(const std::vector<Placement>& placements) {
@@ -55,13 +55,13 @@ void bake_stands(Baking& baking, const Stands& stands, const PrototypeCache& pro
   for (const auto& [key, placements] : stands) {
     const auto& [element, prototype] = key;
     const double height_m = prototype_height_m(tallest(placements));
-    const BakedPrototype& baked =
-        prototypes.prototype(prototype, height_m, stand_tolerance_m(prototype.species, baking.tolerance_m));
+    const BakedPrototype& baked = prototypes.prototype(
+        prototype, height_m, stand_tolerance_m(prototypes.species()[prototype.species], baking.tolerance_m));
     if (baked.primitives.empty()) continue;
     baking.tile.plant_error_m = std::max(baking.tile.plant_error_m, baked.error_per_m * tallest(placements));
     InstancedMesh stand =
         stand_mesh(baked, height_m, placements, baking.tile.origin, feature_index(baking.tile, element));
-    stand.name = fmt::format("stand_of_{}", name_of(prototype));
+    stand.name = fmt::format("stand_of_{}", name_of(prototypes.species(), prototype));
     baking.tile.instanced.push_back(std::move(stand));
   }
 }
@@ -149,8 +149,10 @@ void bake_trees(Baking& baking, const Placed& placed, const PrototypeCache& prot
   plants::PlacedPlants trees = placed.trees;
   baking.tile.plant_error_m = std::max(baking.tile.plant_error_m, placed.left_out_m);
   const std::size_t others = placed.lamps.standing.size() + placed.things.size();
-  bake_stands(baking, take_stands(trees, baking.tolerance_m, most_instances - std::min(others, most_instances)),
-              prototypes);
+  bake_stands(
+      baking,
+      take_stands(trees, baking.tolerance_m, most_instances - std::min(others, most_instances), prototypes.species()),
+      prototypes);
   for (const auto& [prototype, placements] : merged_variants(trees, baking.tolerance_m)) {
     if (placements.empty()) continue;
     const double tallest_m = baking.cell ? baking.cell->tallest_plants_m.at(prototype) : tallest(placements);
@@ -158,7 +160,7 @@ void bake_trees(Baking& baking, const Placed& placed, const PrototypeCache& prot
     const BakedPrototype& baked = prototypes.prototype(prototype, height_m, baking.tolerance_m);
     baking.tile.plant_error_m = std::max(baking.tile.plant_error_m, baked.error_per_m * tallest_m);
     if (baked.primitives.empty()) continue;
-    InstancedMesh instanced = instances_of(baking, name_of(prototype), placements, height_m);
+    InstancedMesh instanced = instances_of(baking, name_of(prototypes.species(), prototype), placements, height_m);
     instanced.cutout = baked.cutout;
     if (!baking.cell) instanced.primitives = baked.primitives;
     baking.cell ? baking.cell->plants.push_back({&baked, std::move(instanced)})

@@ -93,7 +93,7 @@ BakedTile bake_level(const LevelRequest& request, TileLevel& level, const Protot
   add_features_of(baking, placed);
 
   tile.features.assign(baking.features.begin(), baking.features.end());
-  if (!cell) tile.attributes = attributes_of(chunk, tile.features, prototypes.thing_classes());
+  if (!cell) tile.attributes = attributes_of(chunk, tile.features, prototypes.thing_classes(), prototypes.species());
   merge_meshes(baking);
   bake_lamps(baking, placed.lamps, graded, report);
   bake_things(baking, placed.things, prototypes, report);

@@ -47,12 +47,12 @@ void add_buildings(Table& table, const std::vector<buildings::Building>& buildin
 }
 
 template <typename Plant>
-void add_plants(Table& table, const std::vector<Plant>& plants) {
+void add_plants(Table& table, const std::vector<Plant>& plants, const plants::SpeciesTable& species) {
   for (const Plant& plant : plants)
     if (plant.id.part >= map::kDerivedPart)
       table.add(plant.id.osm, "", 0, bit_of(Assumption::kYards));  // of a building
     else
-      table.add(plant.id.osm, name_of(plant.species_mix), plant.height_m);
+      table.add(plant.id.osm, name_of(species, plant.species_mix), plant.height_m);
 }
 
 std::string_view class_of_thing(const ThingClasses& classes, const std::string& kind) {
@@ -70,7 +70,7 @@ void add_texts(Table& table, std::span<const map::ElementText> texts) {
 }  // namespace
 
 std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::span<const OsmId> features,
-                                             const ThingClasses& classes) {
+                                             const ThingClasses& classes, const plants::SpeciesTable& species) {
   Table table{features, std::vector<FeatureAttributes>(features.size())};
   add_buildings(table, chunk.buildings);
   add_roads(table, chunk.bridges), add_roads(table, chunk.tunnels), add_roads(table, chunk.roads);
@@ -82,7 +82,7 @@ std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::spa
       table.add(b.id.osm, "", 0, bit_of(Assumption::kYards));  // of a building
     else
       table.add(b.id.osm, map::name_of(b.kind), b.height_m);
-  add_plants(table, chunk.trees), add_plants(table, chunk.tree_rows);
+  add_plants(table, chunk.trees, species), add_plants(table, chunk.tree_rows, species);
   for (const props::Lamp& lamp : chunk.lamps) table.add(lamp.id.osm, "StreetLamp", lamp.height_m);
   // equipment of a sports field belongs to the field's area
   for (const things::Thing& thing : chunk.things)

@@ -33,6 +33,7 @@ using ThingClasses = std::map<std::string, std::string, std::less<>>;
 /// @param features  Sorted.
 /// @param classes   The classes of things by kind; a kind without one is its own class.
 std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::span<const OsmId> features,
-                                             const ThingClasses& classes = {});
+                                             const ThingClasses& classes = {},
+                                             const plants::SpeciesTable& species = plants::shipped_table());
 
 }  // namespace citykiln::bake

@@ -68,6 +68,9 @@ class PrototypeCache {
   /// The mesh of a form of things, within the tolerance. The reference is valid as long as the cache.
   const BakedThing& thing(const things::Form& form, double tolerance_m) const;
 
+  /// The header's species, and the shipped ones.
+  const plants::SpeciesTable& species() const { return grown_plants_.table(); }
+
   /// The classes of the header's things.
   const ThingClasses& thing_classes() const { return thing_classes_; }
 

@@ -48,17 +48,18 @@ void add_plant(Primitive& to, const Primitive& from, double height_m, const Plac
 
 }  // namespace
 
-double stand_tolerance_m(plants::Species species, double tolerance_m) {
-  return std::max(tolerance_m, kStandTolerance * plants::values_of(species).tallest_m);
+double stand_tolerance_m(const plants::SpeciesValues& species, double tolerance_m) {
+  return std::max(tolerance_m, kStandTolerance * species.tallest_m);
 }
 
-Stands take_stands(plants::PlacedPlants& placed, double tolerance_m, std::size_t most) {
+Stands take_stands(plants::PlacedPlants& placed, double tolerance_m, std::size_t most,
+                   const plants::SpeciesTable& table) {
   const std::set<OsmId> taken = elements_to_take(placed, most);
   Stands stands;
   for (auto& [prototype, placements] : placed) {
     const auto is_kept = [&](const Placement& p) { return !taken.contains(p.feature); };
     const auto rest = std::stable_partition(placements.begin(), placements.end(), is_kept);
-    const int variants = plants::variants_at(stand_tolerance_m(prototype.species, tolerance_m));
+    const int variants = plants::variants_at(stand_tolerance_m(table[prototype.species], tolerance_m));
     const plants::Prototype alike{prototype.species, static_cast<std::uint8_t>(prototype.variant % variants)};
     for (auto p = rest; p != placements.end(); ++p) stands[{p->feature, alike}].push_back(*p);
     placements.erase(rest, placements.end());

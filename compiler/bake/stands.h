@@ -29,13 +29,14 @@ using Stands = std::map<std::pair<OsmId, plants::Prototype>, std::vector<Placeme
 /// Returns the tolerance for the plants of a stand: the tile's tolerance, at least kStandTolerance of the species'
 /// tallest height.
 /// @param tolerance_m  The tile's tolerance.
-double stand_tolerance_m(plants::Species species, double tolerance_m);
+double stand_tolerance_m(const plants::SpeciesValues& species, double tolerance_m);
 
 /// Moves plants out of `placed` into stands, all plants of one element at a time, the elements with the most plants
 /// first. Stops when at most `most` plants are left in `placed`, or no element with more than kFewestStandPlants.
 /// @param placed       The plants of a tile by prototype.
 /// @param tolerance_m  The tile's tolerance. Variants that share a mesh at stand_tolerance_m() are in one stand.
-Stands take_stands(plants::PlacedPlants& placed, double tolerance_m, std::size_t most);
+Stands take_stands(plants::PlacedPlants& placed, double tolerance_m, std::size_t most,
+                   const plants::SpeciesTable& table = plants::shipped_table());
 
 /// Returns a stand as a mesh with a single instance, whose origin is the stand's first plant. The mesh has no
 /// primitives if the plants are smaller than the tolerance. O(plants · triangles of a prototype).

@@ -41,8 +41,10 @@ SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk&
       .graded = std::make_shared<ground::GradedTerrain>(scene::graded_terrain_of(header, chunk, tolerance_m)),
       .lamps = place_lamps(chunk, map, box)};
   shared.things = place_things(chunk.things, *shared.graded);
+  const plants::SpeciesTable species(header.species);
   const plants::PlacingContext land{
-      map, *shared.graded, box, header.seed, header.origin.lat_deg, header.climate, scene::local_month_of(header)};
+      map,    *shared.graded, box, header.seed, header.origin.lat_deg, header.climate, scene::local_month_of(header),
+      species};
   shared.trees = plants::generate({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.corridors}, land,
                                   shared.tree_report);
   shared.pits = props::tree_pits(joined(shared.trees), chunk.roads, map);

@@ -11,6 +11,7 @@
 #include "compiler/commands/layers/lots_layer.h"
 #include "compiler/commands/layers/map_layers.h"
 #include "compiler/commands/layers/scene_layers.h"
+#include "compiler/commands/plant_sheet.h"
 #include "compiler/commands/run_paths.h"
 #include "compiler/commands/things_sheet.h"
 #include "compiler/commands/verb.h"
@@ -37,6 +38,7 @@ using OrderedJson = nlohmann::ordered_json;
 struct InspectRequest {
   std::string path, layer, geojson_path;
   ThingsSheet sheet;
+  std::string picture;
 };
 
 // ---- descriptions ----
@@ -224,7 +226,12 @@ Result<Exit> run_inspect(const InspectRequest& asked, const Console& console) {
     const Result<Done> done = draw_things_sheet(asked.sheet, console);
     return done ? Result<Exit>(Exit::kDone) : done.error();
   }
-  if (asked.path.empty()) return Error{"", "no file is given; expected a .kiln, a .glb, a map or the folder of a run"};
+  if (asked.path.empty())
+    return Error{"", "no file is given; expected a .kiln, a .glb, a map, the folder of a run, or a species with -o"};
+  if (!asked.picture.empty()) {
+    const Result<Done> done = draw_plant_sheet({asked.path, asked.picture}, console);
+    return done ? Result<Exit>(Exit::kDone) : done.error();
+  }
   if (asked.layer.empty() != asked.geojson_path.empty())
     return Error{"", "--layer and --geojson must be given together"};
   if (asked.layer == "findings") {
@@ -255,18 +262,26 @@ Verb inspect_verb() {
   const auto request = std::make_shared<InspectRequest>();
   Verb verb{
       "inspect",
-      "prints the contents of a manifest, a .glb or a map, or writes a layer of it as GeoJSON, or draws all things",
+      "prints the contents of a manifest, a .glb or a map, or writes a layer of it as GeoJSON, or draws things or a "
+      "plant",
       {},
       {}};
   verb.options = {
-      {"file", "FILE", "what to inspect: a .kiln, a .glb, a map or the folder of a run", false,
-       store_text(request->path)},
+      {"file", "FILE",
+       "what to inspect: a .kiln, a .glb, a map or the folder of a run; with -o a species: the name of a shipped one, "
+       "a "
+       "plant's file or a folder of species",
+       false, store_text(request->path)},
       {"--layer", "NAME",
        "layer to write: roads, junctions, areas, buildings or plants; of a map also lots; of a run's folder also "
        "findings",
        false, store_text(request->layer)},
       {"--geojson", "FILE", "GeoJSON file for the layer, in longitude and latitude, for example for QGIS", false,
        store_text(request->geojson_path)},
+      {"-o,--out", "FILE.png",
+       "draws a species at 0.1, 0.5, 1.2, 2.5 and 12.5 m (at a tenth if it is low), and prints its triangles and "
+       "errors",
+       false, store_text(request->picture)},
       {"--sheet", "FILE.png", "draws a picture of all things (benches, bollards, ...) at 2, 10 and 50 cm", false,
        store_text(request->sheet.path)},
       {"--things", "FOLDER", "for --sheet: folder with a table of things and rule files, as for compile", false,
@@ -274,7 +289,7 @@ Verb inspect_verb() {
       {"--kind", "NAME", "for --sheet: a row of the table to draw, such as bench (default: all)", true,
        append_text(request->sheet.names)},
   };
-  verb.examples = {"citykiln inspect --sheet things.png --kind bench --kind bollard",
+  verb.examples = {"citykiln inspect oak -o oak.png", "citykiln inspect --sheet things.png --kind bench --kind bollard",
                    "citykiln inspect out/town/scene.kiln",
                    "citykiln inspect out/town/scene.kiln --layer buildings --geojson buildings.geojson"};
   verb.run = [request](const Console& console) { return run_inspect(*request, console); };

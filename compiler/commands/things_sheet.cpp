@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compiler/bake/merge.h"
+#include "compiler/commands/sheet.h"
 #include "compiler/make_header.h"
 #include "compiler/sky/plan.h"
 #include "compiler/things/generate.h"
@@ -32,22 +33,12 @@ things::Form default_form(const map::ThingRow& row) {
           .text = "30"};
 }
 
-bake::Primitive paved_square(float half_m) {
-  bake::Primitive square{materials::Material::kPaving, {}, {}, {}, {}, {}};
-  for (const bake::Float3& p :
-       {bake::Float3{-half_m, -half_m, 0}, {half_m, -half_m, 0}, {half_m, half_m, 0}, {-half_m, half_m, 0}}) {
-    square.positions.push_back(p), square.normals.push_back({0, 0, 1});
-    square.colours.push_back(materials::kNoTint), square.features.push_back(0);
-  }
-  square.triangles = {{0, 1, 2}, {0, 2, 3}};
-  return square;
-}
-
 bake::BakedTile tile_of_thing(const things::Form& form, const things::Kind& kind, double tolerance_m) {
   const things::GeneratedThing thing = things::generate(form, kind, 0, false, tolerance_m);
   bake::BakedTile tile;
   tile.features = {OsmId{}};
-  tile.primitives = {paved_square(static_cast<float>(20 * std::max({form.width_m, form.depth_m, form.height_m})))};
+  tile.primitives = {ground_square(materials::Material::kPaving,
+                                   static_cast<float>(20 * std::max({form.width_m, form.depth_m, form.height_m})))};
   if (!thing.meshes.empty())
     tile.instanced.push_back({.name = form.kind,
                               .primitives = bake::instanced_primitives(thing.meshes, bake::Layer::kProps),
@@ -66,12 +57,6 @@ preview::Camera camera_before(const things::Form& form) {
   return {middle + unit(Vec3{0.5, -1, 0.25}) * (1.7 * size_m), middle, 38};
 }
 
-void put_picture(const preview::Image& from, int x0, int y0, preview::Image& to) {
-  for (int y = 0; y < from.height; ++y)
-    std::copy_n(from.rgb.begin() + 3L * y * from.width, 3 * from.width,
-                to.rgb.begin() + 3L * ((y0 + y) * to.width + x0));
-}
-
 // The rows of the table with these names, in the order of the table; all of them if no name is given.
 Result<std::vector<map::ThingRow>> rows_with(const std::vector<map::ThingRow>& table,
                                              const std::vector<std::string>& names) {
@@ -83,12 +68,6 @@ Result<std::vector<map::ThingRow>> rows_with(const std::vector<map::ThingRow>& t
   std::ranges::copy_if(table, std::back_inserter(rows),
                        [&](const map::ThingRow& row) { return std::ranges::find(names, row.name) != names.end(); });
   return rows;
-}
-
-preview::Image empty_sheet(int rows) {
-  preview::Image sheet{kThingPixels * kThingsInRow * kTolerances, kThingPixels * rows, {}};
-  sheet.rgb.resize(3UL * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height));
-  return sheet;
 }
 
 // Draws a thing at all tolerances, in the place of its number.
@@ -120,7 +99,7 @@ Result<Done> draw_things_sheet(const ThingsSheet& asked, const Console& console)
   const Result<sky::Sky> sky = sky::plan({11, 48}, "2026-06-21T09:30");
   if (!sky) return sky.error();
   const int rows = (static_cast<int>(drawn->size()) + kThingsInRow - 1) / kThingsInRow;
-  preview::Image sheet = empty_sheet(rows);
+  preview::Image sheet = empty_sheet(kThingPixels * kThingsInRow * kTolerances, kThingPixels * rows);
   std::vector<std::string> lines(static_cast<std::size_t>(rows));
   for (int i = 0; i < static_cast<int>(drawn->size()); ++i) {
     const map::ThingRow& row = (*drawn)[static_cast<std::size_t>(i)];

@@ -1,6 +1,7 @@
 // Parses texts: splits them at separators, and reads numbers.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -19,6 +20,19 @@ inline std::vector<std::string_view> split(std::string_view text, char separator
     parts.push_back(text.substr(0, end));
     if (end == std::string_view::npos) return parts;
     text.remove_prefix(end + 1);
+  }
+}
+
+/// Returns the words of a line, which blanks, tabs and carriage returns separate.
+inline std::vector<std::string_view> words_in(std::string_view line) {
+  constexpr std::string_view kBlanks = " \t\r";
+  std::vector<std::string_view> words;
+  for (;;) {
+    line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+    if (line.empty()) return words;
+    const std::size_t end = std::min(line.find_first_of(kBlanks), line.size());
+    words.push_back(line.substr(0, end));
+    line.remove_prefix(end);
   }
 }
 

@@ -80,13 +80,14 @@ LandCoverClass refined(const ReadContext& context, source::Range tags, LandCover
   return with_leaves(surface, plant_tags.leaves);
 }
 
-// The plant tags of areas where plants grow.
+// The plant tags of areas where plants grow; elsewhere only spawners plant.
 PlantTags growth_on(const ReadContext& context, const source::Area& area, LandCoverClass surface) {
   const LandCoverGroup group = values_of(surface).group;
   const bool is_green = group == LandCoverGroup::kForest || group == LandCoverGroup::kFarm ||
                         group == LandCoverGroup::kGarden || group == LandCoverGroup::kScrubland ||
                         group == LandCoverGroup::kGrassland || group == LandCoverGroup::kWetland;
-  return is_green ? read_plant_tags(context, area.from, area.tags) : PlantTags{};
+  if (is_green) return read_plant_tags(context, area.from, area.tags);
+  return {.spawner = tagged_spawner(context, area.tags)};
 }
 
 // The footprints of buildings with walls, and a grid to find them.

@@ -75,10 +75,11 @@ bool is_body(PointKind kind) {
 
 constexpr double kTallestPoint_m = 400;
 
-// The plant tags of a tree or shrub; natural=shrub wins over names of trees.
+// The plant tags of a tree or shrub; natural=shrub wins over names of shipped trees.
 PlantTags growth_of(const ReadContext& context, OsmId id, source::Range tags) {
   PlantTags plant_tags = read_plant_tags(context, id, tags);
-  if (context.tag(tags, "natural") == "shrub") plant_tags.kind = PlantKind::kBush;
+  const bool is_own = static_cast<std::uint8_t>(plant_tags.kind) >= kFirstOwnKind;
+  if (context.tag(tags, "natural") == "shrub" && !is_own) plant_tags.kind = PlantKind::kBush;
   return plant_tags;
 }
 

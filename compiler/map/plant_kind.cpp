@@ -67,4 +67,24 @@ PlantKind kind_named(std::string_view text) {
   return PlantKind::kUnknown;
 }
 
+std::string lower_words(std::string_view text) {
+  std::string words;
+  const std::string lower = lowered(text);
+  for (std::string_view rest = lower; !rest.empty();)
+    if (const std::string_view word = take_word(rest); !word.empty())
+      words += (words.empty() ? "" : " ") + std::string(word);
+  return words;
+}
+
+PlantKind own_kind_named(std::string_view text, std::span<const PlantWords> own) {
+  const std::string words = " " + lower_words(text) + " ";
+  PlantKind kind = PlantKind::kUnknown;
+  std::size_t longest = 0;
+  for (const PlantWords& plant : own)
+    for (const std::string& name : plant.names)
+      if (name.size() > longest && words.find(" " + name + " ") != std::string::npos)
+        kind = plant.kind, longest = name.size();
+  return kind;
+}
+
 }  // namespace citykiln::map

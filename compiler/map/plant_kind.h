@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace citykiln::map {
 
@@ -14,6 +17,15 @@ enum class PlantKind : std::uint8_t {
 #include "lsystems/species/species.inc"
 };
 
+/// The first kind of species of one's own (plants/species_folder.h): 1 plus the number of the species.
+inline constexpr std::uint8_t kFirstOwnKind = 65;
+
+/// The words of tags that name a species of one's own.
+struct PlantWords {
+  PlantKind kind{};
+  std::vector<std::string> names{};  ///< In lower case; several words are separated by a space: "populus tremula".
+};
+
 /// The type of leaves.
 enum class LeafType : std::uint8_t { kUnknown, kBroad, kNeedle, kMixed, kPalm };
 
@@ -21,9 +33,10 @@ enum class LeafType : std::uint8_t { kUnknown, kBroad, kNeedle, kMixed, kPalm };
 struct PlantTags {
   PlantKind kind{};
   LeafType leaves{};
-  double crown_m = 0;      ///< Crown diameter; 0: unknown.
-  double girth_m = 0;      ///< Trunk circumference at breast height; 0: unknown.
-  std::uint16_t year = 0;  ///< Year of planting; 0: unknown.
+  double crown_m = 0;        ///< Crown diameter; 0: unknown.
+  double girth_m = 0;        ///< Trunk circumference at breast height; 0: unknown.
+  std::uint16_t year = 0;    ///< Year of planting; 0: unknown.
+  std::uint8_t spawner = 0;  ///< 1 plus the index of the row of OwnPlants::spawners that fits; 0: none.
   bool operator==(const PlantTags&) const = default;
 };
 
@@ -34,5 +47,11 @@ enum class TreeSides : std::uint8_t { kNone, kLeft, kRight, kBoth };
 /// Catalan; case does not matter. German compounds match by their ending ("Winterlinde"). kUnknown if no word is known.
 /// O(words · taxa).
 PlantKind kind_named(std::string_view text);
+
+/// Returns the words of a text in lower case, separated by single spaces. All that is no letter separates words.
+std::string lower_words(std::string_view text);
+
+/// Returns the kind of the longest name that is in a text as whole words; kUnknown if none is.
+PlantKind own_kind_named(std::string_view text, std::span<const PlantWords> own);
 
 }  // namespace citykiln::map

@@ -1,5 +1,7 @@
 #include "compiler/map/plant_tags.h"
 
+#include <algorithm>
+
 #include "compiler/map/tag_values.h"
 
 namespace citykiln::map {
@@ -14,6 +16,11 @@ constexpr std::string_view kTaxonKeys[] = {"genus",      "species",  "taxon",   
 constexpr double kTallestPlant_m = 130, kWidest_m = 60, kThickest_m = 40;
 
 PlantKind tagged_kind(const ReadContext& context, source::Range tags) {
+  if (context.own_plants != nullptr)
+    for (const std::string_view key : kTaxonKeys)
+      if (const std::string_view text = context.tag(tags, key); !text.empty())
+        if (const PlantKind kind = own_kind_named(text, context.own_plants->words); kind != PlantKind::kUnknown)
+          return kind;
   for (const std::string_view key : kTaxonKeys)
     if (const std::string_view text = context.tag(tags, key); !text.empty())
       if (const PlantKind kind = kind_named(text); kind != PlantKind::kUnknown) return kind;
@@ -47,7 +54,17 @@ PlantTags read_plant_tags(const ReadContext& context, OsmId id, source::Range ta
   plant_tags.crown_m = tagged_length_m(context, id, tags, "diameter_crown", 0.2, kWidest_m).value_or(0);
   plant_tags.girth_m = girth_m_of(context, id, tags);
   plant_tags.year = year_of(context.tag(tags, "start_date")).value_or(0);
+  plant_tags.spawner = tagged_spawner(context, tags);
   return plant_tags;
+}
+
+std::uint8_t tagged_spawner(const ReadContext& context, source::Range tags) {
+  if (context.own_plants == nullptr) return 0;
+  const std::vector<SpawnerRow>& rows = context.own_plants->spawners;
+  const auto value_of = [&](std::string_view key) { return context.tag(tags, key); };
+  const auto found =
+      std::ranges::find_if(rows, [&](const SpawnerRow& row) { return fitting_value(row.tags, value_of).has_value(); });
+  return found == rows.end() ? std::uint8_t{0} : static_cast<std::uint8_t>(found - rows.begin() + 1);
 }
 
 double tagged_plant_height_m(const ReadContext& context, OsmId id, source::Range tags) {

@@ -7,9 +7,12 @@
 namespace citykiln::map {
 
 /// Reads the kind from genus, species, taxon, trees, crop and produce, by the taxa of lsystems/species/species.inc, and
-/// the leaf type from leaf_type, leaf_cycle and the older wood=* and type=*, else from the kind. Sizes that cannot be
-/// read are diagnosed kBadTagValue.
+/// the leaf type from leaf_type, leaf_cycle and the older wood=* and type=*, else from the kind. Names of one's own
+/// species are looked for first. Sizes that cannot be read are diagnosed kBadTagValue.
 PlantTags read_plant_tags(const ReadContext& context, OsmId id, source::Range tags);
+
+/// Returns 1 plus the index of the first row of the spawners of one's own that fits the tags; 0 if none does.
+std::uint8_t tagged_spawner(const ReadContext& context, source::Range tags);
 
 /// Returns height=* or est_height=* in metres; 0: not tagged.
 double tagged_plant_height_m(const ReadContext& context, OsmId id, source::Range tags);

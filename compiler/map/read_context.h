@@ -7,6 +7,7 @@
 
 #include "compiler/contract/report.h"
 #include "compiler/map/features.h"
+#include "compiler/map/own_plants.h"
 #include "compiler/map/plane/plane.h"
 #include "compiler/source/osm_data.h"
 
@@ -18,6 +19,7 @@ struct ReadContext {
   const Plane& plane;
   Box2 extent;
   Report& report;
+  const OwnPlants* own_plants = nullptr;  ///< Null: none.
 
   std::string_view tag(source::Range tags, std::string_view key) const { return osm.value_of(tags, key); }
 };

@@ -62,14 +62,12 @@ Recipe recipe_of(const props::Barrier& barrier) {
   return {{"kind", text(map::name_of(barrier.kind))}, {"height_m", barrier.height_m}, {"width_m", barrier.width_m}};
 }
 
-Recipe plant_recipe(plants::SpeciesMix mix, double height_m) {
-  Recipe recipe = {{"species", plants::name_of(mix)}};
+Recipe plant_recipe(const plants::SpeciesTable& species, plants::SpeciesMix mix, double height_m) {
+  Recipe recipe = {{"species", plants::name_of(species, mix)}};
   if (height_m > 0) recipe.emplace_back("height_m", height_m);
   return recipe;
 }
 
-Recipe recipe_of(const plants::Tree& tree) { return plant_recipe(tree.species_mix, tree.height_m); }
-Recipe recipe_of(const plants::TreeRow& row) { return plant_recipe(row.species_mix, row.height_m); }
 Recipe recipe_of(const props::Lamp& lamp) { return {{"kind", text("street lamp")}, {"height_m", lamp.height_m}}; }
 
 Recipe recipe_of(const things::Thing& thing) {
@@ -120,7 +118,10 @@ Vec2 place_of(const Object& object) {
 class RecordMaker {
  public:
   RecordMaker(const scene::Header& header, const map::Geoid& geoid)
-      : geoid_(geoid), globe_(header.origin), classes_(bake::PrototypeCache(header).thing_classes()) {}
+      : geoid_(geoid),
+        globe_(header.origin),
+        classes_(bake::PrototypeCache(header).thing_classes()),
+        species_(header.species) {}
 
   void add(const scene::Chunk& chunk) {
     chunk_ = &chunk;
@@ -158,13 +159,16 @@ class RecordMaker {
     const double height_m = z_m.value_or(map::height_m_at(chunk_->heights, at)) + map::height_m(geoid_, at);
     found->second.at = globe_.at({at.x, at.y, height_m}).at;
     found->second.size_m = std::sqrt(box.width() * box.width() + box.height() * box.height());
-    found->second.recipe = recipe_of(object);
+    if constexpr (requires { object.species_mix; })
+      found->second.recipe = plant_recipe(species_, object.species_mix, object.height_m);
+    else
+      found->second.recipe = recipe_of(object);
   }
 
   void add_attributes() {
     std::ranges::sort(own_);
     own_.erase(std::ranges::unique(own_).begin(), own_.end());
-    const std::vector<bake::FeatureAttributes> rows = bake::attributes_of(*chunk_, own_, classes_);
+    const std::vector<bake::FeatureAttributes> rows = bake::attributes_of(*chunk_, own_, classes_, species_);
     for (std::size_t i = 0; i < own_.size(); ++i) {
       FeatureRecord& record = records.at(own_[i]);
       if (record.kind.empty()) record.kind = rows[i].kind;
@@ -177,6 +181,7 @@ class RecordMaker {
   const map::Geoid& geoid_;
   map::Globe globe_;
   bake::ThingClasses classes_;
+  plants::SpeciesTable species_;
   const scene::Chunk* chunk_ = nullptr;
   std::vector<OsmId> own_;  ///< The elements of the chunk.
 };

@@ -35,10 +35,13 @@ Thousandths mixed(const Thousandths& summer, const SpeciesValues& species, const
 }  // namespace
 
 Appearance appearance_of(Prototype prototype, Month month) {
+  return appearance_of(values_of(prototype.species), prototype.variant, month);
+}
+
+Appearance appearance_of(const SpeciesValues& species, std::uint8_t variant, Month month) {
   using materials::Material;
-  const SpeciesValues& species = values_of(prototype.species);
   const Material leaf = species.leaf_form == LeafForm::kNeedle ? Material::kNeedleLeaf : Material::kBroadLeaf;
-  const SeasonState state = season_state_of(prototype, month);
+  const SeasonState state = season_state_of(species, variant, month);
   // stalks of grasses have the colour of their blades
   const bool is_blade = species.leaf_form == LeafForm::kBlade;
   const materials::Tint bark =

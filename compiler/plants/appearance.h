@@ -16,7 +16,10 @@ struct Appearance {
          height_share = 1;  ///< Share of the leaves that are present, and height as a share of the summer height.
 };
 
-/// Returns the appearance of a prototype in a month.
+/// Returns the appearance of a variant of a species in a month.
+Appearance appearance_of(const SpeciesValues& species, std::uint8_t variant, Month month);
+
+/// Returns the appearance of a prototype of a shipped species in a month.
 Appearance appearance_of(Prototype prototype, Month month = kMidsummer);
 
 }  // namespace citykiln::plants

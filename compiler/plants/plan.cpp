@@ -46,12 +46,14 @@ constexpr double kBehindKerb_m = 1;
 double in_eighths(double v) { return std::floor(v * 8 + 0.5) / 8; }
 
 // The tagged height, else from other tagged sizes; a tree of unknown species is sized as the most common one.
-double planned_height_m(double tagged_m, SpeciesMix species_mix, const map::PlantTags& plant_tags) {
+double planned_height_m(double tagged_m, SpeciesMix species_mix, const map::PlantTags& plant_tags,
+                        const SpeciesTable& table) {
   if (tagged_m > 0) return tagged_m;
-  return height_from_tags_m(is_single_species(species_mix) ? single_species(species_mix) : Species::kLime, plant_tags);
+  const Species species = is_single_species(species_mix) ? single_species(species_mix) : Species::kLime;
+  return height_from_tags_m(table[species], plant_tags);
 }
 
-std::vector<Tree> plan_trees(const map::Features& features, Report& report) {
+std::vector<Tree> plan_trees(const map::Features& features, const SpeciesTable& table, Report& report) {
   std::vector<Tree> trees;
   Account account;
   for (const map::PointFeature& point : features.points) {
@@ -63,7 +65,7 @@ std::vector<Tree> plan_trees(const map::Features& features, Report& report) {
     const SpeciesMix species_mix = species_mix_for(point.plant_tags, species_mix_of(usual));
     trees.push_back({.id = point.id,
                      .at = point.at,
-                     .height_m = planned_height_m(point.height_m, species_mix, point.plant_tags),
+                     .height_m = planned_height_m(point.height_m, species_mix, point.plant_tags, table),
                      .species_mix = species_mix});
   }
   report.account("plants", "tree") = account;
@@ -76,11 +78,14 @@ const map::PlantTags& tags_of(const map::Features& features, const ground::LandC
   return found != features.areas.end() && found->id == surface.id ? found->plant_tags : kNoTags;
 }
 
+// Spawners of one's own set the plants of an area, unless its tags name a species.
+bool has_spawner(const map::PlantTags& plant_tags) { return is_spawner(species_mix_for(plant_tags, {})); }
+
 std::vector<Wood> plan_woods(const map::Features& features, std::span<const ground::LandCoverPolygon> surfaces) {
   std::vector<Wood> woods;
   for (const ground::LandCoverPolygon& surface : surfaces)
     for (const WoodRow& row : kWoods)
-      if (row.surface == surface.surface)
+      if (row.surface == surface.surface && !has_spawner(tags_of(features, surface)))
         woods.push_back({.surface = surface.id,
                          .species_mix = species_mix_for(tags_of(features, surface), species_mix_of(row.community)),
                          .trees_per_ha = row.trees_per_ha,
@@ -90,7 +95,7 @@ std::vector<Wood> plan_woods(const map::Features& features, std::span<const grou
 
 // Orchards and plant nurseries have the tagged species, spaced by its crown width.
 Planting planting_on(const ground::LandCoverPolygon& surface, const PlantingRow& row, const map::PlantTags& plant_tags,
-                     const map::Heightfield& terrain) {
+                     const map::Heightfield& terrain, const SpeciesTable& table) {
   const SpeciesMix usual = row.species_mix;
   Planting planting{.surface = surface.id,
                     .species_mix = usual,
@@ -103,23 +108,42 @@ Planting planting_on(const ground::LandCoverPolygon& surface, const PlantingRow&
   if (!is_tagged || (row.surface != LandCoverClass::kOrchard && row.surface != LandCoverClass::kPlantNursery))
     return planting;
   const Species species = single_species(planting.species_mix = tagged);
-  planting.height_m = in_eighths(default_height_m(species));
+  planting.height_m = in_eighths(default_height_m(table[species]));
   planting.row_spacing_m = planting.plant_spacing_m =
-      std::max(in_eighths(planting.height_m * values_of(species).crown_share), kLeastPlantSpacing_m);
+      std::max(in_eighths(planting.height_m * table[species].crown_share), kLeastPlantSpacing_m);
   return planting;
 }
 
+// The plants that a spawner sets on an area: one in each cell of a square grid.
+Planting spawned_on(const ground::LandCoverPolygon& surface, SpeciesMix species_mix, const SpeciesTable& table) {
+  const Spawner& spawner = table.spawner(species_mix);
+  double tallest_m = 0;
+  for (const SpawnerShare& each : spawner.species)
+    tallest_m = std::max(tallest_m, table[each.species].height_m * spawner.to_scale);
+  return {.surface = surface.id,
+          .species_mix = species_mix,
+          .heading = 0,
+          .row_spacing_m = spawner.grid_m,
+          .plant_spacing_m = spawner.grid_m,
+          .height_m = std::max(in_eighths(tallest_m), 0.125)};
+}
+
 std::vector<Planting> plan_plantings(const map::Features& features, std::span<const ground::LandCoverPolygon> surfaces,
-                                     const map::Heightfield& terrain) {
+                                     const map::Heightfield& terrain, const SpeciesTable& table) {
   std::vector<Planting> plantings;
   for (const ground::LandCoverPolygon& surface : surfaces) {
     const map::PlantTags& plant_tags = tags_of(features, surface);
+    if (has_spawner(plant_tags)) {
+      if (map::values_of(surface.surface).group != map::LandCoverGroup::kBuilding)
+        plantings.push_back(spawned_on(surface, species_mix_for(plant_tags, {}), table));
+      continue;
+    }
     for (const PlantingRow& row : kPlantings)
-      if (row.surface == surface.surface) plantings.push_back(planting_on(surface, row, plant_tags, terrain));
+      if (row.surface == surface.surface) plantings.push_back(planting_on(surface, row, plant_tags, terrain, table));
     for (const PlantingRow& row : kCrops)
       if (row.surface == surface.surface && plant_tags.kind != map::PlantKind::kUnknown &&
           species_mix_for(plant_tags, {}) == row.species_mix)
-        plantings.push_back(planting_on(surface, row, plant_tags, terrain));
+        plantings.push_back(planting_on(surface, row, plant_tags, terrain, table));
   }
   return plantings;
 }
@@ -163,7 +187,8 @@ void add_avenues(const map::Features& features, std::span<const roads::Road> roa
   }
 }
 
-std::vector<TreeRow> plan_rows(const map::Features& features, std::span<const roads::Road> roads, Report& report) {
+std::vector<TreeRow> plan_rows(const map::Features& features, std::span<const roads::Road> roads,
+                               const SpeciesTable& table, Report& report) {
   std::vector<TreeRow> rows;
   Account account;
   for (const map::TreeRow& row : features.tree_rows) {
@@ -172,7 +197,7 @@ std::vector<TreeRow> plan_rows(const map::Features& features, std::span<const ro
     rows.push_back({.id = row.id,
                     .axis = row.axis,
                     .species_mix = species_mix,
-                    .height_m = in_eighths(planned_height_m(row.height_m, species_mix, row.plant_tags)),
+                    .height_m = in_eighths(planned_height_m(row.height_m, species_mix, row.plant_tags, table)),
                     .spacing_m = in_eighths(row.spacing_m)});
   }
   report.account("plants", "row") = account;
@@ -183,13 +208,14 @@ std::vector<TreeRow> plan_rows(const map::Features& features, std::span<const ro
 }  // namespace
 
 Plants plan(const map::Features& features, std::span<const ground::LandCoverPolygon> surfaces,
-            std::span<const roads::Road> roads, const map::Heightfield& terrain, Report& report) {
+            std::span<const roads::Road> roads, const map::Heightfield& terrain, Report& report,
+            const SpeciesTable& table) {
   assert(std::ranges::is_sorted(features.areas, {}, &map::AreaFeature::id));
   assert(std::ranges::is_sorted(features.tracks, {}, &map::Track::id));
-  Plants plants{.trees = plan_trees(features, report),
+  Plants plants{.trees = plan_trees(features, table, report),
                 .woods = plan_woods(features, surfaces),
-                .plantings = plan_plantings(features, surfaces, terrain),
-                .rows = plan_rows(features, roads, report),
+                .plantings = plan_plantings(features, surfaces, terrain, table),
+                .rows = plan_rows(features, roads, table, report),
                 .corridors = {}};
   for (const map::PowerLine& line : features.power_lines)
     plants.corridors.push_back({line.id, line.axis, in_eighths(line.corridor_m)});

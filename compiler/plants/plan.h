@@ -8,6 +8,7 @@
 #include "compiler/ground/recipe.h"
 #include "compiler/map/features.h"
 #include "compiler/plants/recipe.h"
+#include "compiler/plants/species_table.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::plants {
@@ -25,9 +26,11 @@ struct Plants {
 /// (wood_defaults.inc) or a planting (planting_defaults.inc, crops) for each polygon whose class or tags imply one.
 ///
 /// @param features  Areas and tracks sorted by id.
+/// @param table     The species, and the spawners to which tags refer.
 ///
 /// Accepts any features. Ledgers "plants/tree", "plants/row". O(n log n).
 Plants plan(const map::Features& features, std::span<const ground::LandCoverPolygon> surfaces,
-            std::span<const roads::Road> roads, const map::Heightfield& terrain, Report& report);
+            std::span<const roads::Road> roads, const map::Heightfield& terrain, Report& report,
+            const SpeciesTable& table = shipped_table());
 
 }  // namespace citykiln::plants

@@ -29,8 +29,7 @@ double height_by_year_m(double mature_m, std::uint16_t year) {
 
 }  // namespace
 
-double height_from_tags_m(Species species, const map::PlantTags& plant_tags) {
-  const SpeciesValues& values = values_of(species);
+double height_from_tags_m(const SpeciesValues& values, const map::PlantTags& plant_tags) {
   double height_m = 0;
   if (plant_tags.crown_m > 0)
     height_m = plant_tags.crown_m / values.crown_share;
@@ -41,6 +40,6 @@ double height_from_tags_m(Species species, const map::PlantTags& plant_tags) {
   return std::floor(std::min(height_m, values.tallest_m) * 8) / 8;
 }
 
-double default_height_m(Species species) { return kUsualShare * values_of(species).height_m; }
+double default_height_m(const SpeciesValues& species) { return kUsualShare * species.height_m; }
 
 }  // namespace citykiln::plants

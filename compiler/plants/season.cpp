@@ -25,9 +25,10 @@ constexpr StateRow kStates[] = {{'.', {0, 0, 0, 1}},     // bare
 constexpr bool is_state(char letter) {
   return std::ranges::any_of(kStates, [&](const StateRow& row) { return row.letter == letter; });
 }
-static_assert(std::ranges::all_of(kSpecies, [](const SpeciesValues& species) {
-  return species.months.size() == 12 && species.months[5] == 's' && std::ranges::all_of(species.months, is_state);
-}));
+constexpr bool are_states(std::string_view months) {
+  return months.size() == 12 && months[5] == 's' && std::ranges::all_of(months, is_state);
+}
+static_assert(std::ranges::all_of(kSpecies, are_states, &SpeciesValues::months));
 
 // How far each variant's turned share is ahead of the mean. The first two, which are all that some levels use, average
 // to 0.
@@ -49,12 +50,17 @@ Month month_for(std::string_view time, double latitude_deg, climate::ClimateClas
   return Month{climate::month_by_leaves(climate, local_month_of(time, latitude_deg))};
 }
 
+bool are_months(std::string_view months) { return are_states(months); }
+
 SeasonState season_state_of(Prototype prototype, Month month) {
-  assert(prototype.variant < kVariants && Month{1} <= month && month <= Month{12});
-  const char letter = values_of(prototype.species).months[static_cast<std::size_t>(month) - 1];
+  return season_state_of(values_of(prototype.species), prototype.variant, month);
+}
+
+SeasonState season_state_of(const SpeciesValues& species, std::uint8_t variant, Month month) {
+  assert(variant < kVariants && Month{1} <= month && month <= Month{12});
+  const char letter = species.months[static_cast<std::size_t>(month) - 1];
   SeasonState state = std::ranges::find(kStates, letter, &StateRow::letter)->state;
-  if (state.turned > 0 && state.turned < 1)
-    state.turned = std::clamp(state.turned + kAhead[prototype.variant], 0.0, 1.0);
+  if (state.turned > 0 && state.turned < 1) state.turned = std::clamp(state.turned + kAhead[variant], 0.0, 1.0);
   return state;
 }
 

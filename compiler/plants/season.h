@@ -28,8 +28,14 @@ struct SeasonState {
   double height_share = 1;       ///< The height as a share of the summer height; 0: no plant.
 };
 
-/// Returns the state of a prototype in a month, by the species' `months`. In a month of turning leaves, the turned
-/// share differs between variants, the differently grown plants of the species.
+/// True for a text of 12 letters that stand for states of months, June in summer.
+bool are_months(std::string_view months);
+
+/// Returns the state of a variant of a species in a month, by the species' `months`.
+SeasonState season_state_of(const SpeciesValues& species, std::uint8_t variant, Month month);
+
+/// Returns the state of a prototype of a shipped species in a month, by the species' `months`. In a month of turning
+/// leaves, the turned share differs between variants, the differently grown plants of the species.
 SeasonState season_state_of(Prototype prototype, Month month);
 
 }  // namespace citykiln::plants

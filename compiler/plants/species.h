@@ -16,6 +16,11 @@ enum class Species : std::uint8_t {
   kCount
 };
 
+/// Species of one's own have numbers from here on (species_table.h), below SpeciesMix of communities.
+inline constexpr std::uint8_t kFirstOwnSpecies = 64;
+inline constexpr std::size_t kMostOwnSpecies = 64;
+static_assert(static_cast<std::uint8_t>(Species::kCount) <= kFirstOwnSpecies);
+
 /// The form of leaves.
 enum class LeafForm : std::uint8_t {
   kBroad,   ///< Flat leaves of broad-leaved trees and shrubs.
@@ -45,6 +50,7 @@ inline constexpr SpeciesValues kSpecies[] = {
 #undef RGB
 };
 
+/// Returns the row of a shipped species; a SpeciesTable has those of one's own too.
 constexpr const SpeciesValues& values_of(Species species) {
   assert(species < Species::kCount);
   return kSpecies[static_cast<std::size_t>(species)];

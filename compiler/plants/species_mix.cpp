@@ -139,7 +139,7 @@ SpeciesMix mix_by_leaf_type(map::LeafType leaves, SpeciesMix otherwise) {
 }
 
 PlantCommunity community_of(SpeciesMix species_mix) {
-  assert(!is_single_species(species_mix));
+  assert(!is_single_species(species_mix) && !is_spawner(species_mix));
   return static_cast<PlantCommunity>(static_cast<std::uint8_t>(species_mix) - kFirstCommunity);
 }
 
@@ -147,6 +147,7 @@ PlantCommunity community_of(SpeciesMix species_mix) {
 
 bool is_species_mix(std::uint64_t number) {
   return number < static_cast<std::uint64_t>(Species::kCount) ||
+         (number >= kFirstOwnSpecies && number < kFirstCommunity) || (number >= kFirstSpawner && number < 256) ||
          (number >= kFirstCommunity && number < kFirstCommunity + static_cast<std::uint64_t>(PlantCommunity::kCount));
 }
 
@@ -169,6 +170,8 @@ std::vector<Species> species_in(SpeciesMix species_mix) {
 }
 
 SpeciesMix species_mix_for(const map::PlantTags& plant_tags, SpeciesMix otherwise) {
+  if (plant_tags.kind == map::PlantKind::kUnknown && plant_tags.spawner > 0)
+    return species_mix_of_spawner(plant_tags.spawner - 1u);
   if (plant_tags.kind == map::PlantKind::kUnknown) return mix_by_leaf_type(plant_tags.leaves, otherwise);
   // both enumerations list the rows of species.inc; kUnknown comes first
   return species_mix_of(static_cast<Species>(static_cast<std::uint8_t>(plant_tags.kind) - 1));

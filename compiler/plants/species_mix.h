@@ -21,14 +21,23 @@ enum class PlantCommunity : std::uint8_t {
   kCount
 };
 
-/// The number of a species, or kFirstCommunity plus the number of a community.
+/// The number of a species, kFirstCommunity plus the number of a community, or kFirstSpawner plus the row of a spawner.
 enum class SpeciesMix : std::uint8_t {};
 inline constexpr std::uint8_t kFirstCommunity = 128;
+/// The number of the first row of spawners.txt (species_table.h), which is a mix too.
+inline constexpr std::uint8_t kFirstSpawner = 192;
+static_assert(kFirstCommunity + static_cast<std::uint8_t>(PlantCommunity::kCount) <= kFirstSpawner);
 
 constexpr SpeciesMix species_mix_of(Species species) { return SpeciesMix{static_cast<std::uint8_t>(species)}; }
 constexpr SpeciesMix species_mix_of(PlantCommunity community) {
   return static_cast<SpeciesMix>(kFirstCommunity + static_cast<std::uint8_t>(community));
 }
+/// The mix of a row of spawners.txt.
+/// @param row  Less than map::kMostSpawners.
+constexpr SpeciesMix species_mix_of_spawner(std::size_t row) {
+  return static_cast<SpeciesMix>(kFirstSpawner + static_cast<std::uint8_t>(row));
+}
+constexpr bool is_spawner(SpeciesMix species_mix) { return static_cast<std::uint8_t>(species_mix) >= kFirstSpawner; }
 constexpr bool is_single_species(SpeciesMix species_mix) {
   return static_cast<std::uint8_t>(species_mix) < kFirstCommunity;
 }
@@ -38,16 +47,20 @@ constexpr Species single_species(SpeciesMix species_mix) {
   assert(is_single_species(species_mix));
   return static_cast<Species>(species_mix);
 }
-/// True if a number read from a manifest is a SpeciesMix.
+/// True if a number read from a manifest is a SpeciesMix. Whether there is such a species or row of one's own depends
+/// on the manifest's texts.
 bool is_species_mix(std::uint64_t number);
 
-/// Returns the species' file or the community's enumerator without k: "oak", "AnyWood".
+/// Returns the community's enumerator without k, "AnyWood"; the file of a shipped species.
+/// @param species_mix  No species or spawner of one's own.
 std::string name_of(SpeciesMix species_mix);
 
 /// Returns all species that may be drawn, sorted.
+/// @param species_mix  No spawner.
 std::vector<Species> species_in(SpeciesMix species_mix);
 
-/// Returns the species that the tags name, else the community of the tagged leaf type, else `otherwise`.
+/// Returns the species that the tags name, else the spawner that they fit, else the community of the tagged leaf type,
+/// else `otherwise`.
 SpeciesMix species_mix_for(const map::PlantTags& plant_tags, SpeciesMix otherwise);
 
 /// Returns the share that multiplies a species' share in a community at places of a class (species_climates.inc); 0: it
@@ -77,6 +90,7 @@ Habitat habitat_at(const climate::ClimateMix& climate, double latitude_deg, Vec2
 /// groups. If no member has both the climate and the belt, the member of the climate with the nearest belt is chosen;
 /// of all members, if none has the climate: needle-leaved woods may be mapped where none are wild.
 ///
+/// @param species_mix  No spawner.
 /// @param seed    The seed of the scene, which decides where groups of a species stand.
 /// @param uniform  A uniform random number in [0, 1).
 Species draw_species(SpeciesMix species_mix, const Habitat& habitat, std::uint64_t seed, double uniform);

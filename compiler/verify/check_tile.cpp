@@ -184,7 +184,7 @@ void check_heights(TileUnderCheck& tile, const bake::BakedTile& level, const Gro
 }
 
 void check_trunks(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
-  const Trunks trunks = measure_trunks(level, tile.cover);
+  const Trunks trunks = measure_trunks(level, tile.cover, plants::SpeciesTable(tile.loaded.scene.header.species));
   tile.results().trunks.test_all(trunks.trees, trunks.misplaced == 0,
                                  {fmt::format("{}: {} of {} trunks, {} at {:.2f}, {:.2f}", name, trunks.misplaced,
                                               trunks.trees, to_string(trunks.first), trunks.at.x, trunks.at.y),

@@ -1,24 +1,16 @@
 #include "compiler/verify/measure_trunks.h"
 
+#include <optional>
 #include <string_view>
-
-#include "compiler/plants/species.h"
-
 namespace citykiln::verify {
 namespace {
 
 using plants::Species;
 
-bool has_trunk(Species species) {
-  return plants::values_of(species).leaf_form != plants::LeafForm::kBlade && species != Species::kHedge;
-}
-
 /// True for names of tree prototypes, "oak_3"; false for others, "PostTopLamp".
-bool is_tree(std::string_view name) {
-  const std::string_view stem = name.substr(0, name.rfind('_'));
-  for (int s = 0; s < static_cast<int>(Species::kCount); ++s)
-    if (plants::values_of(static_cast<Species>(s)).file == stem) return has_trunk(static_cast<Species>(s));
-  return false;
+bool is_tree(std::string_view name, const plants::SpeciesTable& table) {
+  const std::optional<Species> species = table.named(name.substr(0, name.rfind('_')));
+  return species && *species != Species::kHedge && table[*species].leaf_form != plants::LeafForm::kBlade;
 }
 
 bool is_no_place(const ground::LandCoverIndex& land_cover, Vec2 p) {
@@ -39,10 +31,11 @@ bool is_no_place(const ground::LandCoverIndex& land_cover, Vec2 p) {
 
 }  // namespace
 
-Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex& land_cover) {
+Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex& land_cover,
+                      const plants::SpeciesTable& species) {
   Trunks trunks;
   for (const bake::InstancedMesh& instanced : tile.instanced) {
-    if (!is_tree(instanced.name)) continue;
+    if (!is_tree(instanced.name, species)) continue;
     for (std::size_t i = 0; i < instanced.translations.size(); ++i) {
       const bake::Float3& offset = instanced.translations[i];
       const Vec2 at = in_plan(Vec3{offset[0], offset[1], offset[2]} + tile.origin);

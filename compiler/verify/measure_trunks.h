@@ -5,6 +5,7 @@
 
 #include "compiler/bake/baked_tile.h"
 #include "compiler/ground/cover/land_cover_index.h"
+#include "compiler/plants/species_table.h"
 
 namespace citykiln::verify {
 
@@ -19,6 +20,8 @@ struct Trunks {
 /// Tests every instanced plant of a tile that has a trunk, which excludes hedges, grass and reed. Plants are recognised
 /// by the name of their mesh, such as "oak_3". Pedestrian streets may have trees. O(instances).
 /// @param land_cover  Land cover of the tile.
-Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex& land_cover);
+/// @param species     The species of the scene.
+Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex& land_cover,
+                      const plants::SpeciesTable& species = plants::shipped_table());
 
 }  // namespace citykiln::verify

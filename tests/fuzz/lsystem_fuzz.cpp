@@ -11,17 +11,12 @@
 #include "lsystems/read_rpforest.h"
 #include "lsystems/tubes.h"
 #include "lsystems/turtle.h"
+#include "tests/fuzz/sound_skeleton.h"
 
 namespace {
 
 using namespace citykiln;
 using namespace citykiln::lsystems;
-
-bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-bool is_sound(const TurtleFrame& f) {
-  return is_finite(f.at) && std::abs(length(f.heading) - 1) < 1e-9 && std::abs(dot(f.heading, f.left)) < 1e-9 &&
-         length(cross(f.heading, f.left) - f.up) < 1e-9;
-}
 
 void check_string(const LSystem& system, const ModuleString& string) {
   int depth = 0;
@@ -34,21 +29,6 @@ void check_string(const LSystem& system, const ModuleString& string) {
   if (depth != 0 || values != string.values.size()) std::abort();
   for (const double value : string.values)
     if (!std::isfinite(value)) std::abort();
-}
-
-void check_skeleton(const Skeleton& skeleton) {
-  for (std::size_t i = 0; i < skeleton.segments.size(); ++i) {
-    const Segment& segment = skeleton.segments[i];
-    if (!is_sound(segment.start) || !is_finite(segment.end().at) || segment.parent >= static_cast<std::int32_t>(i))
-      std::abort();
-    if (!(segment.start_radius >= 0) || !(segment.end_radius >= 0) || segment.order < 0) std::abort();
-  }
-  for (const FlatPolygon& polygon : skeleton.polygons)
-    if (polygon.count < 3 || polygon.first + polygon.count > skeleton.vertices.size()) std::abort();
-  for (const Vec3 vertex : skeleton.vertices)
-    if (!is_finite(vertex)) std::abort();
-  for (const Instance& instance : skeleton.instances)
-    if (!is_sound(instance.frame)) std::abort();
 }
 
 void check_part(const PartMesh& mesh) {

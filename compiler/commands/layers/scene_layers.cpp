@@ -242,13 +242,14 @@ Layer planned_buildings(const Context& context) {
 
 Layer planned_plants(const Context& context) {
   Layer layer;
+  const plants::SpeciesTable species(context.scene.header.species);
   for (const Chunk& chunk : context.scene.chunks) {
     for (const plants::Tree& tree : chunk.trees) {
       // chunks also hold trees close to their tile
       if (!scene::is_anchored(context.scene.header, chunk.tile, tree.at)) continue;
       const auto place = lifted(std::span(&tree.at, 1), [&](Vec2 p) { return land_m(context.heights, p); });
-      LayerFeature& plant = layer.emplace_back(
-          LayerFeature{tree.id, plants::name_of(tree.species_mix), GeometryKind::kPoint, {{place}}, /*has_z=*/true});
+      LayerFeature& plant = layer.emplace_back(LayerFeature{
+          tree.id, plants::name_of(species, tree.species_mix), GeometryKind::kPoint, {{place}}, /*has_z=*/true});
       context.add_name(plant.properties, tree.id);
       if (tree.height_m > 0) plant.properties.add("height_m", tree.height_m);
       plant.properties.add("tile", to_string(chunk.tile));

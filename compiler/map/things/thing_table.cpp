@@ -17,18 +17,6 @@ constexpr std::array<std::string_view, 5> kStandWords = {"ground", "pole", "wall
 constexpr std::array<std::string_view, 6> kFacingWords = {"tag", "street", "along", "platform", "arms", "any"};
 constexpr double kLargest_m = 500;
 
-std::vector<std::string_view> words_of(std::string_view line) {
-  std::vector<std::string_view> words;
-  for (std::size_t at = 0; at < line.size();) {
-    const std::size_t begin = line.find_first_not_of(" \t\r", at);
-    if (begin == std::string_view::npos) break;
-    const std::size_t end = std::min(line.find_first_of(" \t\r", begin), line.size());
-    words.push_back(line.substr(begin, end - begin));
-    at = end;
-  }
-  return words;
-}
-
 Error wrong_column(std::string_view column, std::string_view expected, std::string_view found) {
   return {"", fmt::format("{}: expected {}, found \"{}\"", column, expected, found)};
 }
@@ -37,29 +25,6 @@ bool is_word(std::string_view text) {
   return !text.empty() && std::ranges::all_of(text, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
   });
-}
-
-Result<TagTest> test_of(std::string_view text) {
-  const std::size_t at = text.find('=');
-  const bool is_equal = at == std::string_view::npos || at == 0 || text[at - 1] != '!';
-  const std::size_t key_end = at != std::string_view::npos && !is_equal ? at - 1 : at;
-  if (at == std::string_view::npos || key_end == 0 || at + 1 == text.size())
-    return wrong_column("tags", "key=value, key!=value or key=*, several joined by & and |", text);
-  return TagTest{std::string(text.substr(0, key_end)), std::string(text.substr(at + 1)), is_equal};
-}
-
-Result<std::vector<std::vector<TagTest>>> tags_of_column(std::string_view text) {
-  std::vector<std::vector<TagTest>> any;
-  for (const std::string_view part : split(text, '|')) {
-    std::vector<TagTest>& all = any.emplace_back();
-    for (const std::string_view one : split(part, '&')) {
-      Result<TagTest> test = test_of(one);
-      if (!test) return test.error();
-      all.push_back(std::move(*test));
-    }
-    if (!all.front().is_equal) return wrong_column("tags", "key=value before key!=value", part);
-  }
-  return any;
 }
 
 std::optional<TaggedLength> length_of(std::string_view text) {
@@ -115,8 +80,7 @@ Result<ThingRow> thing_row_of(const std::vector<std::string_view>& words) {
   if (!is_word(row.name)) return wrong_column("name", "letters, digits and _", row.name);
   if (!is_word(row.rule)) return wrong_column("rule", "the name of a rule file without .cga", row.rule);
   if (!is_word(row.class_name)) return wrong_column("class", "letters, digits and _", row.class_name);
-  Result<std::vector<std::vector<TagTest>>> tags =
-      words[1] == kNoTags ? std::vector<std::vector<TagTest>>{} : tags_of_column(words[1]);
+  Result<std::vector<std::vector<TagTest>>> tags = words[1] == kNoTags ? TagTests{} : read_tag_tests(words[1]);
   if (!tags) return tags.error();
   row.tags = std::move(*tags);
   if (const Result<Done> done = read_size(words[3], row); !done) return done.error();
@@ -134,24 +98,6 @@ Result<ThingRow> thing_row_of(const std::vector<std::string_view>& words) {
   return row;
 }
 
-// "maxspeed*" fits values that begin with "maxspeed", "*274*" those that contain "274".
-bool fits_value(std::string_view pattern, std::string_view value) {
-  const bool is_begin_open = pattern.starts_with('*'), is_end_open = pattern.ends_with('*');
-  if (is_begin_open) pattern.remove_prefix(1);
-  if (is_end_open && !pattern.empty()) pattern.remove_suffix(1);
-  if (is_begin_open && is_end_open) return value.find(pattern) != std::string_view::npos;
-  if (is_begin_open) return value.ends_with(pattern);
-  return is_end_open ? value.starts_with(pattern) : value == pattern;
-}
-
-bool is_true(const TagTest& test, std::string_view value) {
-  if (test.value == "*") return test.is_equal == (!value.empty() && value != "no");
-  // one of several values, such as "bench;waste_basket"
-  for (const std::string_view one : split(value, ';'))
-    if (!one.empty() && fits_value(test.value, one)) return test.is_equal;
-  return !test.is_equal;
-}
-
 }  // namespace
 
 Result<ThingTable> read_thing_table(std::string_view text, const std::string& file) {
@@ -159,7 +105,7 @@ Result<ThingTable> read_thing_table(std::string_view text, const std::string& fi
   std::size_t number = 0;
   for (const std::string_view line : split(text, '\n')) {
     ++number;
-    const std::vector<std::string_view> words = words_of(line.substr(0, line.find('#')));
+    const std::vector<std::string_view> words = words_in(line.substr(0, line.find('#')));
     if (words.empty()) continue;
     const std::string place = fmt::format("{}:{}", file, number);
     Result<ThingRow> row = thing_row_of(words);
@@ -180,10 +126,7 @@ ThingTable merged(ThingTable own, const ThingTable& shipped) {
 
 std::optional<std::string_view> matched_value(const ThingRow& row,
                                               const std::function<std::string_view(std::string_view)>& value_of) {
-  for (const std::vector<TagTest>& all : row.tags)
-    if (std::ranges::all_of(all, [&](const TagTest& test) { return is_true(test, value_of(test.key)); }))
-      return value_of(all.front().key);
-  return std::nullopt;
+  return fitting_value(row.tags, value_of);
 }
 
 MatchedThing match(const ThingTable& table, const std::function<std::string_view(std::string_view)>& value_of) {

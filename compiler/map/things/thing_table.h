@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compiler/contract/result.h"
+#include "compiler/map/tag_tests.h"
 
 namespace citykiln::map {
 
@@ -32,12 +33,6 @@ enum class Facing : std::uint8_t {
   kAny        ///< A random direction.
 };
 
-/// A comparison of a tag with a value; "*" stands for every value except "no".
-struct TagTest {
-  std::string key, value;
-  bool is_equal = true;
-};
-
 /// A length that a tag may state.
 struct TaggedLength {
   std::string key;  ///< "" for none.
@@ -47,8 +42,8 @@ struct TaggedLength {
 /// A row of the table.
 struct ThingRow {
   std::string name;
-  std::vector<std::vector<TagTest>> tags{};  ///< It fits if all tests of one of these lists do.
-  std::string rule{};                        ///< Rule file without ".cga".
+  TagTests tags{};     ///< It fits if all tests of one of these lists do.
+  std::string rule{};  ///< Rule file without ".cga".
   TaggedLength width{}, depth{}, height{};
   Stand stand{};
   Facing facing{};

@@ -17,21 +17,21 @@ constexpr double kAbout_m = 8;
 
 // All trees of a row have the species drawn at its middle.
 Species species_of_row(const TreeRow& row, const PlacingContext& context, const RandomSequence& draw) {
-  return draw_species(row.species_mix, habitat_of(context, row.axis[row.axis.size() / 2]), context.seed,
-                      draw.unit(kSpeciesDraw));
+  return draw_species(context.species, row.species_mix, habitat_of(context, row.axis[row.axis.size() / 2]),
+                      context.seed, draw.unit(kSpeciesDraw));
 }
 
-double spacing_m_of(const TreeRow& row, Species species, double height_m) {
+double spacing_m_of(const TreeRow& row, const SpeciesValues& species, double height_m) {
   if (row.spacing_m > 0) return row.spacing_m;
-  return std::clamp(kCrownSpacing * values_of(species).crown_share * height_m, kLeastSpacing_m, kMostSpacing_m);
+  return std::clamp(kCrownSpacing * species.crown_share * height_m, kLeastSpacing_m, kMostSpacing_m);
 }
 
 void place_row(PlacedPlants& placed, const TreeRow& row, const TreeClearanceIndex& mapped,
                const PlacingContext& context, std::vector<TreeClearance>& trees) {
   const RandomSequence of_row(context.seed, stable_id(row.id), "row");
   const Species species = species_of_row(row, context, of_row);
-  const double mean_m = row.height_m > 0 ? row.height_m : default_height_m(species);
-  const double spacing_m = spacing_m_of(row, species, mean_m);
+  const double mean_m = row.height_m > 0 ? row.height_m : default_height_m(context.species[species]);
+  const double spacing_m = spacing_m_of(row, context.species[species], mean_m);
   const Box2 about = context.box.widened(kAbout_m);
   const std::vector<Vec2> places = spaced_along(row.axis, spacing_m);
   for (std::uint32_t number = 0; number < places.size(); ++number) {
@@ -43,7 +43,7 @@ void place_row(PlacedPlants& placed, const TreeRow& row, const TreeClearanceInde
     if (is_mapped) continue;
     const RandomSequence draw(context.seed, stable_id(stable_id(row.id), "tree", number), "tree");
     const double height_m = mean_m * draw.between(1 - kRowHeightSpread, 1 + kRowHeightSpread, kHeightDraw);
-    trees.push_back({at, crown_clearance_m(species, height_m)});
+    trees.push_back({at, crown_clearance_m(context.species[species], height_m)});
     if (is_in_half_open(context.box, at)) place_plant(placed, context, species, at, height_m, draw, row.id.osm);
   }
 }

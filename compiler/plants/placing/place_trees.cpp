@@ -16,10 +16,11 @@ struct TreeGrowth {
 
 TreeGrowth grown(const Tree& tree, const PlacingContext& context, const RandomSequence& draw) {
   const Habitat habitat = habitat_of(context, tree.at);
-  const Species species = draw_species(tree.species_mix, habitat, context.seed, draw.unit(kSpeciesDraw));
+  const Species species =
+      draw_species(context.species, tree.species_mix, habitat, context.seed, draw.unit(kSpeciesDraw));
   if (tree.height_m > 0) return {species, tree.height_m};
   const double spread = draw.between(1 - kTreeHeightSpread, 1 + kTreeHeightSpread, kHeightDraw);
-  return {species, default_height_m(species) * height_factor(habitat) * spread};
+  return {species, default_height_m(context.species[species]) * height_factor(habitat) * spread};
 }
 
 // A tree in a road or on rails stands kBesideWay_m outside the edge: edges follow from default widths, and half of the
@@ -74,7 +75,7 @@ std::vector<TreeClearance> place_trees(PlacedPlants& placed, std::span<const Tre
     if (!at) continue;
     const RandomSequence draw(context.seed, stable_id(tree.id), "tree");
     const auto [species, height_m] = grown(tree, context, draw);
-    clearances.push_back({*at, crown_clearance_m(species, height_m)});
+    clearances.push_back({*at, crown_clearance_m(context.species[species], height_m)});
     if (!is_here) continue;
     if (*at != tree.at) report.add(Code::kTreeMoved, tree.id.osm, distance(*at, tree.at));
     ++account.out;

@@ -48,11 +48,12 @@ void place_tree(PlacedPlants& placed, const WoodIndex& woods, const Sample& samp
   const PlacingContext& context = woods.context;
   const RandomSequence draw(context.seed, sample.id, "tree");
   const Habitat habitat = habitat_of(context, sample.at);
-  Species species = draw_species(wood.species_mix, habitat, context.seed, draw.unit(kSpeciesDraw));
+  Species species = draw_species(context.species, wood.species_mix, habitat, context.seed, draw.unit(kSpeciesDraw));
   if (draw.unit(kKeptDraw) < kEdgeBushes && is_at_edge(woods, sample.at))
-    species = draw_species(species_mix_of(PlantCommunity::kWoodEdge), habitat, context.seed, draw.unit(kSpeciesDraw));
-  place_plant(placed, context, species, sample.at, height_in_wood_m(wood, species, habitat, draw), draw,
-              wood.surface.osm);
+    species = draw_species(context.species, species_mix_of(PlantCommunity::kWoodEdge), habitat, context.seed,
+                           draw.unit(kSpeciesDraw));
+  place_plant(placed, context, species, sample.at, height_in_wood_m(wood, context.species[species], habitat, draw),
+              draw, wood.surface.osm);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ std::vector<Vec2> spaced_along(const Polyline& axis, double spacing_m) {
 
 void place_plant_along(PlacedPlants& placed, const PlacingContext& context, Species species, Vec2 at, double height_m,
                        Vec2 along, const RandomSequence& draw, OsmId feature) {
-  assert(species < Species::kCount && height_m > 0);
+  assert(height_m > 0);
   const auto variant = static_cast<std::uint8_t>(draw.unit(kVariantDraw) * kVariants);
   const Vec3 foot = snapped(at_height(at, land_m(context.ground, at)));
   placed[{species, variant}].push_back({.at = foot,

@@ -13,6 +13,7 @@
 #include "compiler/ground/cover/land_cover_index.h"
 #include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/plants/recipe.h"
+#include "compiler/plants/species_table.h"
 
 namespace citykiln::plants {
 
@@ -42,6 +43,7 @@ struct PlacingContext {
   double latitude_deg = 0;
   const climate::ClimateField& climate;
   climate::LocalMonth month{6};  ///< Decides how much grass is straw.
+  const SpeciesTable& species = shipped_table();
 };
 
 /// The indices of a plant's random draws.

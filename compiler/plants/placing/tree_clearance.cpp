@@ -5,9 +5,9 @@
 
 namespace citykiln::plants {
 
-double crown_clearance_m(Species species, double height_m) {
+double crown_clearance_m(const SpeciesValues& species, double height_m) {
   constexpr double kRoom_m = 1.5, kLeast_m = 2;
-  return std::clamp(values_of(species).crown_share * height_m / 2 + kRoom_m, kLeast_m, kMostClearance_m);
+  return std::clamp(species.crown_share * height_m / 2 + kRoom_m, kLeast_m, kMostClearance_m);
 }
 
 TreeClearanceIndex index_tree_clearances(std::span<const TreeClearance> all) {

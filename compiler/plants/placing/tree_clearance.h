@@ -14,7 +14,7 @@ struct TreeClearance {
   double radius_m = 0;  ///< The clearance to trunks of woods: half of the crown's width, and room for another crown.
 };
 /// Returns TreeClearance::radius_m for a plant, at most kMostClearance_m.
-double crown_clearance_m(Species species, double height_m);
+double crown_clearance_m(const SpeciesValues& species, double height_m);
 inline constexpr double kMostClearance_m = 7;
 
 /// The clearances of trees, with a spatial index.

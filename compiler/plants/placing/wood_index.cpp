@@ -57,8 +57,9 @@ SampleDensity density_at(const WoodIndex& woods, Vec2 p) {
   return density;
 }
 
-double height_in_wood_m(const Wood& wood, Species species, const Habitat& habitat, const RandomSequence& draw) {
-  return wood.height_m * std::min(values_of(species).height_m / kTall_m, 1.4) * height_factor(habitat) *
+double height_in_wood_m(const Wood& wood, const SpeciesValues& species, const Habitat& habitat,
+                        const RandomSequence& draw) {
+  return wood.height_m * std::min(species.height_m / kTall_m, 1.4) * height_factor(habitat) *
          draw.between(1 - kWoodHeightSpread, 1 + kWoodHeightSpread, kHeightDraw);
 }
 

@@ -27,7 +27,8 @@ std::uint32_t wood_at(const WoodIndex& wood_index, Vec2 p);
 SampleDensity density_at(const WoodIndex& wood_index, Vec2 p);
 
 /// Returns the height of a tree in a wood, by species, habitat and its random draws.
-double height_in_wood_m(const Wood& wood, Species species, const Habitat& habitat, const RandomSequence& draw);
+double height_in_wood_m(const Wood& wood, const SpeciesValues& species, const Habitat& habitat,
+                        const RandomSequence& draw);
 
 /// The segments of power-line corridors, with a spatial index.
 struct CorridorIndex {

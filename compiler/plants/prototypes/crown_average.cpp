@@ -45,19 +45,20 @@ Colour colour_of(const Appearance& appearance) {
 }
 
 // Share of the ground that randomly placed trees of this size hide from above.
-double hidden_share(const Wood& wood, Species species, double height_m, double leaf_share) {
+double hidden_share(const Wood& wood, const SpeciesValues& species, double height_m, double leaf_share) {
   constexpr double kHectare_m2 = 10000, kQuarterPi = 0.78539816339745, kTwigs = 0.5;
-  const double wide_m = values_of(species).crown_share * height_m;
+  const double wide_m = species.crown_share * height_m;
   const double layers = kQuarterPi * wide_m * wide_m * wood.trees_per_ha / kHectare_m2;
   return std::lerp(kTwigs, 1.0, leaf_share) * layers / (1 + layers);
 }
 
-void add_tree(CrownAverage& mix, const Wood& wood, const Habitat& habitat, std::uint64_t seed,
+void add_tree(CrownAverage& mix, const Wood& wood, const Habitat& habitat, const PlacingContext& context,
               const RandomSequence& draw, Month month, const Colour& ground) {
-  const Species species = draw_species(wood.species_mix, habitat, seed, draw.unit(kSpeciesDraw));
+  const SpeciesValues& species =
+      context.species[draw_species(context.species, wood.species_mix, habitat, context.seed, draw.unit(kSpeciesDraw))];
   const auto variant = static_cast<std::uint8_t>(draw.unit(kVariantDraw) * kVariants);
   const double height_m = height_in_wood_m(wood, species, habitat, draw);
-  const Appearance appearance = appearance_of({species, variant}, month);
+  const Appearance appearance = appearance_of(species, variant, month);
   const double hidden = hidden_share(wood, species, height_m, appearance.leaf_share);
   const Colour leaves = colour_of(appearance);
   mix.height_m += height_m / kTrees;
@@ -95,8 +96,8 @@ CrownAverage crown_average_at(const WoodIndex& woods, Vec2 p, Month month) {
   const RandomSequence draw(context.seed, id_of_place(p), "canopy");
   mix.uniform = draw.unit(0);
   for (std::uint32_t i = 0; i < kTrees; ++i)
-    add_tree(mix, wood, habitat, context.seed,
-             RandomSequence(context.seed, stable_id(id_of_place(p), "tree", i), "canopy"), month, ground);
+    add_tree(mix, wood, habitat, context, RandomSequence(context.seed, stable_id(id_of_place(p), "tree", i), "canopy"),
+             month, ground);
   const double light = draw.between(kDarkest, kLightest, 1);
   for (double& c : mix.colour) c *= light;
   return mix;

@@ -5,13 +5,13 @@
 
 #include "compiler/materials/texture.h"
 #include "compiler/plants/prototypes/sprays.h"
-#include "lsystems/read_lsystem.h"
-#include "lsystems/turtle.h"
+#include "lsystems/plant_file.h"
 
 namespace citykiln::plants {
 namespace {
 
-constexpr std::size_t kSpeciesCount = static_cast<std::size_t>(Species::kCount);
+// Species have numbers below this one.
+constexpr std::size_t kSpeciesNumbers = kFirstOwnSpecies + kMostOwnSpecies;
 
 double height_of(const GrownPlant& grown) {
   double highest_m = 0;
@@ -23,7 +23,7 @@ double height_of(const GrownPlant& grown) {
 }
 
 const SpeciesText* find_text(std::span<const SpeciesText> texts, std::string_view name) {
-  const auto found = std::ranges::find(texts, name, &SpeciesText::name);
+  const auto found = std::ranges::find(texts, name, species_of);
   return found == texts.end() ? nullptr : &*found;
 }
 
@@ -38,14 +38,22 @@ materials::Material bark_named(std::string_view name) {
   return named && materials::is_bark(*named) ? *named : materials::Material::kBark;
 }
 
-GrownPlant grow(const SpeciesText& text, Prototype prototype, Month month) {
-  const Result<lsystems::LSystem> system = lsystems::read_lsystem(text.text, text.name + ".lsys");
-  if (!system) return {};
-  lsystems::DeriveOptions options;
-  options.seed = prototype.variant;
-  GrownPlant grown{
-      lsystems::grow(*system, options).skeleton, {}, 0, appearance_of(prototype, month), bark_named(system->bark)};
-  grown.foliage = foliage_of(*system, grown.skeleton, grown.appearance.leaf);
+std::string file_of(const SpeciesText& text) {
+  return text.name.find('.') == std::string::npos ? text.name + ".lsys" : text.name;
+}
+
+GrownPlant grow(const SpeciesText& text, const SpeciesValues& species, std::uint8_t variant, Month month) {
+  const Result<lsystems::PlantFile> file = lsystems::read_plant_file(text.text, file_of(text));
+  return file ? grow(*file, species, variant, month) : GrownPlant{};
+}
+
+GrownPlant grow(const lsystems::PlantFile& file, const SpeciesValues& species, std::uint8_t variant, Month month) {
+  GrownPlant grown{lsystems::grow_plant(file, variant).skeleton,
+                   {},
+                   0,
+                   appearance_of(species, variant, month),
+                   bark_named(file.system.bark)};
+  grown.foliage = foliage_of(file.system, grown.skeleton, grown.appearance.leaf);
   if (grown.appearance.leaf_share < 1) drop_fruit(grown.foliage);
   grown.height_m = height_of(grown);
   return grown;
@@ -57,22 +65,30 @@ struct GrownPlantCache::Slot {
 };
 
 GrownPlantCache::GrownPlantCache(std::span<const SpeciesText> texts, Month month)
-    : month_(month), slots_(std::make_unique<Slot[]>(kSpeciesCount * kVariants)) {
-  for (std::size_t s = 0; s < kSpeciesCount; ++s) {
-    const std::string_view name = values_of(static_cast<Species>(s)).file;
+    : table_(texts),
+      texts_(kSpeciesNumbers),
+      month_(month),
+      slots_(std::make_unique<Slot[]>(kSpeciesNumbers * kVariants)) {
+  for (const Species species : table_.all()) {
+    const std::string_view name = table_[species].file;
     const SpeciesText* text = find_text(texts, name);
     if (text == nullptr) text = find_text(shipped_species(), name);
-    texts_.push_back(text == nullptr ? SpeciesText{} : *text);
+    if (text != nullptr) texts_[static_cast<std::size_t>(species)] = *text;
   }
 }
 
 GrownPlantCache::~GrownPlantCache() = default;
 
+GrownPlant GrownPlantCache::grown_anew(Prototype prototype) const {
+  return grow(texts_[static_cast<std::size_t>(prototype.species)], table_[prototype.species], prototype.variant,
+              month_);
+}
+
 const GrownPlant& GrownPlantCache::grown(Prototype prototype) const {
-  assert(prototype.species < Species::kCount && prototype.variant < kVariants);
   const auto species = static_cast<std::size_t>(prototype.species);
+  assert(species < kSpeciesNumbers && prototype.variant < kVariants);
   Slot& slot = slots_[species * kVariants + prototype.variant];
-  std::call_once(slot.once, [&] { slot.grown = grow(texts_[species], prototype, month_); });
+  std::call_once(slot.once, [&] { slot.grown = grown_anew(prototype); });
   return slot.grown;
 }
 
@@ -88,8 +104,7 @@ std::shared_ptr<const GrownPlant> GrownPlantCache::grown_or_regrown(Prototype pr
     if (auto grown = find()) return grown;
   }
   // two threads may grow the same plant, which is the same both times
-  auto grown =
-      std::make_shared<const GrownPlant>(grow(texts_[static_cast<std::size_t>(prototype.species)], prototype, month_));
+  auto grown = std::make_shared<const GrownPlant>(grown_anew(prototype));
   const std::lock_guard lock(recent_mutex_);
   if (auto other = find()) return other;
   recent_.push_front({prototype, grown});

@@ -10,7 +10,12 @@
 
 #include "compiler/plants/appearance.h"
 #include "compiler/plants/prototypes/foliage.h"
+#include "compiler/plants/species_table.h"
 #include "compiler/plants/species_texts.h"
+
+namespace citykiln::lsystems {
+struct PlantFile;
+}
 
 namespace citykiln::plants {
 
@@ -27,20 +32,29 @@ struct GrownPlant {
 /// Returns the bark material with a name of .lsys files: "furrowed" gives furrowed_bark. An unknown name gives kBark.
 materials::Material bark_named(std::string_view name);
 
-/// Grows a prototype. A text that is not a valid .lsys file gives an empty plant. Random numbers depend only on species
-/// and variant, so all scenes have the same plants. The month decides leaf share and colours. If some leaves have
-/// fallen, or are not out yet, the plant has no fruit.
-GrownPlant grow(const SpeciesText& text, Prototype prototype, Month month = kMidsummer);
+/// Grows a variant of a species. A text that is no valid file of a plant gives an empty plant. Random numbers depend
+/// only on species and variant, so all scenes have the same plants. The month decides leaf share and colours. If some
+/// leaves have fallen, or are not out yet, the plant has no fruit.
+GrownPlant grow(const SpeciesText& text, const SpeciesValues& species, std::uint8_t variant, Month month = kMidsummer);
+/// Grows a plant from its file.
+GrownPlant grow(const lsystems::PlantFile& file, const SpeciesValues& species, std::uint8_t variant, Month month);
+
+/// Returns the file's name with its extension.
+std::string file_of(const SpeciesText& text);
 
 /// Grows plants when they are first needed. Thread-safe. Its const functions change only the cache: a plant is a
 /// function of texts, month and prototype.
 class GrownPlantCache {
  public:
-  /// @param texts  .lsys files by species. A species that is missing uses the file that is compiled into the program.
+  /// @param texts  Files of species, and tables of one's own (species_table.h). A shipped species that is missing uses
+  ///               the file that is compiled into the program.
   explicit GrownPlantCache(std::span<const SpeciesText> texts, Month month = kMidsummer);
   ~GrownPlantCache();
   GrownPlantCache(const GrownPlantCache&) = delete;
   GrownPlantCache& operator=(const GrownPlantCache&) = delete;
+
+  /// The species of the texts, and the shipped ones.
+  const SpeciesTable& table() const { return table_; }
 
   /// Returns a plant that stays valid as long as the cache. Cost: some 10 ms and 2 MB on first use.
   const GrownPlant& grown(Prototype prototype) const;
@@ -56,6 +70,9 @@ class GrownPlantCache {
     Prototype prototype;
     std::shared_ptr<const GrownPlant> grown;
   };
+  GrownPlant grown_anew(Prototype prototype) const;
+
+  SpeciesTable table_;
   std::vector<SpeciesText> texts_;  // by species
   Month month_;
   std::unique_ptr<Slot[]> slots_;

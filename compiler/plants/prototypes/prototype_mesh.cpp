@@ -99,7 +99,29 @@ PrototypeMesh detailed_mesh(const GrownPlant& grown, const LeafAtlas& atlas, Mat
 
 bool is_hedge(Species species) { return species == Species::kHedge; }
 
+// A small card at the end of each segment: the crown of a plant without leaves.
+Foliage ends_of_stems(const GrownPlant& grown) {
+  constexpr double kSize = 1e-3;
+  Foliage ends;
+  for (const lsystems::Segment& segment : grown.skeleton.segments) {
+    const lsystems::TurtleFrame end = segment.end();
+    const double size_m = kSize * grown.height_m;
+    ends.cards.push_back(
+        {.corner = end.at, .across = end.left * size_m, .along = end.heading * size_m, .normal = end.up});
+  }
+  return ends;
+}
+
+// The hull of the stems, as light as one of twigs.
+PrototypeMesh leafless_hull_mesh(const GrownPlant& grown) {
+  CrownHull hull = crown_hull(ends_of_stems(grown));
+  PrototypeMesh plant{{}, false, hull.error_m};
+  plant.meshes.push_back({std::move(hull.mesh), Material::kBark, darkened(grown.appearance.bark, kTwigsHullShade), {}});
+  return plant;
+}
+
 PrototypeMesh hull_mesh(const GrownPlant& grown, Species species) {
+  if (grown.foliage.cards.empty()) return leafless_hull_mesh(grown);
   const Appearance& appearance = grown.appearance;
   const double shade = is_hedge(species) ? kBoxShade : std::lerp(kTwigsHullShade, kHullShade, appearance.leaf_share);
   CrownHull hull = is_hedge(species) ? crown_box(grown.foliage) : crown_hull(grown.foliage);

@@ -66,8 +66,8 @@ TEST(Plan, NoTreeIsTallerThanItsSpecies) {
     const auto species = static_cast<Species>(s);
     for (const map::PlantTags& growth :
          {map::PlantTags{{}, {}, 60}, map::PlantTags{{}, {}, 0, 20}, map::PlantTags{{}, {}, 0, 0, 900}}) {
-      EXPECT_LE(height_from_tags_m(species, growth), values_of(species).tallest_m);
-      EXPECT_GT(height_from_tags_m(species, growth), 0);
+      EXPECT_LE(height_from_tags_m(values_of(species), growth), values_of(species).tallest_m);
+      EXPECT_GT(height_from_tags_m(values_of(species), growth), 0);
     }
     EXPECT_GT(values_of(species).crown_share, 0) << values_of(species).file;
   }

@@ -114,8 +114,8 @@ TEST(PrototypeMesh, LosesAtMostSevenEighthsOfItsTrianglesFromOneDefaultLevelToTh
 }
 
 TEST_P(EachPlant, IsDeterministic) {
-  const GrownPlant again =
-      grow(*std::ranges::find(shipped_species(), values_of(GetParam()).file, &SpeciesText::name), {GetParam(), 3});
+  const GrownPlant again = grow(*std::ranges::find(shipped_species(), values_of(GetParam()).file, &SpeciesText::name),
+                                values_of(GetParam()), 3);
   EXPECT_EQ(again.skeleton.segments.size(), nursery().grown({GetParam(), 3}).skeleton.segments.size());
   const double tolerance_m = 0.1 * values_of(GetParam()).tallest_m;
   const PrototypeMesh a =
@@ -205,7 +205,7 @@ TEST(PrototypeMesh, IsDroppedWhereThePlantIsLowerThanTheTolerance) {
 }
 
 TEST(PrototypeMesh, OfAnUnreadableTextIsEmpty) {
-  const GrownPlant grown = grow({"oak", "axiom: ["}, {Species::kOak, 0});
+  const GrownPlant grown = grow({"oak", "axiom: ["}, values_of(Species::kOak), 0);
   EXPECT_TRUE(prototype_mesh(grown, midsummer_leaves(), Species::kOak, 20, 0.1).meshes.empty());
 }
 

@@ -1,0 +1,18 @@
+// Sheets: several small pictures in rows.
+#pragma once
+
+#include "compiler/bake/baked_tile.h"
+#include "preview/render.h"
+
+namespace citykiln::commands {
+
+/// A black picture.
+preview::Image empty_sheet(int width, int height);
+
+/// Copies a picture into a sheet, with its upper left corner at (x0, y0). It fits in.
+void put_picture(const preview::Image& from, int x0, int y0, preview::Image& to);
+
+/// A square of ground about the origin.
+bake::Primitive ground_square(materials::Material material, float half_m);
+
+}  // namespace citykiln::commands
