@@ -191,6 +191,7 @@ void bend_tiles(PreviewScene& scene) {
     scene.bent.push_back(bake::bent(std::move(tile), cylinder));
   }
   scene.loaded.tiles.clear();
+  scene.backdrop.reset();
   for (preview::StreetLamp& lamp : scene.lamps) {
     const map::BentPoint there = map::at(cylinder, lamp.at);
     lamp.at = there.at, lamp.up = there.up;

@@ -1,6 +1,7 @@
 // The scene that `preview` renders: baked tiles, or the recipes of a manifest.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -36,7 +37,7 @@ struct PreviewScene {
   std::string note{};  ///< One line about what is rendered instead of what was asked for; "" for none.
   std::vector<preview::LitPane> panes{};  ///< At night, the lit windows of recipes near the cameras.
 
-  std::size_t tiles() const { return recipes ? recipes->chunks.size() : loaded.tiles.size(); }
+  std::size_t tiles() const { return recipes ? recipes->chunks.size() : std::max(loaded.tiles.size(), bent.size()); }
   /// Returns the tiles from which views are chosen. With a manifest, or a folder that has a level of 2.5 m, they do not
   /// depend on the level that is rendered.
   std::span<const bake::BakedTile> view_tiles() const {
