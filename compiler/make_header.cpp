@@ -13,8 +13,10 @@
 #include <utility>
 
 #include "compiler/buildings/plan.h"
+#include "compiler/geometry/trig.h"
 #include "compiler/map/plane/lonlat_box.h"
 #include "compiler/sky/clouds/read_clouds.h"
+#include "compiler/sky/inside/plan_inside.h"
 #include "compiler/sky/plan.h"
 #include "compiler/source/read_raster.h"
 #include "compiler/source/read_texts.h"
@@ -63,6 +65,31 @@ double mean_height_m(const map::Heightfield& heights) {
   return std::floor(static_cast<double>(sum) / static_cast<double>(heights.heights.size()) * map::kHeightQuantum_m);
 }
 
+/// The highest point of ground, buildings and bridges, in the heightmaps' datum.
+double highest_m(const scene::Recipes& recipes) {
+  double high_m = 0;
+  for (const std::int32_t height : recipes.heights.heights) high_m = std::max(high_m, height * map::kHeightQuantum_m);
+  for (const buildings::Building& building : recipes.buildings) high_m = std::max(high_m, building.top_m);
+  return high_m;
+}
+
+/// Checks that a map fits into a cylinder.
+Result<Done> fits_into(const map::Cylinder& cylinder, const Box2& extent, const scene::Recipes& recipes) {
+  const double around_m = map::circumference_m(cylinder);
+  // an extent of exactly one circumference has been rounded to whole cells
+  constexpr double kRounding = 1 + 1e-9;
+  if (extent.height() > around_m * kRounding)
+    return Error{"--world", fmt::format("the map is {:.0f} m long from south to north, and the cylinder {:.0f} m "
+                                        "around; expected a radius of at least {:.0f} m",
+                                        extent.height(), around_m, std::ceil(extent.height() / (2 * kPi)))};
+  const double high_m = highest_m(recipes);
+  if (high_m >= cylinder.radius_m)
+    return Error{"--world", fmt::format("the map is up to {:.0f} m high, and the axis of the cylinder {:.0f} m; "
+                                        "expected a larger radius",
+                                        high_m, cylinder.radius_m)};
+  return Done{};
+}
+
 climate::ClimateField climate_of(const map::Plane& plane, const Box2& extent) {
   return climate::make_climate_field(extent, [&](Vec2 at) {
     const map::LonLat place = plane.backward(at);
@@ -84,6 +111,10 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
   if (!sky) return sky.error();
   sky::set_air(spec.air, *sky);
   sky->ground_m = mean_height_m(heights);
+  if (spec.world == World::kCylinder) {
+    if (const Result<Done> fits = fits_into(spec.cylinder, extent, recipes); !fits) return fits.error();
+    sky->inside = sky::plan_inside(spec.cylinder, extent);
+  }
   if (!spec.clouds.empty()) {
     Result<std::vector<sky::CloudLayer>> clouds = sky::read_clouds(spec.clouds, sky->ground_m, spec.seed);
     if (!clouds) return clouds.error();

@@ -18,7 +18,8 @@ namespace citykiln {
 
 /// The properties of the whole scene, without rules, species and things.
 /// @param recipes  Its heights and land cover are used: the land around the extent goes on from them.
-/// Errors: heightmaps or cloud files that cannot be read, a time without a sky, tiles in spec.only that the map lacks.
+/// Errors: heightmaps or cloud files that cannot be read, a time without a sky, tiles in spec.only that the map lacks,
+/// a map that does not fit into the spec's cylinder.
 Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& extent,
                                   const scene::Recipes& recipes);
 

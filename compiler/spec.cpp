@@ -144,10 +144,16 @@ std::string default_of_sky(const CompileSpec&) {
 }
 
 Result<Done> set_world(CompileSpec& spec, std::string_view text) {
-  if (text.starts_with("cylinder")) {
-    return Error{"", fmt::format("{} is not supported yet; this version supports plane and ellipsoid", text)};
+  constexpr std::string_view kCylinder = "cylinder";
+  if (text.starts_with(kCylinder)) {
+    const auto radius_m =
+        text.starts_with("cylinder:") ? number_in<double>(text.substr(kCylinder.size() + 1)) : std::optional<double>();
+    if (!radius_m || !(*radius_m >= map::kLeastCylinder_m && *radius_m <= map::kLargestCylinder_m))
+      return expected("cylinder:R with a radius from 100 to 1000000 (metres), such as cylinder:1000", text);
+    spec.world = World::kCylinder, spec.cylinder = {*radius_m};
+    return Done{};
   }
-  if (text != "plane" && text != "ellipsoid") return expected("plane or ellipsoid", text);
+  if (text != "plane" && text != "ellipsoid") return expected("plane, ellipsoid or cylinder:R", text);
   spec.world = text == "plane" ? World::kPlane : World::kEllipsoid;
   return Done{};
 }
@@ -341,9 +347,10 @@ constexpr Setting kSettings[] = {
     {"lods", "M,M,...", "levels of detail: largest geometric error of each in metres, finest first (default: {})",
      false, [](CompileSpec& spec, std::string_view text) { return put(parse_ladder(text), spec.outputs.tolerances_m); },
      [](const CompileSpec& spec) { return fmt::format("{}", fmt::join(spec.outputs.tolerances_m, ",")); }},
-    {"world", "plane|ellipsoid",
-     "shape of the world: ellipsoid for --emit 3dtiles, plane for kiln and glb (default: that of the output)", false,
-     set_world},
+    {"world", "plane|ellipsoid|cylinder:R",
+     "shape of the world: ellipsoid for --emit 3dtiles, plane for kiln and glb, or for all of them cylinder:R, the "
+     "inside of a hollow cylinder with a radius of R metres around the x axis (default: that of the output)",
+     false, set_world},
     {"geoid-height", "M|FILE.pgm",
      "for 3dtiles: height of the geoid (sea level) above the ellipsoid in metres, such as 47.3, or a geoid of "
      "GeographicLib, such as egm96-5.pgm (default: 0)",
@@ -509,7 +516,23 @@ Result<Done> is_complete(const CompileSpec& spec) {
   return fits_target(spec.outputs);
 }
 
+namespace {
+
+// Checks the settings that have no meaning inside of a cylinder.
+Result<Done> fits_cylinder(const CompileSpec& spec) {
+  const Outputs& outputs = spec.outputs;
+  if (outputs.page) return Error{"--emit", "page shows worlds on the ellipsoid; leave it out inside of a cylinder"};
+  if (outputs.surroundings) return Error{"--surroundings", "there is no land around a map inside of a cylinder"};
+  if (!outputs.geoid.empty()) return Error{"--geoid-height", "is for the ellipsoid; leave it out inside of a cylinder"};
+  if (!spec.clouds.empty() && spec.clouds != "clear")
+    return Error{"--clouds", "there are no clouds inside of a cylinder; leave it out"};
+  return Done{};
+}
+
+}  // namespace
+
 Result<Done> fits_world(const CompileSpec& spec) {
+  if (spec.world == World::kCylinder) return fits_cylinder(spec);
   if (spec.world == World::kPlane && spec.outputs.tiles3d)
     return Error{"--world", "3dtiles are on the ellipsoid, found plane; leave --world out"};
   if (spec.world == World::kEllipsoid && !spec.outputs.tiles3d)

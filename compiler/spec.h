@@ -22,6 +22,7 @@
 #include "compiler/contract/target.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/map/locate.h"
+#include "compiler/map/plane/cylinder.h"
 #include "compiler/scene/scene.h"
 #include "compiler/sky/air_settings.h"
 #include "compiler/source/raster.h"
@@ -60,8 +61,9 @@ struct Strictness {
   std::vector<Code> codes;  ///< The diagnoses that cause it; empty: all of data that was mended or dropped.
 };
 
-/// The surface on which the outputs are: the plane, the ellipsoid, or the one that each output needs.
-enum class World { kByOutput, kPlane, kEllipsoid };
+/// The surface on which the outputs are: the plane, the ellipsoid, the inside of a cylinder, or the one that each
+/// output needs.
+enum class World { kByOutput, kPlane, kEllipsoid, kCylinder };
 
 /// All settings of a compile.
 struct CompileSpec {
@@ -78,7 +80,8 @@ struct CompileSpec {
   std::string species_folder;      ///< A folder of species of one's own; "" for none.
   bool fill_lots = false;          ///< Houses on residential land without buildings (lots/fill_lots.h).
   bool cars = false;               ///< Parked cars (things/parked_cars.h).
-  World world = World::kByOutput;  ///< 3D Tiles need the ellipsoid, other outputs the plane.
+  World world = World::kByOutput;  ///< 3D Tiles need the ellipsoid or a cylinder, others the plane or a cylinder.
+  map::Cylinder cylinder{};        ///< For World::kCylinder.
   std::string time;                ///< The time of the sky, ISO 8601; see sky::plan.
   sky::AirSettings air;
   std::string clouds;  ///< The argument of sky::read_clouds(); "" for none.
@@ -118,8 +121,8 @@ Result<CompileSpec> read_spec(const std::string& path);
 /// fits_target().
 Result<Done> is_complete(const CompileSpec& spec);
 
-/// Checks the surface of the outputs. Errors: `world` is not the surface that the outputs need; the geoid's file cannot
-/// be read.
+/// Checks the surface of the outputs. Errors: `world` is not a surface that the outputs can be on; settings that have
+/// no meaning inside of a cylinder; the geoid's file cannot be read.
 Result<Done> fits_world(const CompileSpec& spec);
 
 /// Checks the compression of .glb tiles. Error: the target's reader cannot read it.

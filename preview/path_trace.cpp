@@ -46,12 +46,17 @@ struct Path {
 
 // Turns the normal of water by its waves, and widens its microfacets by those that are shorter than a pixel.
 void make_waves(Hit& hit, const TraceContext& context, double spread_rad, Vec3 direction) {
-  if (!is_water(hit.material) || hit.geometric_normal.z <= 0.9) return;
+  if (!is_water(hit.material)) return;
+  // waves of the plane, turned to the vertical of the place inside of a cylinder
+  const InsideLights* inside = context.lights.inside();
+  Vec3 place = hit.position + context.world.origin();
+  map::BentPoint axes{.at = {}, .east = {1, 0, 0}, .north = {0, 1, 0}, .up = {0, 0, 1}};
+  if (inside != nullptr) place = map::flattened(inside->cylinder(), place), axes = map::at(inside->cylinder(), place);
+  if (dot(hit.geometric_normal, axes.up) <= 0.9) return;
   // at grazing angles a pixel covers more along the view than across it: the geometric mean of both
   const double across_m = hit.distance_m * spread_rad, cosine = std::max(0.02, -dot(direction, hit.shading_normal));
-  const Waves waves =
-      waves_at(in_plan(hit.position + context.world.origin()), std::max(across_m / std::sqrt(cosine), 1e-3));
-  hit.shading_normal = waves.normal;
+  const Waves waves = waves_at(in_plan(place), std::max(across_m / std::sqrt(cosine), 1e-3));
+  hit.shading_normal = axes.east * waves.normal.x + axes.north * waves.normal.y + axes.up * waves.normal.z;
   const double own = static_cast<double>(hit.roughness) * hit.roughness;
   hit.roughness = static_cast<float>(std::sqrt(std::sqrt(own * own + 2 * waves.slope_spread)));
 }
@@ -137,8 +142,21 @@ Rgb from_pane(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, Pat
   return met->emission * scattered.light * (1 / (drawn->pdf + (goes_on ? scattered.pdf : 0)));
 }
 
+// Light of the lines inside of a cylinder. Mirrors see their tubes.
+Rgb from_line(const TraceContext& context, const InsideLights& lines, const Hit& hit, const Bsdf& bsdf,
+              UnitPair chance) {
+  const auto drawn = lines.sample(hit.position + context.world.origin(), receiving_normal(hit, bsdf), chance);
+  if (!drawn) return {};
+  const bool is_mirror = bsdf.alpha() < kMirrorAlpha;
+  const Rgb reflected = is_mirror ? bsdf.matt(drawn->direction) : bsdf.scattering(drawn->direction).light;
+  if (largest_component(reflected) <= 0 || !is_free(context, hit, drawn->direction, drawn->distance_m)) return {};
+  return drawn->light * reflected;
+}
+
 Rgb from_local(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, PathDraw& draw, bool goes_on) {
   Rgb light{};
+  if (const InsideLights* lines = context.lights.inside(); lines != nullptr && lines->are_lit())
+    light = light + from_line(context, *lines, hit, bsdf, draw.next());
   if (context.local.has_lamps()) light = light + from_lamp(context, hit, bsdf, draw.next().u);
   if (context.local.has_emitters()) light = light + from_emitter(context, hit, bsdf, draw, goes_on);
   if (!context.local.pane_lights().is_empty()) light = light + from_pane(context, hit, bsdf, draw, goes_on);
@@ -218,10 +236,23 @@ struct Meeting {
   Bsdf bsdf;
 };
 
+// Adds the tube of a line that the path meets before a surface. Returns whether it does. Other paths have sampled the
+// lines where they come from.
+bool meets_tube(const TraceContext& context, Path& path, double distance_m) {
+  const InsideLights* lines = context.lights.inside();
+  if (lines == nullptr || !path.is_sharp) return false;
+  const auto tube = lines->tube(path.from + context.world.origin(), path.direction);
+  if (!tube || tube->distance_m >= distance_m) return false;
+  pass_air(context, tube->distance_m, path);
+  path.light = path.light + path.weight * tube->radiance;
+  return true;
+}
+
 // The next surface, with all light that it sends along the path but that of the path's next direction. Empty where the
 // path leaves the scene.
 std::optional<Meeting> meet(const TraceContext& context, Path& path, PathDraw& draw) {
   std::optional<Hit> hit = context.world.first_hit(path.from, path.direction, path.spread_rad);
+  if (meets_tube(context, path, hit ? hit->distance_m : std::numeric_limits<double>::infinity())) return std::nullopt;
   if (!hit) {
     add_outside(context, path);
     return std::nullopt;

@@ -223,6 +223,7 @@ Image render(const World& world, const Lights& lights, const Camera& camera, con
 Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const Camera& camera,
              const Options& options) {
   const World world(tiles, camera.eye);
+  assert(!sky.inside);  // lights_of() of the command preview
   const auto lamps = sky::are_lamps_lit(sky) ? lamps_of(tiles) : std::vector<StreetLamp>();
   return render(world, Lights(sky::generate(sky), lamps), camera, options);
 }

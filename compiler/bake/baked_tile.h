@@ -94,6 +94,13 @@ struct Viewpoint {
   bool operator==(const Viewpoint&) const = default;
 };
 
+/// The cylinder into which a tile was bent (bake/far/bend.h).
+struct CylinderFrame {
+  double radius_m = 0;
+  double middle_y_m = 0;  ///< The middle of the tile along y, plane metres: tells turns of the cylinder apart.
+  bool operator==(const CylinderFrame&) const = default;
+};
+
 /// One tile at one tolerance.
 struct BakedTile {
   scene::TileKey tile;
@@ -112,6 +119,8 @@ struct BakedTile {
   std::optional<Viewpoint> viewpoint{};
   std::vector<FeatureAttributes> attributes{};  ///< One per feature, or empty.
   double plant_error_m = 0;  ///< Error of plants: stated, not certified (plants/prototypes/prototype_mesh.h).
+  /// Set for tiles inside of a cylinder: coordinates are those of map/plane/cylinder.h instead of the plane.
+  std::optional<CylinderFrame> cylinder{};
   bool operator==(const BakedTile&) const = default;
 };
 

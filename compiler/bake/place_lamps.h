@@ -26,6 +26,7 @@ struct PlacedLamp {
   Placement placement;  ///< +x is the direction of its arm; the scale is its height in metres.
   props::LampKind kind{};
   props::Luminaire light{};
+  Vec3 up{0, 0, 1};  ///< The vertical of its place.
 };
 
 /// Returns the lamps of a tile on the ground of fine levels. Cost: grading the terrain of the tile.

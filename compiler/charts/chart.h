@@ -126,6 +126,9 @@ Result<std::vector<Chart>> chart_lights(const ChartRequest& request);
 /// Preetham's, and by a spectral Monte Carlo integration; errors of the model over the whole sky, and the time to
 /// prepare it, over the sun's height. Needs no map.
 Result<std::vector<Chart>> chart_sky(const ChartRequest& request);
+/// Charts the irradiance by the line lights inside of a cylinder: the error of samples on the lines over their time,
+/// and the closed form. Needs no map.
+Result<std::vector<Chart>> chart_linelights(const ChartRequest& request);
 /// Charts the errors of optical depth over particles for three cumulus clouds; their light, and that of single
 /// scattering, relative to the light by path tracing; and the time of paths relative to that of CloudField.
 Result<std::vector<Chart>> chart_cloud(const ChartRequest& request);

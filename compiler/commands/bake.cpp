@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "compiler/bake/far/bend.h"
 #include "compiler/bake/tiles/join_tiles.h"
 #include "compiler/bake_scene.h"
 #include "compiler/commands/interrupt_notice.h"
@@ -56,7 +57,9 @@ Result<bake::BakedTile> bake_as_one_tile(const scene::Scene& scene, const BakeRe
       },
       outputs::most_instances_of(request.spec.outputs.target));
   if (!baked) return baked.error();
-  return tiles.size() == 1 ? std::move(tiles.front()) : bake::join_tiles(tiles);
+  Result<bake::BakedTile> joined = tiles.size() == 1 ? std::move(tiles.front()) : bake::join_tiles(tiles);
+  if (!joined) return joined;
+  return bake::in_world(std::move(*joined), scene.header);
 }
 
 bool is_asked_for(const BakeRequest& request, scene::TileKey tile) {
@@ -134,6 +137,8 @@ Result<bake::BakedTile> bake_for_view(const BakeRequest& request, const scene::S
 Result<Exit> bake_view_to_file(const BakeRequest& request, const Console& console) {
   const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, {});
   if (!scene) return scene.error();
+  if (scene::cylinder_of(scene->header))
+    return Error{"--eye", "is for worlds in the plane, found one inside of a cylinder; give --tolerance M instead"};
   const Result<bake::View> view = view_of(request, *scene, console);
   if (!view) return view.error();
   const Result<bake::BakedTile> tile = bake_for_view(request, *scene, *view, console.progress());
@@ -149,6 +154,19 @@ Result<Exit> bake_view_to_file(const BakeRequest& request, const Console& consol
                             {"pixel_error", tile->viewpoint->pixel_error}};
   console.print_json(json.dump());
   return Exit::kDone;
+}
+
+/// Error: settings that the world of a manifest does not allow.
+Result<Done> fits_manifest(const CompileSpec& spec, const scene::Header& header) {
+  const auto cylinder = scene::cylinder_of(header);
+  if (!cylinder) return Done{};
+  if (spec.world != World::kByOutput)
+    return Error{"--world",
+                 fmt::format("the manifest is of a world inside of a cylinder with a radius of {} m; leave it out",
+                             cylinder->radius_m)};
+  CompileSpec inside = spec;
+  inside.world = World::kCylinder, inside.cylinder = *cylinder;
+  return fits_world(inside);
 }
 
 Result<Exit> bake_to_folder(const BakeRequest& request, const Console& console) {
@@ -191,6 +209,9 @@ Result<Done> output_fits(const BakeRequest& request) {
   std::error_code none;
   if (is_one_file && std::filesystem::is_directory(request.out_path, none))
     return Error{request.out_path, "is a folder; --tolerance and --eye write one file: give -o FILE.glb"};
+  if (request.spec.world == World::kCylinder)
+    return Error{"--world",
+                 "a manifest knows its cylinder; compile the map with --world cylinder:R, and leave it out here"};
   if (const Result<Done> fits = fits_world(request.spec); !fits) return fits.error();
   return fits_target(request.spec.outputs);
 }

@@ -39,6 +39,7 @@ constexpr std::array kKinds = {Kind{"plane", charts::chart_plane},
                                Kind{"lights", charts::chart_lights},
                                Kind{"forms", charts::chart_forms},
                                Kind{"sky", charts::chart_sky},
+                               Kind{"linelights", charts::chart_linelights},
                                Kind{"cloud", charts::chart_cloud},
                                Kind{"assumed", charts::chart_assumed}};
 

@@ -40,6 +40,7 @@ Result<Done> can_be_planned(const CompileSpec& spec) {
     return Error{"--surroundings", "a plan writes the land around the map as .glb only; leave usd and 3dtiles out"};
   if (!spec.outputs.manifest) return Error{"--emit", "a plan needs manifests; add kiln"};
   if (spec.outputs.page) return Error{"--emit", "a plan writes no page, which shows one run; leave page out"};
+  if (spec.world == World::kCylinder) return Error{"--world", "a plan is for worlds in the plane; compile instead"};
   if (!spec.only.empty()) return Error{"--only", "a plan has all tiles; give a part of the map with --bbox"};
   return Done{};
 }

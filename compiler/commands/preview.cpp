@@ -100,6 +100,7 @@ struct LitWorld {
   preview::World world;
   preview::LocalLights local;
 
+  /// @param cameras  In the scene's world.
   LitWorld(const Stage& stage, std::span<const preview::Camera> cameras)
       : world(world_of(stage.scene, {cameras, stage.options.width, stage.options.height}, stage.request.cells)),
         local(world, stage.lights.lamps(), stage.options.threads, stage.scene.panes) {}
@@ -143,15 +144,20 @@ preview::Options options_of(const PreviewRequest& request) {
   return options;
 }
 
+// A camera as it was given, and in the scene's world.
+struct FrameCamera {
+  const preview::Camera &in_plane, &in_world;
+};
+
 // Renders one frame and writes it. `exposure` is the factor of all frames, decided by the first one.
-Result<preview::Image> render_frame(const Stage& stage, const LitWorld& lit, const preview::Camera& camera,
+Result<preview::Image> render_frame(const Stage& stage, const LitWorld& lit, const FrameCamera& camera,
                                     const std::string& path, std::optional<double>& exposure) {
-  preview::Image image = preview::render(lit.world, stage.lights, lit.local, camera, stage.options);
+  preview::Image image = preview::render(lit.world, stage.lights, lit.local, camera.in_world, stage.options);
   if (stage.request.is_denoised) image = preview::denoise(image, stage.options.threads);
   if (!exposure) exposure = stage.request.exposure.of(image, stage.scene.sky);
   preview::expose(image, *exposure);
   const Result<Done> written =
-      preview::write_image(image, path, metadata_of(image, camera, stage.scene.sky, *exposure));
+      preview::write_image(image, path, metadata_of(image, camera.in_plane, stage.scene.sky, *exposure));
   if (!written) return written.error();
   return image;
 }
@@ -179,17 +185,20 @@ Result<Exit> render_frames(Stage stage, const std::vector<preview::Camera>& came
   stage.options.is_stopped = &interrupt.is_stopped();
   std::optional<double> exposure;
   std::optional<LitWorld> lit;
+  std::vector<preview::Camera> shown = cameras;
+  if (stage.scene.loaded.cylinder)
+    for (preview::Camera& camera : shown) camera = preview::bent(camera, *stage.scene.loaded.cylinder);
   for (std::size_t i = 0; i < cameras.size() && !interrupt.is_stopped(); ++i) {
     std::error_code none;
     if (stage.request.keeps_frames && std::filesystem::exists((*names)[i], none)) continue;
     stage.options.on_progress = [&](double share) {
       on_progress("render", (static_cast<double>(i) + share) / static_cast<double>(cameras.size()));
     };
-    if (!lit) lit.emplace(stage, cameras);
-    const Result<preview::Image> image = render_frame(stage, *lit, cameras[i], (*names)[i], exposure);
+    if (!lit) lit.emplace(stage, shown);
+    const Result<preview::Image> image = render_frame(stage, *lit, {cameras[i], shown[i]}, (*names)[i], exposure);
     if (!image) return image.error();
     print_picture_summary(stage, (*names)[i], *image, lit->world);
-    note_if_blind(stage, lit->world, cameras[i], *image);
+    note_if_blind(stage, lit->world, shown[i], *image);
     if (!stage.request.camera.is_film()) print_json(stage, *image, cameras[i], lit->world);
   }
   return Exit::kDone;
@@ -224,6 +233,7 @@ std::shared_ptr<const preview::Clouds> clouds_of(const PreviewScene& scene, cons
 
 // The light of a scene, for the first camera.
 preview::Lights lights_of(const PreviewScene& scene, const preview::Camera& camera, const PreviewRequest& request) {
+  if (scene.sky.inside) return preview::Lights(preview::InsideLights(scene.sky), scene.lamps);
   const sky::SkyModel model = sky::generate(scene.sky, camera.eye.z, preview::ground_lights(scene.lamps, camera.eye));
   return preview::Lights(model, scene.lamps, scene.around, scene.fog, clouds_of(scene, model, camera, request));
 }
@@ -256,6 +266,11 @@ Result<Exit> run_preview(const PreviewRequest& request, const Console& console) 
     if (const Result<Done> read = load_levels(*scene, wanted, viewing, on_progress); !read) return read.error();
     console.print_line(levels_text(scene->loaded.tiles));
   }
+  bend_tiles(*scene);
+  if (!scene->note.empty()) console.print_line(scene->note);
+  if (scene->loaded.cylinder && request.is_interactive)
+    return Error{"--interactive",
+                 "shows worlds in the plane, found one inside of a cylinder; give -o FILE.png instead"};
   if (!request.is_interactive && leave_out_hiding_land(*scene, *cameras))
     console.print_line("note: the land around the map would hide it from here and is left out");
   const preview::Lights lights =

@@ -196,6 +196,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["region_m"] = {header.extent.min.x, header.extent.min.y, header.extent.max.x, header.extent.max.y};
   json["region_deg"] = box_deg_of(header.extent, plane);
   json["tile_m"] = header.tile_m;
+  if (const auto cylinder = scene::cylinder_of(header)) json["cylinder_radius_m"] = cylinder->radius_m;
   json["sky"] = sky_of(header.sky);
   json["seed"] = header.seed;
   json["resampling_error_m"] = header.resampling_error_m;

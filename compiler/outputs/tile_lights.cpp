@@ -1,5 +1,6 @@
 #include "compiler/outputs/tile_lights.h"
 
+#include "compiler/bake/far/bend.h"
 #include "compiler/contract/for_each_slot.h"
 
 namespace citykiln::outputs {
@@ -8,7 +9,7 @@ std::vector<std::vector<bake::PlacedLamp>> lights_of_tiles(const scene::Scene& s
   using Lamps = std::vector<bake::PlacedLamp>;
   if (most == 0) return std::vector<Lamps>(scene.chunks.size());
   return for_each_slot<Lamps>(scene.chunks.size(), threads, [&](std::size_t i) {
-    return bake::brightest(bake::lamps_of(scene.header, scene.chunks[i]), most);
+    return bake::in_world(bake::brightest(bake::lamps_of(scene.header, scene.chunks[i]), most), scene.header);
   });
 }
 

@@ -13,6 +13,7 @@
 
 #include "compiler/bake/bake.h"
 #include "compiler/bake/far/bake_surroundings.h"
+#include "compiler/bake/far/bend.h"
 #include "compiler/bake_scene.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/outputs/bake_keys.h"
@@ -125,7 +126,7 @@ class TileWriter {
                       {.exists = [&](ChunkLevel at) { return whole_[index(at)].has_value(); },
                        .process =
                            [&](ChunkLevel at, bake::BakedTile&& baked) {
-                             const bake::BakedTile tile = std::move(baked);
+                             const bake::BakedTile tile = bake::in_world(std::move(baked), scene_.header);
                              ready_[index(at)] =
                                  ready_tile(tile, at.level, lights_[at.chunk], scene_.header, outputs_, threads_);
                            },
@@ -195,7 +196,8 @@ class TileWriter {
       SolvedTile out;
       const auto prepared = bake::prepare(scene_.header, scene_.chunks[chunk], std::span(&tolerance_m, 1), threads_,
                                           prototypes, most_instances_of(outputs_.target));
-      const bake::BakedTile tile = bake::bake_prepared(*prepared, 0, threads_, out.diagnosed);
+      const bake::BakedTile tile =
+          bake::in_world(bake::bake_prepared(*prepared, 0, threads_, out.diagnosed), scene_.header);
       out.tile = ready_tile(tile, 0, lights_[chunk], scene_.header, outputs_, threads_);
       return out;
     };

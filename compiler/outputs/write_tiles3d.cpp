@@ -41,27 +41,33 @@ std::string name_in_run(const TilesetTile& tile) {
   return fmt::format("{}/{}", exporters::kTilesetFolder, tile.content);
 }
 
-/// Makes contents of baked tiles.
+/// Makes contents of baked tiles, on the ellipsoid or inside of the scene's cylinder.
 class ContentMaker {
  public:
   ContentMaker(const scene::Header& header, const Outputs& outputs, const map::Geoid& geoid, int threads)
-      : header_(header), geoid_(geoid), globe_(header.origin), threads_(threads) {
+      : header_(header),
+        geoid_(geoid),
+        globe_(header.origin),
+        cylinder_(scene::cylinder_of(header)),
+        threads_(threads) {
     Outputs contents = outputs;
     contents.target = Target::kCesium;
     options_ = glb_options_of(contents);
-    options_.is_on_ellipsoid = true;
+    options_.is_on_ellipsoid = !cylinder_;
   }
 
   /// @param name  The name of the content, relative to 3dtiles/.
   /// @param centre  The centre of the tile's square, at which the axes of its box are those of the plane.
   /// @param lights  Lamps that are lights of the content, in the plane.
   Content content_of(bake::BakedTile&& baked, Vec2 centre, std::string name, const Lights& lights = {}) const {
-    const bake::BakedTile tile = bake::bent(std::move(baked), globe_, geoid_);
+    const bake::BakedTile tile =
+        cylinder_ ? bake::bent(std::move(baked), *cylinder_) : bake::bent(std::move(baked), globe_, geoid_);
     const Lights bent_lights = bent(lights);
     exporters::GlbOptions options = options_;
     options.lights = bent_lights;
     exporters::EncodedTile encoded = exporters::encode_tile(tile, header_, options, threads_);
-    const map::GlobePoint there = globe_.at(at_height(centre, 0));
+    const Vec3 level = at_height(centre, 0);
+    const map::BentPoint there = cylinder_ ? map::at(*cylinder_, level) : globe_.at(level);
     return {std::move(encoded.glb),
             {.box = exporters::box_of(tile, {there.east, there.north, there.up}),
              .error_m = encoded.error_m,
@@ -71,8 +77,10 @@ class ContentMaker {
   }
 
  private:
-  /// Lamps are a few metres high, so that their lean to the vertical of the origin does not matter.
+  /// On the ellipsoid lamps are a few metres high, so that their lean to the vertical of the origin does not matter.
   Lights bent(Lights lights) const {
+    // those inside of a cylinder are there already
+    if (cylinder_) return lights;
     for (bake::PlacedLamp& lamp : lights) {
       Vec3& at = lamp.placement.at;
       at = globe_.at({at.x, at.y, at.z + map::height_m(geoid_, in_plan(at))}).at;
@@ -83,6 +91,7 @@ class ContentMaker {
   const scene::Header& header_;
   const map::Geoid& geoid_;
   map::Globe globe_;
+  std::optional<map::Cylinder> cylinder_;
   exporters::GlbOptions options_;
   int threads_;
 };
@@ -334,6 +343,12 @@ Result<map::Geoid> geoid_of(const scene::Header& header, const Outputs& outputs)
 }  // namespace
 
 Result<exporters::TilesetFacts> tileset_facts(const scene::Header& header, const Outputs& outputs) {
+  if (const auto cylinder = scene::cylinder_of(header)) {
+    return exporters::TilesetFacts{.to_earth = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},
+                                   .origin = header.origin,
+                                   .cylinder_radius_m = cylinder->radius_m,
+                                   .attributions = header.attributions};
+  }
   const Result<map::Geoid> geoid = geoid_of(header, outputs);
   if (!geoid) return geoid.error();
   return exporters::TilesetFacts{.to_earth = map::Globe(header.origin).to_earth(),
@@ -351,7 +366,7 @@ Result<std::vector<WrittenFile>> write_tiles3d(const scene::Scene& scene, const 
   if (!geoid) return geoid.error();
   const Result<exporters::TilesetFacts> facts = tileset_facts(scene.header, outputs);
   if (!facts) return facts.error();
-  if (outputs.geoid.empty()) report.add(Code::kNoGeoidHeight, {});
+  if (outputs.geoid.empty() && !scene::cylinder_of(scene.header)) report.add(Code::kNoGeoidHeight, {});
 
   const ContentMaker maker(scene.header, outputs, *geoid, threads);
   TreeWriter writer(scene, outputs, maker, threads, folder);

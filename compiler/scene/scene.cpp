@@ -29,6 +29,10 @@ std::optional<buildings::WeekTime> night_of(const Header& header) {
   return buildings::WeekTime{hours - kWeek_h * std::floor(hours / kWeek_h)};
 }
 
+std::optional<map::Cylinder> cylinder_of(const Header& header) {
+  return header.sky.inside ? std::optional(header.sky.inside->cylinder) : std::nullopt;
+}
+
 Box2 box_of(const Header& header, TileKey tile) {
   assert(header.tile_m > 0);
   const Vec2 min{tile.x * header.tile_m, tile.y * header.tile_m};

@@ -121,6 +121,9 @@ climate::LocalMonth local_month_of(const Header& header);
 /// Returns the time of the week if it is dark, which decides which windows are lit; empty by day.
 std::optional<buildings::WeekTime> night_of(const Header& header);
 
+/// Returns the cylinder in which the world is; empty if it is not in one. Recipes are in the plane in either case.
+std::optional<map::Cylinder> cylinder_of(const Header& header);
+
 /// Returns the part of the extent that belongs to a tile.
 Box2 box_of(const Header& header, TileKey tile);
 /// True if an object belongs to a tile because the tile contains its anchor. An anchor outside the extent belongs to

@@ -1,11 +1,13 @@
 // The sky recipe: directions of sun, moon and stars, and the state of the air.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "compiler/geometry/vec.h"
 #include "compiler/sky/clouds/recipe.h"
+#include "compiler/sky/inside/recipe.h"
 
 namespace citykiln::sky {
 
@@ -23,6 +25,7 @@ struct Sky {
   Vec3 to_equinox{0, -1, 0};   ///< Direction of right ascension 0, declination 0 of J2000.0, without refraction.
   double ground_m = 0;         ///< Mean height of the ground above sea level. Heights of named clouds are above it.
   std::vector<CloudLayer> clouds{};
+  std::optional<Inside> inside{};  ///< Set if the world is the inside of a cylinder.
   bool operator==(const Sky&) const = default;
 };
 
@@ -32,5 +35,8 @@ inline bool is_night(const Sky& sky) { return sky.to_sun.z < -0.00466; }
 /// True if street lamps are lit: the sun is 4° below the horizon, when a clear sky gives the 35 lx at which photocells
 /// of street lighting switch (BS 5972).
 inline bool are_lamps_lit(const Sky& sky) { return sky.to_sun.z < -0.06976; }
+
+/// True if the lines inside of a cylinder shine: while street lamps are not lit. False for other worlds.
+inline bool are_lines_lit(const Sky& sky) { return sky.inside && !are_lamps_lit(sky); }
 
 }  // namespace citykiln::sky

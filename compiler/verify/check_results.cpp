@@ -33,8 +33,9 @@ constexpr Check CheckResults::*kChecks[] = {&CheckResults::files,
                                             &CheckResults::tileset_boxes,
                                             &CheckResults::tileset_errors,
                                             &CheckResults::tileset_seams};
-constexpr Check CheckResults::*kUsdChecks[] = {&CheckResults::usd_layers, &CheckResults::usd_same,
-                                               &CheckResults::usd_scene};
+// Printed if something was tested.
+constexpr Check CheckResults::*kOptionalChecks[] = {&CheckResults::bend, &CheckResults::usd_layers,
+                                                    &CheckResults::usd_same, &CheckResults::usd_scene};
 
 template <typename T>
 void append(std::vector<T>& all, const std::vector<T>& more) {
@@ -51,14 +52,14 @@ void add_check(Check& all, const Check& more) {
 std::vector<const Check*> all_of(const CheckResults& results) {
   std::vector<const Check*> all;
   for (const auto claim : kChecks) all.push_back(&(results.*claim));
-  for (const auto claim : kUsdChecks)
+  for (const auto claim : kOptionalChecks)
     if ((results.*claim).tests > 0) all.push_back(&(results.*claim));
   return all;
 }
 
 void add(CheckResults& results, const CheckResults& of_tile) {
   for (const auto claim : kChecks) add_check(results.*claim, of_tile.*claim);
-  for (const auto claim : kUsdChecks) add_check(results.*claim, of_tile.*claim);
+  for (const auto claim : kOptionalChecks) add_check(results.*claim, of_tile.*claim);
   results.reference_errors = combined(results.reference_errors, of_tile.reference_errors);
   append(results.ways_into_walls, of_tile.ways_into_walls);
   append(results.blank_walls, of_tile.blank_walls);

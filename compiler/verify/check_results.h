@@ -57,6 +57,7 @@ struct CheckResults {
   Check stale{"no file with a name of a run's file is left of an earlier run", 0, {}};
   Check ledger{"every account of the ledger balances: in + split = out + merged + without_body + dropped", 0, {}};
   Check glb_bytes{"every .glb has exactly the bytes that baking the manifest gives", 0, {}};
+  Check bend{"inside of a cylinder, every vertex of a .glb maps back to that of its recipe", 0, {}};
   Check area{"the ground's faces cover the plan area of the tile exactly once", 0, {}};
   Check height{"the ground is within error_m of the graded terrain", 0, {}};
   Check seams{"neighbouring tiles have the same border edges", 0, {}};

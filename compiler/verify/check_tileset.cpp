@@ -101,13 +101,19 @@ class Reader {
 
 // ---- places on the globe ----
 
-/// Converts places from the frame of the tileset to the plane, by GeographicLib.
+/// Converts places from the frame of the tileset to the plane, by GeographicLib, or from the inside of a cylinder.
 class Unbend {
  public:
-  explicit Unbend(map::LonLat origin) : local_(origin.lat_deg, origin.lon_deg, 0), plane_(origin) {}
+  /// @param near_y_m  A place of the tile, which tells turns of a cylinder apart.
+  Unbend(const scene::Header& header, double near_y_m)
+      : local_(header.origin.lat_deg, header.origin.lon_deg, 0),
+        plane_(header.origin),
+        cylinder_(scene::cylinder_of(header)),
+        near_y_m_(near_y_m) {}
 
-  /// Returns plane metres, with the height above the ellipsoid as z.
+  /// Returns plane metres, with the height above the ellipsoid as z, or that above the cylinder's ground.
   Vec3 operator()(Vec3 p) const {
+    if (cylinder_) return map::flattened(*cylinder_, p, near_y_m_);
     map::LonLat place;
     double height_m = 0;
     local_.Reverse(p.x, p.y, p.z, place.lat_deg, place.lon_deg, height_m);
@@ -117,7 +123,17 @@ class Unbend {
  private:
   GeographicLib::LocalCartesian local_;
   map::Plane plane_;
+  std::optional<map::Cylinder> cylinder_;
+  double near_y_m_;
 };
+
+// The largest difference between the root's transform and none, which worlds inside of a cylinder have.
+double off_identity(const std::vector<double>& transform) {
+  if (transform.size() != 16) return HUGE_VAL;
+  double largest = 0;
+  for (std::size_t i = 0; i < 16; ++i) largest = std::max(largest, std::abs(transform[i] - (i % 5 == 0 ? 1 : 0)));
+  return largest;
+}
 
 // The largest distance between the root's transform and the local frame at the origin, at the ends of axes of 100 km.
 double transform_error_m(map::LonLat origin, const std::vector<double>& transform) {
@@ -197,10 +213,13 @@ double vertices_outside_m(const OrientedBox& box, const bake::BakedTile& tile) {
 }
 
 void find_sides(const bake::BakedTile& tile, const scene::Header& header, CheckedContent& content) {
-  constexpr double kOnSide_m = 0.0008;  // a vertex is rounded to 2^-10 m, and moved by at most 0.7 of it in plan
-  const Unbend unbend(header.origin);
+  constexpr double kRounded_m = 0.0008;  // a vertex is rounded to 2^-10 m, and moved by at most 0.7 of it in plan
+  const auto cylinder = scene::cylinder_of(header);
+  // high above the ground of a cylinder a step is a longer way in plan
+  const double on_side_m = kRounded_m * (cylinder ? 2 : 1);
   const Vec2 low = Vec2{static_cast<double>(tile.tile.x), static_cast<double>(tile.tile.y)} * header.tile_m,
              high = low + Vec2{header.tile_m, header.tile_m};
+  const Unbend unbend(header, (low.y + high.y) / 2);
   for (const bake::Primitive& primitive : tile.primitives) {
     if (!is_terrain(primitive)) continue;
     for (const bake::Float3& at : primitive.positions) {
@@ -208,7 +227,7 @@ void find_sides(const bake::BakedTile& tile, const scene::Header& header, Checke
       const Vec3 p = unbend(there);
       const double away_m[] = {p.x - low.x, p.x - high.x, p.y - low.y, p.y - high.y};
       for (std::size_t side = 0; side < 4; ++side)
-        if (std::abs(away_m[side]) <= kOnSide_m) {
+        if (std::abs(away_m[side]) <= on_side_m) {
           const auto along_cm = static_cast<std::int64_t>(std::floor((side < 2 ? p.y : p.x) * 100));
           content.sides[side][along_cm].emplace(p.z, there);
         }
@@ -280,7 +299,9 @@ void check_tileset(const LoadedRun& run, int threads, CheckResults& results) {
   const std::string folder = run.folder + "/" + exporters::kTilesetFolder + "/";
   if (!std::filesystem::exists(folder + exporters::kTilesetName)) return;
   const ReadTileset read = Reader(folder, results).read(exporters::kTilesetName);
-  const double out_m = transform_error_m(run.scene.header.origin, read.transform);
+  const bool is_inside = scene::cylinder_of(run.scene.header).has_value();
+  const double out_m =
+      is_inside ? off_identity(read.transform) : transform_error_m(run.scene.header.origin, read.transform);
   results.tileset.test(out_m < 0.001, fmt::format("the root's transform is {} m from the frame of the origin", out_m));
   for (const std::string& credit : run.scene.header.attributions)
     results.tileset.test(read.attribution.find(credit) != std::string::npos,

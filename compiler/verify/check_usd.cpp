@@ -10,6 +10,7 @@
 #include <set>
 
 #include "compiler/bake/bake.h"
+#include "compiler/bake/far/bend.h"
 #include "compiler/contract/assumption_names.h"
 #include "compiler/verify/prepare_tile.h"
 #include "exporters/file.h"
@@ -275,7 +276,7 @@ Result<BakedTile> expected_tile(const LoadedRun& loaded, bake::PreparedTile& pre
   if (glb != loaded.record.tiles.end() && loaded.record.compress == Compression::kNone)
     return exporters::read_glb(loaded.folder + "/" + glb->file.name);
   Report ignored;
-  return bake::bake_prepared(prepared, number, 1, ignored);
+  return bake::in_world(bake::bake_prepared(prepared, number, 1, ignored), loaded.scene.header);
 }
 
 std::string folder_of_file(const std::string& path) { return fs::path(path).parent_path().string(); }

@@ -39,7 +39,7 @@ struct GlbOptions {
 /// |                     | (property_table.h, EXT_structural_metadata)                                                |
 /// | origin, tolerances, | the root node's extras: tile, origin_m (doubles), tolerance_m, error_m, plant_error_m,     |
 /// | errors              | rounding_m (largest error of single precision), plane, and viewpoint, if baked for one;    |
-/// |                     | frame instead of plane for tiles on the ellipsoid                                          |
+/// |                     | frame instead of plane for tiles on the ellipsoid or inside of a cylinder                  |
 /// | attribution         | asset.copyright                                                                            |
 /// | uvs                 | TEXCOORD_0 in units of the image, row 0 is v = 0. In packed meshes metres, on textures 16  |
 /// |                     | bits in steps of materials::kTextureCoordinateStep_m, scaled by KHR_texture_transform      |

@@ -54,7 +54,19 @@ OrderedJson property(const char* description, const char* type) {
   return {{"type", "SCALAR"}, {"componentType", type}, {"description", description}};
 }
 
+void add_metadata_inside(OrderedJson& json, const TilesetFacts& facts) {
+  OrderedJson properties = {
+      {"attribution", property("sources of the data", "STRING")},
+      {"cylinder_radius_m", property("radius of the cylinder around the x axis that the world is in", "FLOAT64")}};
+  json["schema"] = {{"id", "citykiln_tileset"}, {"classes", {{"tileset", {{"properties", properties}}}}}};
+  json["metadata"] = {
+      {"class", "tileset"},
+      {"properties",
+       {{"attribution", joined_attributions(facts.attributions)}, {"cylinder_radius_m", facts.cylinder_radius_m}}}};
+}
+
 void add_metadata(OrderedJson& json, const TilesetFacts& facts) {
+  if (facts.cylinder_radius_m > 0) return add_metadata_inside(json, facts);
   const bool has_geoid = !facts.geoid.empty();
   OrderedJson properties = {
       {"attribution", property("sources of the data", "STRING")},

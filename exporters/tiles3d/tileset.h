@@ -30,6 +30,8 @@ struct TilesetFacts {
   map::LonLat origin;
   std::string geoid{};        ///< The source of the geoid's heights; empty: none was given.
   double geoid_height_m = 0;  ///< Height of the geoid above the ellipsoid at the origin.
+  /// Radius of the cylinder that the world is in, which has no place on Earth; 0: on the ellipsoid.
+  double cylinder_radius_m = 0;
   std::vector<std::string> attributions;
 };
 

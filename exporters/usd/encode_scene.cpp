@@ -52,8 +52,15 @@ void write_lamp(LayerWriter& writer, const bake::PlacedLamp& lamp, Vec3 origin, 
   writer.write({.type = "float", .name = "inputs:radius", .value = static_cast<float>(is_disk ? kHead_m : kLantern_m)});
   writer.write(
       {.type = "double3", .name = "xformOp:translate", .value = props::glass_of(lamp.placement, lamp.kind) - origin});
-  static const std::string kOrder[] = {"xformOp:translate"};
-  writer.write({.type = "token[]", .name = "xformOpOrder", .value = UsdTokens{kOrder}, .is_uniform = true});
+  static const std::string kOrder[] = {"xformOp:translate", "xformOp:rotateX"};
+  const bool is_turned = lamp.up != Vec3{0, 0, 1};
+  if (is_turned)
+    writer.write(
+        {.type = "float", .name = kOrder[1], .value = static_cast<float>(arctangent2_deg(-lamp.up.y, lamp.up.z))});
+  writer.write({.type = "token[]",
+                .name = "xformOpOrder",
+                .value = UsdTokens{std::span(kOrder, is_turned ? 2 : 1)},
+                .is_uniform = true});
   writer.end_prim();
 }
 
@@ -151,8 +158,10 @@ void write_variant(TextWriter& writer, const UsdTile& tile, std::size_t n) {
 }
 
 UsdDictionary plane_data(const scene::Header& header) {
+  const auto cylinder = scene::cylinder_of(header);
   return {{"attribution", usd_attribution(header)},
-          {"projection", std::string("transverse Mercator, WGS84, scale 1 at the origin")},
+          {"projection", cylinder ? fmt::format("inside of a cylinder around x, radius {} m", cylinder->radius_m)
+                                  : std::string("transverse Mercator, WGS84, scale 1 at the origin")},
           {"lon_0", header.origin.lon_deg},
           {"lat_0", header.origin.lat_deg}};
 }

@@ -7,6 +7,7 @@
 
 #include "compiler/bake/baked_tile.h"
 #include "compiler/contract/result.h"
+#include "compiler/map/plane/cylinder.h"
 
 namespace citykiln::preview {
 
@@ -15,7 +16,8 @@ struct Pose {
   Vec3 eye, look_at;
 };
 
-/// A camera in plane metres, z up: a pinhole or a thin lens, at rest or moving while its shutter is open.
+/// A camera in plane metres, z up (or inside of a cylinder, bent()): a pinhole or a thin lens, at rest or moving while
+/// its shutter is open.
 struct Camera {
   Vec3 eye, look_at;
   double vertical_fov_deg = 45;
@@ -24,7 +26,11 @@ struct Camera {
   double focus_m = 0;
   /// The pose when the shutter closes. The camera moves there at constant speed. Empty: the camera is at rest.
   std::optional<Pose> shutter_end{};
+  Vec3 up{0, 0, 1};  ///< The vertical at the eye: unit.
 };
+
+/// Returns a camera of the plane inside of a cylinder: its poses are bent point by point, and its vertical turned.
+Camera bent(Camera camera, const map::Cylinder& cylinder);
 
 /// Returns a camera that shows a scene from a view by name: "overview" (from the south-east, all of it), "street",
 /// "top", "north", "south", "east", "west", "low"; and "square", "river", "hilltop", "roofs", "skyline", which a scene

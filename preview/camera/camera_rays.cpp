@@ -23,11 +23,21 @@ Pose pose_between(const Pose& a, const Pose& b, double share) {
 
 }  // namespace
 
-ViewAxes axes_of(const Pose& pose) {
+ViewAxes axes_of(const Pose& pose, Vec3 vertical) {
   const Vec3 sight = unit(pose.look_at - pose.eye), forward = dot(sight, sight) > 0 ? sight : Vec3{0, 1, 0};
-  const Vec3 pole = std::abs(forward.z) > 0.9999 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  // north, where it is not along the sight
+  const Vec3 north = unit(cross(vertical, Vec3{1, 0, 0}));
+  const Vec3 pole = std::abs(dot(forward, vertical)) > 0.9999 ? north : vertical;
   const Vec3 right = unit(cross(forward, pole));
   return {forward, right, cross(right, forward)};
+}
+
+Camera bent(Camera camera, const map::Cylinder& cylinder) {
+  const auto place = [&](Vec3& p) { p = map::at(cylinder, p).at; };
+  camera.up = map::at(cylinder, camera.eye).up;
+  place(camera.eye), place(camera.look_at);
+  if (camera.shutter_end) place(camera.shutter_end->eye), place(camera.shutter_end->look_at);
+  return camera;
 }
 
 CameraRays::CameraRays(const Camera& camera, int width, int height)
@@ -36,7 +46,7 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
       height_(height),
       half_height_(std::tan(std::clamp(camera.vertical_fov_deg, 0.01, 179.0) * std::numbers::pi / 360)) {
   half_width_ = half_height_ * width_ / height_;
-  axes_ = axes_of({camera.eye, camera.look_at});
+  axes_ = axes_of({camera.eye, camera.look_at}, camera.up);
 }
 
 CameraRay CameraRays::through(double x, double y, PathDraw& draw) const {
@@ -44,7 +54,7 @@ CameraRay CameraRays::through(double x, double y, PathDraw& draw) const {
   ViewAxes axes = axes_;
   if (camera_.shutter_end) {
     pose = pose_between(pose, *camera_.shutter_end, draw.next().u);
-    axes = axes_of(pose);
+    axes = axes_of(pose, camera_.up);
   }
   const auto& [forward, right, up] = axes;
   const double px = (2 * x / width_ - 1) * half_width_, py = (1 - 2 * y / height_) * half_height_;

@@ -16,8 +16,8 @@ struct CameraRay {
 struct ViewAxes {
   Vec3 forward, right, up;
 };
-/// Returns the axes of a view.
-ViewAxes axes_of(const Pose& pose);
+/// Returns the axes of a view. @param vertical  Unit.
+ViewAxes axes_of(const Pose& pose, Vec3 vertical = {0, 0, 1});
 
 /// The rays of a camera whose picture has a given size.
 ///

@@ -73,7 +73,11 @@ Lights::Lights(const sky::SkyModel& model, std::vector<StreetLamp> lamps, std::o
 Lights::Lights(const EnvironmentMap& map, std::vector<StreetLamp> lamps)
     : is_map_(true), table_(table_of(map)), lamps_(std::move(lamps)) {}
 
+Lights::Lights(const InsideLights& inside, std::vector<StreetLamp> lamps)
+    : table_({0, 1}, 1, {{0, 0, 0}}), inside_(inside), lamps_(std::move(lamps)) {}
+
 Rgb Lights::falling(Vec3 from, Vec3 direction) const {
+  if (inside_) return inside_->hull(from, direction).radiance;
   if (is_map_) return table_.radiance(direction);
   if (direction.z < 0) return below_;
   const Rgb sky = sky::radiance(model_, direction);
@@ -113,6 +117,11 @@ Rgb Lights::behind_fog(Vec3 from, Vec3 direction, const Rgb& light) const {
 }
 
 Rgb Lights::seen(Vec3 from, Vec3 direction, double pixel_rad, bool is_camera) const {
+  if (inside_) {
+    const Seen hull = inside_->hull(from, direction);
+    const sky::AirPath path = inside_->air(from, direction, hull.distance_m);
+    return path.added + path.passed * hull.radiance;
+  }
   if (is_map_) return table_.radiance(direction);
   if (around_)
     if (const auto ground = meet_ground(*around_, from, direction)) {
@@ -131,6 +140,7 @@ Rgb Lights::seen(Vec3 from, Vec3 direction, double pixel_rad, bool is_camera) co
 }
 
 std::optional<double> Lights::ground_m(Vec3 from, Vec3 direction) const {
+  if (inside_) return inside_->hull(from, direction).distance_m;
   if (is_map_) return std::nullopt;
   if (around_) {
     const auto ground = meet_ground(*around_, from, direction);
@@ -151,6 +161,7 @@ sky::AirPath Lights::air(Vec3 from, Vec3 direction, double distance_m) const {
 
 sky::AirPath Lights::clear_air(Vec3 from, Vec3 direction, double distance_m) const {
   if (is_map_) return {};
+  if (inside_) return inside_->air(from, direction, distance_m);
   sky::AirPath path = sky::air(model_, direction, distance_m);
   if (!fog_) return path;
   const double passed = fog_transmittance(*fog_, from, direction, distance_m);

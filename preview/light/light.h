@@ -11,6 +11,7 @@
 #include "preview/light/direction_table.h"
 #include "preview/light/environment_map.h"
 #include "preview/light/fog.h"
+#include "preview/light/inside_lights.h"
 #include "preview/light/star_map.h"
 #include "preview/light/surroundings.h"
 #include "preview/rgb.h"
@@ -30,11 +31,15 @@ class Lights {
   explicit Lights(const sky::SkyModel& model, std::vector<StreetLamp> lamps = {},
                   std::optional<Surroundings> around = {}, std::optional<Fog> fog = {},
                   std::shared_ptr<const Clouds> clouds = {});
+  /// Makes the light inside of a cylinder, which replaces sky, sun and the land around. Places are in its frame.
+  explicit Lights(const InsideLights& inside, std::vector<StreetLamp> lamps = {});
   /// Makes the light of an environment map, which replaces sky and sun. There is no air.
   explicit Lights(const EnvironmentMap& map, std::vector<StreetLamp> lamps = {});
 
   Rgb sun_radiance() const { return model_.sun_radiance; }
   const std::vector<StreetLamp>& lamps() const { return lamps_; }
+  /// Returns the lines of light inside of a cylinder; null in other worlds.
+  const InsideLights* inside() const { return inside_ ? &*inside_ : nullptr; }
 
   /// Returns the radiance that falls on surfaces from a direction, without the sun's disk. Below the horizon it is the
   /// light reflected by the ground around the scene, or the radiance of the map.
@@ -88,6 +93,7 @@ class Lights {
   StarMap stars_;
   std::optional<Surroundings> around_;
   std::optional<Fog> fog_;
+  std::optional<InsideLights> inside_;
   std::shared_ptr<const Clouds> clouds_;
   Rgb below_{};
   std::vector<StreetLamp> lamps_;

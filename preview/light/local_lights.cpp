@@ -67,11 +67,11 @@ LocalLights::LocalLights(const World& world, std::span<const StreetLamp> lamps, 
     constexpr double kHead = 0.045;
     const bool shines_down = of.beam == props::Beam::kDown;
     lamps_.push_back(
-        {lamp.at - world.origin(), kHead * lamp.height_m, colour_of(of.temperature_k) * candela, shines_down});
+        {lamp.at - world.origin(), kHead * lamp.height_m, colour_of(of.temperature_k) * candela, shines_down, lamp.up});
     const Lamp& made = lamps_.back();
     bounds.push_back({.low = made.at,
                       .high = made.at,
-                      .axis = {0, 0, -1},
+                      .axis = lamp.up * -1,
                       .reach_rad = shines_down ? kPi / 2 : kPi / 2 + kLanternRise_rad,
                       .flux = kPi * candela,
                       .is_even = !shines_down});
@@ -84,8 +84,8 @@ std::optional<LightSample> LocalLights::light_of(const Lamp& lamp, Vec3 at) cons
   const double distance_m = length(to);
   if (distance_m <= lamp.radius_m) return std::nullopt;
   const Vec3 direction = to * (1 / distance_m);
-  double share = direction.z;  // the cosine below an arm's head
-  if (!lamp.shines_down) share = direction.z > -props::kLanternRise ? 1 : 0;
+  double share = dot(direction, lamp.up);  // the cosine below an arm's head
+  if (!lamp.shines_down) share = share > -props::kLanternRise ? 1 : 0;
   if (share <= 0) return std::nullopt;
   return LightSample{direction, distance_m - lamp.radius_m, lamp.intensity * (share / (distance_m * distance_m)), 0};
 }

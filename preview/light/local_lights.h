@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "preview/light/light_sample.h"
 #include "preview/light/light_tree.h"
 #include "preview/light/pane_lights.h"
 #include "preview/rgb.h"
@@ -14,18 +15,6 @@
 #include "preview/scene/world.h"
 
 namespace citykiln::preview {
-
-/// Light that may reach a place from a sampled point.
-struct LightSample {
-  Vec3 direction;         ///< Unit, towards the light.
-  double distance_m = 0;  ///< Distance from the place along which nothing may block the light.
-  /// The radiance of the light divided by pdf. For a lamp, a point: its intensity divided by distance² and by the
-  /// probability with which the lamp was chosen. Multiplied by the cosine and the BSDF it estimates the reflected
-  /// light.
-  Rgb light{};
-  /// Density per steradian. 0 for a lamp, which is a point: rays cannot hit it, so `light` is its whole contribution.
-  double pdf = 0;
-};
 
 /// The street lamps, shining triangles and lit windows of a world. Immutable and thread-safe.
 class LocalLights {
@@ -68,6 +57,7 @@ class LocalLights {
     double radius_m;
     Rgb intensity;  // along its axis: radiance times square metres
     bool shines_down;
+    Vec3 up;
   };
 
   std::optional<LightSample> light_of(const Lamp& lamp, Vec3 at) const;

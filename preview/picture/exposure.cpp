@@ -46,6 +46,8 @@ double day_exposure(const Image& image, double adapted) {
 }
 
 double adapted_exposure(const sky::Sky& sky) {
+  // the lines inside of a cylinder are as bright at all times
+  if (sky::are_lines_lit(sky)) return 1;
   // degrees above the horizon, and stops: three quarters of those that clear skies' illuminance of level ground has
   // fallen by since 15 degrees, where it is 20 klx
   constexpr std::array<std::pair<double, double>, 8> kStops = {
@@ -60,7 +62,8 @@ double adapted_exposure(const sky::Sky& sky) {
 }
 
 double exposure_under(const sky::Sky& sky, const Image& image) {
-  return sky::is_night(sky) ? auto_exposure(image) : day_exposure(image, adapted_exposure(sky));
+  return sky::is_night(sky) && !sky::are_lines_lit(sky) ? auto_exposure(image)
+                                                        : day_exposure(image, adapted_exposure(sky));
 }
 
 bool is_black(const Image& image) {

@@ -44,7 +44,7 @@ std::vector<StreetLamp> lamps_of(const scene::Scene& scene, int threads) {
       scene.chunks.size(), threads, [&](std::size_t i) { return bake::lamps_of(scene.header, scene.chunks[i]); });
   std::vector<StreetLamp> lamps;
   for (const std::vector<bake::PlacedLamp>& placed : by_chunk)
-    for (const auto& [placement, kind, light] : placed) lamps.push_back(lamp_at(placement, kind, light));
+    for (const bake::PlacedLamp& lamp : placed) lamps.push_back(lamp_at(lamp.placement, lamp.kind, lamp.light));
   return lamps;
 }
 

@@ -16,6 +16,7 @@ struct StreetLamp {
   Vec3 at;             ///< The middle of the lamp's glass, plane metres; z above sea level.
   float height_m = 0;  ///< Height of the whole lamp above the ground.
   props::Luminaire light{};
+  Vec3 up{0, 0, 1};  ///< The vertical of its place.
 };
 
 /// Returns the lamps of a scene, which holds recipes in chunks (one for each square of the map): for each chunk the

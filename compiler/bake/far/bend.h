@@ -1,9 +1,14 @@
-// Bends a baked tile from the plane onto the ellipsoid.
+// Bends a baked tile from the plane onto the ellipsoid, or into a cylinder.
 #pragma once
 
+#include <vector>
+
 #include "compiler/bake/baked_tile.h"
+#include "compiler/bake/place_lamps.h"
+#include "compiler/map/plane/cylinder.h"
 #include "compiler/map/plane/geoid.h"
 #include "compiler/map/plane/globe.h"
+#include "compiler/scene/scene.h"
 
 namespace citykiln::bake {
 
@@ -24,5 +29,32 @@ inline constexpr double kSagShare = 0.02;
 /// Guarantees: equal positions stay equal, and equal edges are halved at equal places in all tiles, so tiles that were
 /// baked separately meet as in the plane. Same bytes on every CPU. Cannot fail. Cost: 0.3 µs a vertex.
 BakedTile bent(BakedTile tile, const map::Globe& globe, const map::Geoid& geoid);
+
+/// The largest sag of an edge inside of a cylinder, as a share of the tile's tolerance.
+inline constexpr double kCylinderSagShare = 0.1;
+
+/// Returns the tile inside of a cylinder, with BakedTile::cylinder set, in the frame of map/plane/cylinder.h. The bent
+/// scene is the image of the plane's full shape, point by point.
+///
+/// - Edges are halved until their sag (map::sag_m()) is at most kCylinderSagShare of the tolerance, as above. Edges
+///   along the axis have none and stay.
+/// - Normals are those of the bent surface.
+/// - Positions and instances as above. An instance is not bent: its distance from the bent mesh is bounded by its size,
+///   its height above z = 0 and the radius, and added to error_m, or to plant_error_m for plants.
+/// - error_m is multiplied by the largest factor of lengths in the tile; the largest sag of a triangle, as measured,
+/// and
+///   rounding are added.
+///
+/// Guarantees and cost as above.
+BakedTile bent(BakedTile tile, const map::Cylinder& cylinder);
+
+/// Returns a tile of a scene in the scene's world: bent() if that is the inside of a cylinder, else as it is.
+BakedTile in_world(BakedTile tile, const scene::Header& header);
+/// Returns lamps so, too: the place of the glass (props::glass_of()) is bent, and the vertical turned.
+std::vector<PlacedLamp> in_world(std::vector<PlacedLamp> lamps, const scene::Header& header);
+
+/// Returns a tile from the inside of a cylinder in the plane, for choosing views. Its vertices are within rounding of
+/// those before bent(); halved edges stay, errors too. Returns other tiles as they are.
+BakedTile flattened(BakedTile tile);
 
 }  // namespace citykiln::bake

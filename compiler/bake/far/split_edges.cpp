@@ -1,7 +1,6 @@
 #include "compiler/bake/far/split_edges.h"
 
 #include <algorithm>
-#include <cassert>
 #include <map>
 #include <utility>
 
@@ -9,11 +8,6 @@ namespace citykiln::bake {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
-
-double squared_length_m2(const Float3& a, const Float3& b) {
-  const Vec3 d = widened(a) - widened(b);
-  return dot(d, d);
-}
 
 template <typename T, typename Mean>
 void push_mean(std::vector<T>& values, std::uint32_t a, std::uint32_t b, Mean mean) {
@@ -26,10 +20,10 @@ void push_mean(std::vector<T>& values, std::uint32_t a, std::uint32_t b, Mean me
 /// Adds vertices in the middle of edges, each once.
 class Halver {
  public:
-  Halver(Primitive& primitive, double longest_m) : p_(primitive), longest_m2_(longest_m * longest_m) {}
+  Halver(Primitive& primitive, const IsLong& is_long) : p_(primitive), is_long_(is_long) {}
 
   bool is_long(std::uint32_t a, std::uint32_t b) const {
-    return squared_length_m2(p_.positions[a], p_.positions[b]) > longest_m2_;
+    return is_long_(widened(p_.positions[a]) - widened(p_.positions[b]));
   }
 
   std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
@@ -51,7 +45,7 @@ class Halver {
   }
 
   Primitive& p_;
-  double longest_m2_;
+  const IsLong& is_long_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles_;
 };
 
@@ -78,9 +72,8 @@ std::vector<Triangle> divided(Halver& halver, const Triangle& t) {
 
 }  // namespace
 
-void split_long_edges(Primitive& primitive, double longest_m) {
-  assert(longest_m > 0);
-  Halver halver(primitive, longest_m);
+void split_long_edges(Primitive& primitive, const IsLong& is_long) {
+  Halver halver(primitive, is_long);
   std::vector<Triangle> waiting(primitive.triangles.rbegin(), primitive.triangles.rend()), done;
   while (!waiting.empty()) {
     const Triangle triangle = waiting.back();

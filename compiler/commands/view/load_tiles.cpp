@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "compiler/bake/far/bake_surroundings.h"
+#include "compiler/bake/far/bend.h"
 #include "compiler/bake_scene.h"
 #include "compiler/commands/run_paths.h"
 #include "compiler/commands/view/read_tileset_tree.h"
@@ -27,6 +28,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Moves a tile from the inside of a cylinder to the plane, in which views are chosen, and remembers the cylinder.
+void flatten(bake::BakedTile& tile, std::optional<map::Cylinder>& cylinder) {
+  if (!tile.cylinder) return;
+  cylinder = map::Cylinder{tile.cylinder->radius_m};
+  tile = bake::flattened(std::move(tile));
+}
+
 Result<Loaded> bake_manifest(const LoadRequest& request, const OnProgress& on_progress) {
   const Result<std::string> path = settle_and_find_manifest(request.paths.front());
   if (!path) return path.error();
@@ -37,6 +45,7 @@ Result<Loaded> bake_manifest(const LoadRequest& request, const OnProgress& on_pr
   scene->header.sky = std::move(*sky);
   Loaded loaded;
   loaded.header = scene->header, loaded.manifest_path = *path;
+  loaded.cylinder = scene::cylinder_of(scene->header);
   Report report;
   const std::vector<double> tolerances_m = {request.tolerance_m.value_or(0.1)};
   const Result<Done> baked = bake_scene(*scene, tolerances_m, request.threads, report, on_progress,
@@ -99,6 +108,7 @@ Result<Loaded> read_files(const std::vector<std::string>& paths, const fs::path&
   loaded.tiles = std::move(*tiles);
   const Result<Done> around = find_backdrop(fs::path(paths.front()).parent_path(), loaded);
   if (!around) return around.error();
+  for (bake::BakedTile& tile : loaded.tiles) flatten(tile, loaded.cylinder);
   if (loaded.tiles.empty()) return Error{paths.front(), "is the land around a scene; give its tiles too"};
   std::ranges::stable_sort(loaded.tiles, {}, &bake::BakedTile::tile);
   Result<std::optional<scene::Header>> header = header_beside(manifest_path, loaded.tiles.front().tile);
@@ -130,7 +140,9 @@ TileNode chain_of(const std::vector<const outputs::WrittenTile*>& coarsest_first
   TileNode chain;
   for (auto i = coarsest_first.rbegin(); i != coarsest_first.rend(); ++i) {
     const outputs::WrittenTile& level = **i;
-    TileNode node{.box = box, .error_m = level.tolerance_m, .path = folder + "/" + level.file.name};
+    // inside of a cylinder the error may be larger than the tolerance
+    TileNode node{
+        .box = box, .error_m = std::max(level.tolerance_m, level.error_m), .path = folder + "/" + level.file.name};
     if (!chain.path.empty()) node.children.push_back(std::move(chain));
     chain = std::move(node);
   }
@@ -149,6 +161,7 @@ Result<Done> add_tile(std::vector<const outputs::WrittenTile*> levels, const std
   if (!box.is_empty()) box.round_outwards(coarse.tolerance_m);
   tree.root.box.grow(box);
   tree.root.children.push_back(chain_of(levels, folder, box));
+  flatten(*tile, tree.cylinder);
   tree.coarse_paths.push_back(path), tree.coarse.push_back(std::move(*tile));
   return Done{};
 }
@@ -188,6 +201,8 @@ Result<TileTree> tree_of_tileset(const LoadRequest& request, const std::string& 
   Result<std::vector<bake::BakedTile>> coarse = read_all(tree.coarse_paths, on_progress);
   if (!coarse) return coarse.error();
   tree.coarse = std::move(*coarse);
+  for (bake::BakedTile& tile : tree.coarse) flatten(tile, tree.cylinder);
+  tree.is_on_ellipsoid = !tree.cylinder;
   leave_out_backdrop(tree);
   return tree;
 }
@@ -225,6 +240,7 @@ Result<TileTree> read_tile_tree(const LoadRequest& request, const OnProgress& on
 
 Result<Loaded> load_contents(TileTree& tree, const std::vector<std::string>& paths, const OnProgress& on_progress) {
   Loaded loaded;
+  loaded.cylinder = tree.cylinder;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     on_progress("read tiles", static_cast<double>(i) / static_cast<double>(paths.size()));
     const auto known =
@@ -235,6 +251,7 @@ Result<Loaded> load_contents(TileTree& tree, const std::vector<std::string>& pat
     }
     Result<bake::BakedTile> tile = exporters::read_glb(paths[i]);
     if (!tile) return tile.error();
+    flatten(*tile, loaded.cylinder);
     loaded.tiles.push_back(std::move(*tile));
   }
   tree.coarse_paths.clear(), tree.coarse.clear();

@@ -37,6 +37,8 @@ struct Loaded {
   std::optional<scene::Header> header;        ///< From the given manifest, or the one beside the .glb folder.
   std::optional<bake::BakedTile> backdrop{};  ///< The land around (bake/far/bake_surroundings.h), if it was read.
   std::string manifest_path{};                ///< The manifest of the header; "" for none.
+  /// The cylinder that the tiles are in. `tiles` are in the plane nevertheless (bake::flattened()).
+  std::optional<map::Cylinder> cylinder{};
 };
 
 /// True if a request is for a run's folder, where the level of each tile is chosen to suit the cameras.
@@ -48,7 +50,9 @@ struct TileTree {
   std::string manifest_path;     ///< The manifest of the folder, which may be missing.
   bool is_on_ellipsoid = false;  ///< True for 3D Tiles, whose frame is not the plane.
   std::vector<std::string> coarse_paths{};
-  std::vector<bake::BakedTile> coarse{};  ///< The tiles of `coarse_paths`: the level of each tile nearest to 2.5 m.
+  std::optional<map::Cylinder> cylinder{};  ///< The cylinder that the tiles are in; boxes are in its frame.
+  std::vector<bake::BakedTile>
+      coarse{};  ///< In the plane. The tiles of `coarse_paths`: the level of each tile nearest to 2.5 m.
 };
 
 /// Reads the list of a folder's .glb tiles (or of its 3D Tiles, if it has no .glb tiles), and the coarse tiles. The box

@@ -8,12 +8,14 @@
 #include <filesystem>
 
 #include "compiler/bake/far/bake_surroundings.h"
+#include "compiler/bake/far/bend.h"
 #include "compiler/bake_scene.h"
 #include "compiler/commands/view/ground_height.h"
 #include "compiler/commands/view/hidden_by_land.h"
 #include "compiler/commands/view/requested_sky.h"
 #include "compiler/commands/view/scene_surroundings.h"
 #include "compiler/outputs/run_report.h"
+#include "compiler/sky/inside/plan_inside.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/kiln/manifest.h"
 
@@ -22,6 +24,9 @@ namespace {
 
 // The tolerance of the tiles from which views are found: coarse enough to be quick, fine enough for streets and walls.
 constexpr double kViewTolerance_m = 2.5;
+
+// The tolerance at which a manifest of a world inside of a cylinder is baked if none is given.
+constexpr double kInsideTolerance_m = 0.5;
 
 // Returns the part of the plane that the tiles cover if that is a box, else an empty box.
 Box2 filled_box(const scene::Scene& recipes) {
@@ -120,15 +125,27 @@ Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnPro
     scene.tree = std::move(*tree);
     return scene;
   }
+  std::optional<scene::Scene> cells;
+  LoadRequest load = request.load;
   if (asks_for_cells(request.load) && !request.needs_tiles) {
     Result<scene::Scene> recipes = read_scene(request.load);
     if (!recipes) return recipes.error();
+    if (!scene::cylinder_of(recipes->header)) cells = std::move(*recipes);
+    load.tolerance_m = kInsideTolerance_m;
+    scene.note = fmt::format(
+        "note: a world inside of a cylinder is baked before it is rendered, at {} m; --tolerance M "
+        "decides",
+        kInsideTolerance_m);
+  }
+  if (cells) {
+    scene.note.clear();
+    std::optional<scene::Scene>& recipes = cells;
     scene.loaded.header = recipes->header, scene.sky = recipes->header.sky;
     look_around(*recipes, request, scene);
     if (sky::are_lamps_lit(scene.sky)) scene.lamps = preview::lamps_of(*recipes, request.load.threads);
     scene.recipes = std::move(*recipes);
   } else {
-    Result<Loaded> loaded = load_tiles(request.load, on_progress);
+    Result<Loaded> loaded = load_tiles(load, on_progress);
     if (!loaded) return loaded.error();
     const Result<sky::Sky> sky = sky_of(request.load, loaded->header);
     if (!sky) return sky.error();
@@ -147,7 +164,9 @@ Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnPro
 Result<Done> load_levels(PreviewScene& scene, const SceneRequest& request, const Viewing& viewing,
                          const OnProgress& on_progress) {
   if (!scene.tree) return Done{};
-  const Viewers viewers = viewers_of(viewing, request.cells.pixel_error);
+  Viewers viewers = viewers_of(viewing, request.cells.pixel_error);
+  if (scene.tree->cylinder)
+    for (Vec3& eye : viewers.eyes) eye = map::at(*scene.tree->cylinder, eye).at;
   const auto is_fine = [&](const TileNode& node) { return !viewers.eyes.empty() && is_fine_for(viewers, node); };
   Result<Loaded> loaded = load_contents(*scene.tree, contents_of(scene.tree->root, is_fine), on_progress);
   if (!loaded) return loaded.error();
@@ -160,6 +179,25 @@ Result<Done> load_levels(PreviewScene& scene, const SceneRequest& request, const
   scene.tree.reset();
   if (sky::are_lamps_lit(scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
   return Done{};
+}
+
+void bend_tiles(PreviewScene& scene) {
+  if (!scene.loaded.cylinder) return;
+  const map::Cylinder cylinder = *scene.loaded.cylinder;
+  Box2 extent;
+  for (bake::BakedTile& tile : scene.loaded.tiles) {
+    for (const bake::Primitive& p : tile.primitives)
+      for (const bake::Float3& at : p.positions) extent.grow(in_plan(tile.origin + bake::widened(at)));
+    scene.bent.push_back(bake::bent(std::move(tile), cylinder));
+  }
+  scene.loaded.tiles.clear();
+  scene.backdrop.reset();
+  for (preview::StreetLamp& lamp : scene.lamps) {
+    const map::BentPoint there = map::at(cylinder, lamp.at);
+    lamp.at = there.at, lamp.up = there.up;
+  }
+  // without a manifest
+  if (!scene.sky.inside) scene.sky.inside = sky::plan_inside(cylinder, extent);
 }
 
 bool leave_out_hiding_land(PreviewScene& scene, std::span<const preview::Camera> cameras) {
@@ -185,6 +223,7 @@ preview::World world_of(const PreviewScene& scene, const Viewing& viewing, const
   assert(!viewing.cameras.empty());
   const Vec3 eye = viewing.cameras.front().eye;
   const preview::Backdrop backdrop{scene.backdrop ? &*scene.backdrop : nullptr, scene.clear};
+  if (scene.loaded.cylinder) return preview::World(scene.bent, eye);
   if (!scene.recipes) return preview::World(scene.loaded.tiles, eye, backdrop);
   return preview::World(cells_for(*scene.recipes, viewing, cells), eye, budget_bytes_of(cells), backdrop);
 }

@@ -1,6 +1,7 @@
 // The scene that `preview` renders: baked tiles, or the recipes of a manifest.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -31,9 +32,12 @@ struct PreviewScene {
   Box2 clear{};                                   ///< preview::Backdrop::clear.
   std::optional<preview::Surroundings> plain{};   ///< Replaces `around` and `backdrop` (leave_out_hiding_land()).
   std::optional<preview::Fog> fog{};              ///< With a manifest, if requested.
-  std::vector<preview::LitPane> panes{};          ///< At night, the lit windows of recipes near the cameras.
+  /// The tiles inside of their cylinder, after bend_tiles(); all other members are in the plane.
+  std::vector<bake::BakedTile> bent{};
+  std::string note{};  ///< One line about what is rendered instead of what was asked for; "" for none.
+  std::vector<preview::LitPane> panes{};  ///< At night, the lit windows of recipes near the cameras.
 
-  std::size_t tiles() const { return recipes ? recipes->chunks.size() : loaded.tiles.size(); }
+  std::size_t tiles() const { return recipes ? recipes->chunks.size() : std::max(loaded.tiles.size(), bent.size()); }
   /// Returns the tiles from which views are chosen. With a manifest, or a folder that has a level of 2.5 m, they do not
   /// depend on the level that is rendered.
   std::span<const bake::BakedTile> view_tiles() const {
@@ -64,6 +68,9 @@ Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnPro
 /// that cannot be read.
 Result<Done> load_levels(PreviewScene& scene, const SceneRequest& request, const Viewing& viewing,
                          const OnProgress& on_progress);
+
+/// Bends tiles, lamps and cameras into the cylinder of the scene, where it is in one. Sets PreviewScene::bent.
+void bend_tiles(PreviewScene& scene);
 
 /// Removes the land around the tiles if it would hide them from a camera outside the tiles (hidden_by_land.h). Returns
 /// true if it was removed. Named views are chosen without regard to the land around.

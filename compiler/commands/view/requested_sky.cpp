@@ -13,7 +13,7 @@ Result<sky::Sky> sky_of(const LoadRequest& request, const std::optional<scene::H
     if (!planned) return planned.error();
     planned->turbidity = sky.turbidity, planned->visibility_km = sky.visibility_km;
     planned->ground_albedo = sky.ground_albedo, planned->ground_m = sky.ground_m;
-    planned->clouds = std::move(sky.clouds);
+    planned->clouds = std::move(sky.clouds), planned->inside = std::move(sky.inside);
     sky = std::move(*planned);
   }
   sky::set_air(request.air, sky);

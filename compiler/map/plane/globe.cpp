@@ -110,7 +110,7 @@ Globe::Globe(LonLat origin)
       earth_(earth_at({direction_of_latitude_.x, direction_of_latitude_.y, 1, 0}, 0)),
       along_m_(-static_cast<double>(precise_forward(origin, {origin.lon_deg, 0}).y)) {}
 
-GlobePoint Globe::at(Vec3 p) const {
+BentPoint Globe::at(Vec3 p) const {
   assert(std::abs(p.x) <= 1.5e6);
   const Directions d = directions_of((p.y + along_m_) / kRectifyingRadius_m, p.x / kRectifyingRadius_m);
   const Vec2 lat0 = direction_of_latitude_;

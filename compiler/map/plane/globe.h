@@ -6,15 +6,10 @@
 #include <array>
 
 #include "compiler/geometry/vec.h"
+#include "compiler/map/plane/bent_point.h"
 #include "compiler/map/plane/plane.h"
 
 namespace citykiln::map {
-
-/// A place on or above the ellipsoid, and the directions of the plane's axes there.
-struct GlobePoint {
-  Vec3 at;               ///< The place, in the run's frame.
-  Vec3 east, north, up;  ///< The plane's x, y and z there: right-handed, unit length, in the run's frame.
-};
 
 /// Maps points of the plane to the ellipsoid. Method: Krüger's series to sixth order (Karney 2011), inverse; latitudes
 /// by the series from the conformal latitude; then closed forms. Uses + - * / and the square root with direction_of()
@@ -27,7 +22,7 @@ class Globe {
   explicit Globe(LonLat origin);
 
   /// @param p  Plane metres; z is the height above the ellipsoid. |x| up to 1500 km. About 0.3 µs.
-  GlobePoint at(Vec3 p) const;
+  BentPoint at(Vec3 p) const;
 
   /// The frame of the run in earth-centred coordinates (ECEF, metres): a 4 x 4 matrix, column by column.
   std::array<double, 16> to_earth() const;

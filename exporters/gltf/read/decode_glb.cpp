@@ -59,6 +59,18 @@ std::optional<bake::Viewpoint> viewpoint_of(const Value& extras) {
                          number(member(seen, "pixel_error"))};
 }
 
+// The cylinder that a tile is in, if it is in one.
+std::optional<bake::CylinderFrame> cylinder_of(const Value& extras) {
+  if (!extras.Has("frame")) return std::nullopt;
+  const Value& frame = member(extras, "frame");
+  if (!frame.IsObject() || !frame.Has("radius_m")) return std::nullopt;
+  const bake::CylinderFrame cylinder{number(member(frame, "radius_m")), number(member(frame, "middle_y_m"))};
+  expect(cylinder.radius_m >= map::kLeastCylinder_m && cylinder.radius_m <= map::kLargestCylinder_m &&
+             std::abs(cylinder.middle_y_m) < 1e7,
+         "a radius and a place of a cylinder");
+  return cylinder;
+}
+
 BakedTile tile_of(const tinygltf::Model& model) {
   expect(!model.nodes.empty() && model.buffers.size() == 1, "a node for the tile, and one buffer");
   GltfReader reader{model, model.buffers.front().data.size()};
@@ -70,7 +82,7 @@ BakedTile tile_of(const tinygltf::Model& model) {
   tile.origin = {element(origin, 0), element(origin, 1), element(origin, 2)};
   tile.tolerance_m = number(member(root.extras, "tolerance_m")), tile.error_m = number(member(root.extras, "error_m"));
   tile.plant_error_m = number(member(root.extras, "plant_error_m"));
-  tile.viewpoint = viewpoint_of(root.extras);
+  tile.viewpoint = viewpoint_of(root.extras), tile.cylinder = cylinder_of(root.extras);
   read_property_table(reader, tile);
   const auto cutouts = read_nodes(reader, tile);
   read_pictures(reader, cutouts, tile);

@@ -21,7 +21,13 @@ using bake::Primitive;
 using Json = nlohmann::json;
 
 // Adds the meaning of the tile's coordinates.
-void add_frame(Json& extras, const scene::Header& header, bool is_on_ellipsoid) {
+void add_frame(Json& extras, const BakedTile& tile, const scene::Header& header, bool is_on_ellipsoid) {
+  if (tile.cylinder) {
+    extras["frame"] = {{"projection", "none: inside of a cylinder around the x axis at height radius_m"},
+                       {"radius_m", tile.cylinder->radius_m},
+                       {"middle_y_m", tile.cylinder->middle_y_m}};
+    return;
+  }
   extras[is_on_ellipsoid ? "frame" : "plane"] = {
       {"lon_0", header.origin.lon_deg},
       {"lat_0", header.origin.lat_deg},
@@ -33,7 +39,7 @@ Json tile_extras(const BakedTile& tile, const scene::Header& header, const GlbOp
   Json extras = {{"tile", {tile.tile.x, tile.tile.y}},  {"origin_m", {tile.origin.x, tile.origin.y, tile.origin.z}},
                  {"tolerance_m", tile.tolerance_m},     {"error_m", tile.error_m},
                  {"plant_error_m", tile.plant_error_m}, {"rounding_m", rounding_m(tile.primitives)}};
-  add_frame(extras, header, options.is_on_ellipsoid);
+  add_frame(extras, tile, header, options.is_on_ellipsoid);
   if (const auto& seen = tile.viewpoint)
     extras["viewpoint"] = {{"eye_m", {seen->eye.x, seen->eye.y, seen->eye.z}},
                            {"focal_px", seen->focal_px},

@@ -54,15 +54,23 @@ Json extras_of_lamp(const bake::PlacedLamp& lamp) {
           {"osm_type", name_of(id.type)}};
 }
 
+// The rotation of a light that shines down: lights shine along -z.
+Json shining_down(Vec3 up) {
+  constexpr double kHalf = std::numbers::sqrt2 / 2;
+  if (up == Vec3{0, 0, 1}) return {-kHalf, 0.0, 0.0, kHalf};
+  // from glTF's z to `up`, which is (x, z, -y) there, by half of the angle between them
+  const double w = 1 - up.y, size = std::sqrt(up.x * up.x + up.z * up.z + w * w);
+  if (size < 1e-6) return {1.0, 0.0, 0.0, 0.0};
+  return {-up.z / size, up.x / size, 0.0, w / size};
+}
+
 Json node_of(const GlbBuilder& f, const bake::PlacedLamp& lamp, std::size_t light) {
   const Vec3 glass = props::glass_of(lamp.placement, lamp.kind) - f.tile.origin;
   Json node = {{"name", lamp_name(lamp.kind)},
                {"translation", to_gltf(bake::narrowed(glass))},
                {"extensions", {{kExtension, {{"light", light}}}}},
                {"extras", extras_of_lamp(lamp)}};
-  // lights shine along -z, these down
-  constexpr double kHalf = std::numbers::sqrt2 / 2;
-  if (lamp.light.beam == props::Beam::kDown) node["rotation"] = {-kHalf, 0.0, 0.0, kHalf};
+  if (lamp.light.beam == props::Beam::kDown) node["rotation"] = shining_down(lamp.up);
   return node;
 }
 

@@ -55,7 +55,7 @@ TEST(Globe, AxesAreTheDirectionsInWhichPositionsMove) {
   for (const LonLat origin : kGlobeOrigins) {
     const Globe globe(origin);
     for (const Vec3 p : kPlaces) {
-      const GlobePoint here = globe.at(p);
+      const BentPoint here = globe.at(p);
       const auto along = [&](Vec3 step) { return unit(globe.at(p + step).at - globe.at(p - step).at); };
       expect_near(here.east, along({10, 0, 0}), 2e-7);
       expect_near(here.north, along({0, 10, 0}), 2e-7);
