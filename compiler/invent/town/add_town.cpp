@@ -1,0 +1,41 @@
+#include "compiler/invent/town/add_town.h"
+
+#include "compiler/invent/town/grow_streets.h"
+#include "compiler/invent/town/houses.h"
+#include "compiler/invent/town/main_roads.h"
+#include "compiler/invent/town/quarters.h"
+#include "compiler/invent/town/street_edges.h"
+#include "compiler/invent/town/street_sections.h"
+#include "compiler/invent/town/town_lots.h"
+#include "compiler/invent/town/town_names.h"
+
+namespace citykiln::invent {
+namespace {
+
+/// From the axis of a street to the land of parks and the like beside it: half a street and its pavement.
+constexpr double kLandInset_m = 6.5;
+
+void add_streets(const TownPlan& plan, const StreetGraph& graph, const std::vector<StreetEdge>& edges,
+                 InventedMap& map) {
+  for (const StreetEdge& edge : edges)
+    map.lines.push_back({edge.axis, street_tags(plan, edge, graph.streets[edge.street])});
+}
+
+}  // namespace
+
+void add_town(const Terrain& terrain, const TownSettings& settings, InventedMap& map) {
+  const TownPlan plan = plan_town(terrain, settings);
+  StreetGraph graph = main_roads(plan);
+  grow_streets(plan, street_field(plan, graph), graph);
+  keep_largest_part(graph);
+  name_streets(plan, graph);
+  std::vector<StreetEdge> edges = street_edges(graph);
+  const StreetBlocks blocks = street_blocks(graph, edges);
+  const std::vector<TownBlock> quarters = plan_quarters(plan, blocks, kLandInset_m);
+  TownLots lots = divide_town(plan, graph, edges, quarters);
+  add_streets(plan, graph, edges, map);
+  for (InventedArea& land : lots.land) map.areas.push_back(std::move(land));
+  add_houses(plan, graph, edges, lots.lots, map);
+}
+
+}  // namespace citykiln::invent
