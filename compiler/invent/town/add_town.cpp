@@ -1,5 +1,6 @@
 #include "compiler/invent/town/add_town.h"
 
+#include "compiler/invent/town/block_contents.h"
 #include "compiler/invent/town/grow_streets.h"
 #include "compiler/invent/town/houses.h"
 #include "compiler/invent/town/main_roads.h"
@@ -35,6 +36,7 @@ void add_town(const Terrain& terrain, const TownSettings& settings, InventedMap&
   TownLots lots = divide_town(plan, graph, edges, quarters);
   add_streets(plan, graph, edges, map);
   for (InventedArea& land : lots.land) map.areas.push_back(std::move(land));
+  add_block_contents(plan, quarters, map);
   add_houses(plan, graph, edges, lots.lots, map);
 }
 
