@@ -107,14 +107,16 @@ class Growth {
   bool may_begin(const Seed& seed) const {
     const Vec2 p = graph_.position(seed.vertex);
     if (graph_.degree(seed.vertex) != 2 || !is_angle_free(seed.vertex, seed.direction)) return false;
-    if (is_on_bridge(seed.vertex) || !is_buildable(p) || !is_buildable(p + seed.direction * 40)) return false;
+    if (is_no_start(seed.vertex) || !is_buildable(p) || !is_buildable(p + seed.direction * 40)) return false;
     if (has_junction_near(seed.vertex, p)) return false;
     return !is_crowded(p + seed.direction * 30, seed.direction, seed.family, kNoStreetVertex, 0.8);
   }
 
-  bool is_on_bridge(std::uint32_t vertex) const {
-    return std::ranges::any_of(graph_.vertices()[vertex].segments,
-                               [&](std::uint32_t s) { return graph_.segments()[s].is_bridge; });
+  // no street begins on a bridge or a roundabout
+  bool is_no_start(std::uint32_t vertex) const {
+    return std::ranges::any_of(graph_.vertices()[vertex].segments, [&](std::uint32_t s) {
+      return graph_.segments()[s].is_bridge || graph_.street_of(s).is_roundabout;
+    });
   }
 
   bool has_junction_near(std::uint32_t vertex, Vec2 p) const {
