@@ -108,10 +108,10 @@ std::vector<Polyline> BlockRoom::take_paths(std::size_t count) {
     const Vec2 gate = block_.ring[k * n / count];
     const bool is_near_other = std::ranges::any_of(
         paths, [&](const Polyline& path) { return dot(unit(path.front() - hub), unit(gate - hub)) > 0.9; });
-    if (is_near_other || distance(gate, hub) < 12 || !reaches(gate, hub)) continue;
+    if (is_near_other || distance(gate, hub) < 12) continue;
     // a bend to the left on each, so that paths meet at the hub only
-    const Vec2 bend = (gate + hub) * 0.5 + left_of(hub - gate) * 0.06;
-    paths.push_back({gate, on_place_grid(bend), hub});
+    const Vec2 bend = on_place_grid((gate + hub) * 0.5 + left_of(hub - gate) * 0.06);
+    if (reaches(gate, bend) && reaches(bend, hub)) paths.push_back({gate, bend, hub});
   }
   for (const Polyline& path : paths) paths_.push_back(path);
   return paths;

@@ -56,7 +56,7 @@ double town_km2(const TownPlan& plan) {
 double fit_of(const TownPlan& plan, const TownBlock& block, std::size_t i, const Wanted& wanted) {
   const double land_m2 = area_m2(block.land), density = plan.density.at(block.middle);
   constexpr double kUnfit = std::numeric_limits<double>::infinity();
-  if (!has_lots(block.use) || land_m2 < wanted.least_m2 || land_m2 > wanted.most_m2) return kUnfit;
+  if (!block.is_whole || !has_lots(block.use) || land_m2 < wanted.least_m2 || land_m2 > wanted.most_m2) return kUnfit;
   if (density < wanted.least_density || density > wanted.most_density || plan.water.at(block.middle) < 20)
     return kUnfit;
   Draws draws(plan.settings.seed, "block", i * 16 + static_cast<std::size_t>(wanted.use));
@@ -81,14 +81,25 @@ void assign(const TownPlan& plan, std::vector<TownBlock>& blocks, const Wanted& 
   }
 }
 
-TownBlock block_of(const TownPlan& plan, const Ring& ring, double land_inset_m) {
-  TownBlock block{ring, {}, 0, {}, BlockUse::kHouses};
+// true if water lies on the land of a block
+bool is_wet_land(const TownPlan& plan, const Ring& land) {
+  const Box2 box = box_of(land);
+  for (double y = box.min.y; y <= box.max.y; y += 12)
+    for (double x = box.min.x; x <= box.max.x; x += 12)
+      if (plan.water.at({x, y}) < 10 && winding_number(land, {x, y}) != 0) return true;
+  return false;
+}
+
+TownBlock block_of(const TownPlan& plan, const Ring& ring, bool has_dead_end, double land_inset_m) {
+  TownBlock block;
+  block.ring = ring;
   if (ring.size() < 3) return block;
   block.area_m2 = signed_area_m2(ring);
   block.middle = centroid(Polygon{ring, {}});
   if (block.area_m2 < 4e5) block.land = land_of(ring, land_inset_m);
   block.use = use_at(plan, block.middle);
-  if (plan.is_reserved(block.middle)) block.use = BlockUse::kPark;
+  block.is_whole = !has_dead_end && !block.land.outer.empty() && !is_wet_land(plan, block.land.outer);
+  if (block.is_whole && plan.is_reserved(block.middle)) block.use = BlockUse::kPark;
   return block;
 }
 
@@ -109,7 +120,8 @@ BlockUse use_at(const TownPlan& plan, Vec2 p) {
 
 std::vector<TownBlock> plan_quarters(const TownPlan& plan, const StreetBlocks& blocks, double land_inset_m) {
   std::vector<TownBlock> quarters;
-  for (const Ring& ring : blocks.rings) quarters.push_back(block_of(plan, ring, land_inset_m));
+  for (std::size_t i = 0; i < blocks.rings.size(); ++i)
+    quarters.push_back(block_of(plan, blocks.rings[i], blocks.has_dead_end[i], land_inset_m));
   const double km2 = town_km2(plan);
   for (const Wanted& wanted : kWanted) {
     const bool is_village = plan.settings.kind == TownKind::kVillage;

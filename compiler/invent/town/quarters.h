@@ -35,6 +35,7 @@ struct TownBlock {
   Polygon land;  ///< Without the streets; empty if there is none.
   double area_m2 = 0;
   Vec2 middle;
+  bool is_whole = true;  ///< No dead end and no water cuts the land.
   BlockUse use = BlockUse::kHouses;
 };
 

@@ -102,7 +102,9 @@ class BlockWalk {
       ring.push_back(graph_.position(end_of(half)));
       half = next_half(half);
     } while (half != first);
+    const std::size_t walked = ring.size();
     ring = without_repeats(ring);
+    blocks.has_dead_end.push_back(ring.size() < walked);
     if (signed_area_m2(ring) <= 0) ring.clear();
     blocks.rings.push_back(std::move(ring));
   }

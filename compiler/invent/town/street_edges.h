@@ -21,6 +21,7 @@ struct StreetBlocks {
   /// Counter-clockwise, along axes of streets; walks along dead ends and back are left out. Land that streets do not
   /// enclose has an empty ring.
   std::vector<Ring> rings;
+  std::vector<char> has_dead_end;  ///< For each ring: 1 if a dead end lies in it.
 };
 
 /// Returns the edges, in the order of their first segments. Streets, bridges and junctions end edges; so does a change
