@@ -3,6 +3,7 @@
 #include "compiler/geometry/trig.h"
 #include "compiler/invent/town/block_contents.h"
 #include "compiler/invent/town/houses.h"
+#include "compiler/invent/town/railway.h"
 #include "compiler/invent/town/roundabouts.h"
 #include "compiler/invent/town/street_sections.h"
 #include "compiler/invent/town/street_things.h"
@@ -35,6 +36,7 @@ void add_town(const Terrain& terrain, const TownSettings& settings, InventedMap&
   TownLayout layout = lay_out_town(plan);
   add_street_things(plan, layout.graph, layout.edges, map);
   add_streets(plan, layout.graph, layout.edges, map);
+  add_railway(plan, layout.level_crossings, map);
   add_islands(layout.roundabouts, map);
   for (InventedArea& land : layout.lots.land) map.areas.push_back(std::move(land));
   add_block_contents(plan, layout.blocks, map);

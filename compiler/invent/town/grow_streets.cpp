@@ -18,6 +18,9 @@ constexpr double kJunctionGap_m = 22;
 /// The cosine of the angle up to which streets count as parallel (40°).
 constexpr double kParallelCosine = 0.766;
 
+/// Dead ends up to this length remain as they are.
+constexpr double kLongEnd_m = 140;
+
 struct Seed {
   std::uint32_t vertex = 0;
   Vec2 direction;
@@ -36,6 +39,7 @@ class Growth {
       : plan_(plan), field_(field), graph_(graph) {}
 
   void run() {
+    first_vertex_ = static_cast<std::uint32_t>(graph_.vertices().size());
     seed_main_roads();
     grow_all();
     // what is left wide is filled from the streets about it, twice
@@ -43,6 +47,8 @@ class Growth {
       seed_everywhere(pass);
       grow_all();
     }
+    for (std::uint32_t v = first_vertex_; v < graph_.vertices().size(); ++v)
+      if (graph_.degree(v) == 1 && is_within(graph_.position(v))) cut_dead_end(v);
   }
 
  private:
@@ -131,7 +137,7 @@ class Growth {
 
   bool is_buildable(Vec2 p) const {
     return plan_.is_inside(p) && plan_.density.at(p) > kTownEdge && plan_.water.at(p) > 22 && !plan_.is_reserved(p) &&
-           length(plan_.terrain->gradient(p)) < 0.25;
+           !plan_.is_track_land(p) && length(plan_.terrain->gradient(p)) < 0.25;
   }
 
   // true if a new segment of this direction makes no small angle at a vertex
@@ -217,11 +223,15 @@ class Growth {
 
   // a street that leaves the square ends on its border
   Step leave_world(Vec2 direction) {
-    const Vec2 p = graph_.position(line_.back());
+    const std::uint32_t from = line_.back();
+    const Vec2 p = graph_.position(from);
     const double half = plan_.half_m();
-    const Vec2 target = p + direction * kGrowStep_m;
-    const Vec2 end{std::clamp(target.x, -half, half), std::clamp(target.y, -half, half)};
-    if (distance(end, p) > 3 && line_.size() > 2) append(graph_.add_vertex(end));
+    double run_m = kGrowStep_m;
+    if (direction.x != 0) run_m = std::min(run_m, (half - p.x * (direction.x > 0 ? 1 : -1)) / std::abs(direction.x));
+    if (direction.y != 0) run_m = std::min(run_m, (half - p.y * (direction.y > 0 ? 1 : -1)) / std::abs(direction.y));
+    const Vec2 end = p + direction * run_m;
+    if (run_m > 3 && line_.size() > 2 && !graph_.first_hit(from, p + direction * (run_m + 2)))
+      append(graph_.add_vertex(end));
     if (line_.size() > 2) kept_ = line_.size();
     return Step::kEnd;
   }
@@ -231,6 +241,7 @@ class Growth {
     const StreetSegment segment = graph_.segments()[hit.segment];
     if (segment.is_bridge || graph_.streets[segment.street].is_roundabout) return false;
     const std::uint32_t from = line_.back();
+    if (crosses_tracks(graph_.position(from), hit.place)) return false;
     const std::uint32_t junction = junction_near(hit);
     if (junction != kNoStreetVertex) return join_vertex(junction, direction);
     for (const std::uint32_t end : {segment.a, segment.b})
@@ -239,6 +250,12 @@ class Growth {
     const Vec2 along = unit(graph_.position(segment.b) - graph_.position(segment.a));
     if (std::abs(dot(along, direction)) > kLeastAngleCosine) return false;
     return join_vertex(graph_.split(hit.segment, hit.place), direction);
+  }
+
+  bool crosses_tracks(Vec2 from, Vec2 to) const {
+    for (const double share : {0.2, 0.4, 0.6, 0.8, 1.0})
+      if (plan_.is_track_land(from + (to - from) * share)) return true;
+    return false;
   }
 
   bool join_vertex(std::uint32_t vertex, Vec2) {
@@ -327,6 +344,30 @@ class Growth {
       while (line_.size() > kept_) take_back();
   }
 
+  // true off the border of the square
+  bool is_within(Vec2 p) const { return std::max(std::abs(p.x), std::abs(p.y)) < plan_.half_m() - 1; }
+
+  // cuts a dead end to a usual length, from its end on
+  void cut_dead_end(std::uint32_t vertex) {
+    std::vector<std::uint32_t> chain;
+    double whole_m = 0;
+    for (std::uint32_t at = vertex; graph_.degree(at) <= 2 && at >= first_vertex_;) {
+      const auto& both = graph_.vertices()[at].segments;
+      if (graph_.degree(at) == 1 && !chain.empty()) break;
+      const std::uint32_t s = chain.empty() || both[0] != chain.back() ? both[0] : both[1];
+      whole_m += distance(graph_.position(at), graph_.position(graph_.other_end(s, at)));
+      chain.push_back(s);
+      at = graph_.other_end(s, at);
+    }
+    const double most_m = Draws(plan_.settings.seed, "dead end", vertex).between(55, kLongEnd_m);
+    for (const std::uint32_t s : chain) {
+      if (whole_m <= most_m && whole_m >= kLeastDeadEnd_m) return;
+      const StreetSegment segment = graph_.segments()[s];
+      whole_m -= distance(graph_.position(segment.a), graph_.position(segment.b));
+      graph_.remove_segment(s);
+    }
+  }
+
   void take_back() {
     graph_.remove_segment(graph_.vertices()[line_.back()].segments.back());
     line_.pop_back();
@@ -336,6 +377,7 @@ class Growth {
   const StreetField& field_;
   StreetGraph& graph_;
   std::deque<Seed> seeds_;
+  std::uint32_t first_vertex_ = 0;  // the first that is not of a main road
   // the street that grows: its vertices, those up to its last junction, its family and number
   std::vector<std::uint32_t> line_;
   std::size_t kept_ = 0;

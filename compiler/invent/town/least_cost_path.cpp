@@ -32,7 +32,8 @@ double piece_cost(const RoadCosts& costs, std::size_t from, std::size_t to, doub
   if (is_over_water) return run_m * costs.wet_cost;
   const double grade = std::abs(costs.height_m.values[to] - costs.height_m.values[from]) / run_m;
   const double ratio = grade / costs.usual_grade;
-  const double cost = run_m * (1 + ratio * ratio * 0.7 + (grade > 0.14 ? 20 : 0));
+  const double cost =
+      run_m * (1 + ratio * ratio * 0.7 + (grade > 0.14 ? 20 : 0) + (costs.is_closed.values[to] ? 40 : 0));
   return costs.has_road.values[from] && costs.has_road.values[to] ? cost * kSharedRoad : cost;
 }
 
@@ -101,12 +102,13 @@ class PathSearch {
 RoadCosts road_costs(const TownPlan& plan) {
   const double side_m = plan.settings.side_m, step_m = std::clamp(side_m / 200, 12.0, 25.0);
   RoadCosts costs{TownRaster<double>(side_m, step_m), TownRaster<char>(side_m, step_m),
-                  TownRaster<char>(side_m, step_m)};
+                  TownRaster<char>(side_m, step_m), TownRaster<char>(side_m, step_m)};
   for (int row = 0; row <= costs.height_m.cells; ++row)
     for (int column = 0; column <= costs.height_m.cells; ++column) {
       const std::size_t i = costs.height_m.index(column, row);
       const Vec2 p = costs.height_m.place(column, row);
       costs.height_m.values[i] = plan.terrain->height_m(p);
+      costs.is_closed.values[i] = plan.is_station_land(p);
       costs.is_wet.values[i] = plan.water.at(p) < step_m * 0.75;
     }
   return costs;

@@ -9,7 +9,8 @@ namespace citykiln::invent {
 struct RoadCosts {
   TownRaster<double> height_m;
   TownRaster<char> is_wet;
-  TownRaster<char> has_road;  ///< A metre along a road that is there costs kSharedRoad.
+  TownRaster<char> has_road;   ///< A metre along a road that is there costs kSharedRoad.
+  TownRaster<char> is_closed;  ///< Land that roads keep out of.
   double usual_grade = 0.05;
   double wet_cost = 14;  ///< Of a metre of bridge.
 };

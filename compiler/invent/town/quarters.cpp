@@ -81,12 +81,12 @@ void assign(const TownPlan& plan, std::vector<TownBlock>& blocks, const Wanted& 
   }
 }
 
-// true if water lies on the land of a block
+// true if water or a track lies on the land of a block
 bool is_wet_land(const TownPlan& plan, const Ring& land) {
   const Box2 box = box_of(land);
   for (double y = box.min.y; y <= box.max.y; y += 12)
     for (double x = box.min.x; x <= box.max.x; x += 12)
-      if (plan.water.at({x, y}) < 10 && winding_number(land, {x, y}) != 0) return true;
+      if ((plan.water.at({x, y}) < 10 || plan.is_track_land({x, y})) && winding_number(land, {x, y}) != 0) return true;
   return false;
 }
 

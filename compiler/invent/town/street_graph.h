@@ -67,6 +67,7 @@ class StreetGraph {
 
   std::uint32_t add_vertex(Vec2 p);
   std::uint32_t add_segment(std::uint32_t a, std::uint32_t b, std::uint32_t street, bool is_bridge = false);
+  void make_bridge(std::uint32_t segment) { segments_[segment].is_bridge = true; }
   void remove_segment(std::uint32_t segment);
   /// Puts a vertex on a segment and returns it.
   std::uint32_t split(std::uint32_t segment, Vec2 p);

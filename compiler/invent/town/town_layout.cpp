@@ -2,6 +2,7 @@
 
 #include "compiler/invent/town/grow_streets.h"
 #include "compiler/invent/town/main_roads.h"
+#include "compiler/invent/town/railway.h"
 #include "compiler/invent/town/roundabouts.h"
 #include "compiler/invent/town/town_names.h"
 
@@ -14,9 +15,11 @@ constexpr double kLandInset_m = 6.5;
 }  // namespace
 
 TownLayout lay_out_town(const TownPlan& plan) {
-  TownLayout layout{main_roads(plan), {}, {}, {}, {}};
+  TownLayout layout{main_roads(plan), {}, {}, {}, {}, {}};
+  layout.level_crossings = cross_railway(plan, layout.graph);
   layout.roundabouts = make_roundabouts(plan, layout.graph);
   grow_streets(plan, street_field(plan, layout.graph), layout.graph);
+  join_station(plan, layout.graph);
   keep_largest_part(layout.graph);
   name_streets(plan, layout.graph);
   layout.edges = street_edges(layout.graph);

@@ -11,6 +11,7 @@ namespace citykiln::invent {
 struct TownLayout {
   StreetGraph graph;
   std::vector<Vec2> roundabouts;  ///< Their middles.
+  std::vector<Vec2> level_crossings;
   std::vector<StreetEdge> edges;
   std::vector<TownBlock> blocks;
   TownLots lots;

@@ -11,6 +11,7 @@
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
+#include "compiler/invent/town/railway.h"
 #include "compiler/invent/town/street_sections.h"
 #include "compiler/invent/town/tags.h"
 #include "compiler/parcels/divide.h"
@@ -80,6 +81,24 @@ class Division {
     for (const TownBlock& block : blocks_)
       if (!has_lots(block.use)) land_.taken.push_back({block.ring, {}});
     add_water();
+    add_tracks();
+  }
+
+  void add_tracks() {
+    const Railway& railway = plan_.railway;
+    if (railway.axis.size() < 2) return;
+    land_.lines.push_back({stable_id(StableId{0}, "track", 0), railway.axis, kTrackHalf_m, kTrackHalf_m,
+                           parcels::LineKind::kBarrier, 0, 0});
+    if (railway.has_station)
+      land_.taken.push_back(
+          {counter_clockwise({on_place_grid(railway.at(-100, -16)), on_place_grid(railway.at(100, -16)),
+                              on_place_grid(railway.at(100, 36)), on_place_grid(railway.at(-100, 36))}),
+           {}});
+  }
+
+  static Ring counter_clockwise(Ring ring) {
+    if (signed_area_m2(ring) < 0) std::ranges::reverse(ring);
+    return ring;
   }
 
   parcels::Line line_of(std::uint32_t i) const {

@@ -51,7 +51,7 @@ void name_streets(const TownPlan& plan, StreetGraph& graph) {
     for (int tries = 0; tries < 12 && used.contains(name); ++tries)
       name = draw_name(StreetClass::kResidential, plan.settings.seed, draws);
     used.insert(name);
-    graph.streets[i].name = std::move(name);
+    if (graph.streets[i].name.empty()) graph.streets[i].name = std::move(name);
   }
 }
 

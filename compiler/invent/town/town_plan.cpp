@@ -4,6 +4,7 @@
 
 #include "compiler/geometry/trig.h"
 #include "compiler/invent/town/draws.h"
+#include "compiler/invent/town/railway.h"
 #include "compiler/invent/town/smooth_noise.h"
 
 namespace citykiln::invent {
@@ -119,6 +120,12 @@ bool TownPlan::is_reserved(Vec2 p) const {
   return std::ranges::any_of(reserves, [&](const Reserve& r) { return distance(r.middle, p) < r.radius_m; });
 }
 
+bool TownPlan::is_station_land(Vec2 p) const {
+  if (!railway.has_station) return false;
+  const double along_m = dot(p - railway.station, railway.along), town_m = dot(p - railway.station, railway.town);
+  return along_m > -100 && along_m < 100 && town_m > -16 && town_m < 36;
+}
+
 double TownPlan::centre_distance_m(Vec2 p) const {
   double least = 1e9;
   for (const Centre& centre : centres) least = std::min(least, distance(centre.position, p));
@@ -134,6 +141,7 @@ TownPlan plan_town(const Terrain& terrain, const TownSettings& settings) {
   plan.centres.push_back(main_centre(plan, draws));
   if (settings.kind != TownKind::kVillage) add_quarters(plan);
   fill_density(plan);
+  plan_railway(plan);
   add_reserves(plan);
   return plan;
 }

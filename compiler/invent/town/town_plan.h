@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "compiler/geometry/polygon.h"
 #include "compiler/invent/town/add_town.h"
 #include "compiler/invent/town/town_raster.h"
 #include "compiler/invent/town/water_distance.h"
@@ -23,6 +24,15 @@ struct Reserve {
   double radius_m = 0;
 };
 
+/// The axis of a railway, and its station.
+struct Railway {
+  Polyline axis;  ///< Empty: none.
+  bool has_station = false;
+  Vec2 station, along;  ///< Its middle on the axis, and the direction of the axis there, length 1.
+  Vec2 town;            ///< Square to the axis, towards the town.
+  Vec2 at(double along_m, double town_m) const { return station + along * along_m + town * town_m; }
+};
+
 struct TownPlan {
   TownSettings settings;
   const Terrain* terrain = nullptr;
@@ -32,6 +42,12 @@ struct TownPlan {
   TownRaster<double> density;  ///< 0: country, 1: the middle of a city.
 
   double half_m() const { return settings.side_m / 2; }
+  Railway railway;
+  TownRaster<char> tracks;  ///< 1 near the railway and its station, where no street grows; empty without one.
+
+  bool is_track_land(Vec2 p) const { return !tracks.values.empty() && tracks.nearest(p); }
+  /// True on the land of the station.
+  bool is_station_land(Vec2 p) const;
   /// True on the mapped square.
   bool is_inside(Vec2 p) const { return p.x >= -half_m() && p.x <= half_m() && p.y >= -half_m() && p.y <= half_m(); }
   bool is_reserved(Vec2 p) const;
