@@ -17,8 +17,8 @@ struct TownSettings {
   std::uint64_t seed = 1;
 };
 
-/// Adds the town on a terrain: main roads, streets, paths, a railway, land use, buildings with addresses, parks, things.
-/// Terrain may be raised or lowered under roads by nothing here: compiling does that.
+/// Adds the town on a terrain: main roads, streets, paths, a railway, land use, buildings with addresses, parks,
+/// things. Terrain may be raised or lowered under roads by nothing here: compiling does that.
 void add_town(const Terrain& terrain, const TownSettings& settings, InventedMap& map);
 
 }  // namespace citykiln::invent
