@@ -332,6 +332,8 @@ class Growth {
     double end_m = 0;
     for (std::size_t i = kept_; i < line_.size(); ++i)
       end_m += distance(graph_.position(line_[i - 1]), graph_.position(line_[i]));
+    // a long street into open land stays: others will meet it, and what is left over is cut at the end
+    if (end_m > kLongEnd_m) return;
     const double share = plan_.settings.kind == TownKind::kVillage               ? 0.7
                          : plan_.density.at(graph_.position(line_.back())) > 0.5 ? 0.1
                                                                                  : 0.4;
