@@ -92,18 +92,18 @@ int storeys_at(const TownPlan& plan, double density, BlockUse use, Draws& draws)
   switch (use) {
     case BlockUse::kCore:
       if (is_city && density > 0.84 && spread > 0.86) return 9 + static_cast<int>(draws.below(14));
-      return static_cast<int>((is_city ? 2.6 : 1.8) + density * (is_city ? 3.4 : 2) + spread * 1.8);
+      return static_cast<int>((is_city ? 2.6 : 2.2) + density * (is_city ? 3.4 : 2.4) + spread * 1.8);
     case BlockUse::kFlats:
       if (is_city && spread > 0.85) return 8 + static_cast<int>(draws.below(7));
       return 3 + static_cast<int>(spread * (is_city ? 4 : 2.6));
     case BlockUse::kTerraces:
-      return 2 + (spread > 0.8 ? 1 : 0);
+      return 2 + (spread > 0.55 ? 1 : 0);
     case BlockUse::kCommerce:
       return 1 + static_cast<int>(spread * (is_city ? 6 : 3));
     case BlockUse::kIndustry:
       return 1 + (spread > 0.8 ? 1 : 0);
     default:
-      return spread > 0.35 ? 2 : 1;
+      return spread > 0.82 ? 3 : spread > 0.2 ? 2 : 1;
   }
 }
 
@@ -121,7 +121,8 @@ Tags house_tags(BlockUse use, int storeys, bool is_corner, Draws& draws) {
 }
 
 Tags outhouse_tags(const char* building, Draws& draws) {
-  Tags tags = tags_of({{"building", building}, {"building:levels", "1"}});
+  // mappers seldom state the storeys of garages and sheds
+  Tags tags = tags_of({{"building", building}});
   const bool is_barn = std::string_view(building) == "barn";
   if (is_barn)
     pitched_roof(tags, "gabled", 1, draws);

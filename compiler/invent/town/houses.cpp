@@ -94,7 +94,7 @@ class LotBuilder {
     const int storeys = storeys_at(plan_, lot_.density, lot_.use, draws_);
     add_main(ring, house_tags(lot_.use, storeys, is_corner(), draws_));
     if (lot_.density > 0.6 && draws_.chance(lot_.density - 0.2)) add_shop(ring);
-    if (draws_.chance(0.35)) add_back_house();
+    if (draws_.chance(0.22)) add_back_house();
   }
 
   Ring whole_lot() const {
@@ -112,10 +112,10 @@ class LotBuilder {
   }
 
   void build_terrace() {
-    const Ring ring = row_ring(lot_, 3.5, 9.5);
+    const Ring ring = row_ring(lot_, 3.5, 10.5);
     if (ring.empty() || lot_.front_m() > 16) return build_house();
     add_main(ring, house_tags(lot_.use, storeys_at(plan_, lot_.density, lot_.use, draws_), is_corner(), draws_));
-    if (draws_.chance(0.5)) add_shed();
+    if (draws_.chance(0.3)) add_shed();
   }
 
   // ---- houses that stand free
@@ -124,22 +124,22 @@ class LotBuilder {
   void build_house() {
     if (lot_.front_m() > 17.5 && lot_.use == BlockUse::kHouses && draws_.chance(0.3)) return build_pair();
     const bool is_villa = lot_.use == BlockUse::kVillas;
-    const double width_m = std::min(lot_.front_m() - 5, is_villa ? draws_.between(12, 17) : draws_.between(8.5, 12.5));
+    const double width_m = std::min(lot_.front_m() - 5, is_villa ? draws_.between(12, 17) : draws_.between(9.5, 13.5));
     if (width_m < 5) return;
-    HouseBox box{width_m, is_villa ? draws_.between(11, 14) : draws_.between(8, 11), draws_.between(3.5, 7), 0};
+    HouseBox box{width_m, is_villa ? draws_.between(11, 14) : draws_.between(9, 12), draws_.between(3.5, 7), 0};
     box.aside_m = draws_.chance(0.5) ? 1.8 : -1.8;
     const auto ring = fitted_box(lot_, box, 1.6);
     if (!ring) return;
     add_main(*ring, house_tags(lot_.use, storeys_at(plan_, lot_.density, lot_.use, draws_), false, draws_));
-    if (draws_.chance(0.6)) add_garage(box.aside_m);
-    if (draws_.chance(0.45)) add_shed();
+    if (draws_.chance(0.5)) add_garage(box.aside_m);
+    if (draws_.chance(0.3)) add_shed();
     add_garden_tree();
   }
 
   // two houses that share a wall
   void build_pair() {
-    const double width_m = std::min(7.5, (lot_.front_m() - 5) / 2), setback_m = draws_.between(4, 6);
-    const HouseBox left{width_m, 10, setback_m, -width_m / 2}, right{width_m, 10, setback_m, width_m / 2};
+    const double width_m = std::min(8.5, (lot_.front_m() - 5) / 2), setback_m = draws_.between(4, 6);
+    const HouseBox left{width_m, 11, setback_m, -width_m / 2}, right{width_m, 11, setback_m, width_m / 2};
     const Ring a = box_ring(lot_, left), b = box_ring(lot_, right);
     if (!lies_within(a, lot_.ring, 1.5) || !lies_within(b, lot_.ring, 1.5)) return;
     Tags tags = house_tags(BlockUse::kHouses, 2, false, draws_);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/geometry/mathematics.h"
+#include "compiler/geometry/segment.h"
 #include "compiler/geometry/trig.h"
 #include "compiler/invent/town/draws.h"
 
@@ -56,6 +57,24 @@ std::vector<CircleArm> arms_of(const StreetGraph& graph, std::uint32_t vertex) {
   return arms;
 }
 
+// true if no other road comes near the circle
+bool is_circle_free(const StreetGraph& graph, std::uint32_t vertex, const std::vector<CircleArm>& arms) {
+  const Vec2 centre = graph.position(vertex);
+  const double room_m = kRoundabout_m + 9;
+  Box2 box;
+  box.grow(centre);
+  for (const std::uint32_t s : graph.near(box.widened(room_m))) {
+    const StreetSegment& segment = graph.segments()[s];
+    if (distance_to_segment(graph.position(segment.a), graph.position(segment.b), centre) > room_m) continue;
+    const bool is_of_arm = std::ranges::any_of(arms, [&](const CircleArm& arm) {
+      return std::ranges::find(arm.inside, s) != arm.inside.end() || segment.a == arm.outside ||
+             segment.b == arm.outside;
+    });
+    if (!is_of_arm) return false;
+  }
+  return true;
+}
+
 void make_circle(StreetGraph& graph, std::uint32_t vertex, const std::vector<CircleArm>& arms) {
   const Vec2 centre = graph.position(vertex);
   const StreetClass ring_class = graph.streets[arms[0].street].street_class;
@@ -86,7 +105,9 @@ std::vector<Vec2> make_roundabouts(const TownPlan& plan, StreetGraph& graph) {
     if (!Draws(plan.settings.seed, "roundabout", v).chance(0.6)) continue;
     if (std::ranges::any_of(middles, [&](Vec2 q) { return distance(p, q) < 350; })) continue;
     const std::vector<CircleArm> arms = arms_of(graph, v);
-    if (arms.empty() || std::abs(p.x) > plan.half_m() - 40 || std::abs(p.y) > plan.half_m() - 40) continue;
+    if (arms.empty() || !is_circle_free(graph, v, arms) || std::abs(p.x) > plan.half_m() - 40 ||
+        std::abs(p.y) > plan.half_m() - 40)
+      continue;
     make_circle(graph, v, arms);
     middles.push_back(p);
   }

@@ -21,8 +21,8 @@ namespace {
 
 /// Usual sizes of lots, by block use: area, front, depth.
 constexpr std::array<parcels::LotSize, 8> kLotSizes = {{{420, 17, 27},
-                                                        {260, 8, 33},
-                                                        {640, 18, 36},
+                                                        {320, 9, 33},
+                                                        {720, 19, 36},
                                                         {1150, 26, 46},
                                                         {2600, 46, 52},
                                                         {1300, 30, 44},
