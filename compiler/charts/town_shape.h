@@ -16,10 +16,10 @@ struct TownMap {
   Box2 extent;
   std::vector<Polyline> streets;  ///< Streets meet where they share a point.
   std::vector<Ring> buildings;    ///< Counter-clockwise.
-  std::vector<double> heights_m;  ///< Of buildings whose storeys or height are stated.
+  std::vector<double> heights_m;  ///< One for each building whose storeys or height are stated.
 };
 
-/// What is measured, each a distribution.
+/// The measures, each a distribution.
 enum class TownMeasure { kStreetDensity, kDegree, kBlockArea, kLotFront, kFootprintArea, kHeight, kCount };
 
 /// The values of a measure, sorted.

@@ -1,4 +1,4 @@
-// What lies on blocks of one use: parks, squares, schools, churches, cemeteries, sports grounds, allotments,
+// The contents of blocks of one use: parks, squares, schools, churches, cemeteries, sports grounds, allotments,
 // supermarkets.
 #pragma once
 

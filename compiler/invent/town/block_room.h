@@ -11,7 +11,7 @@ namespace citykiln::invent {
 
 class BlockRoom {
  public:
-  /// @param number  Of the block, for its random numbers.
+  /// @param number  The number of the block, for its random numbers.
   BlockRoom(const TownPlan& plan, const TownBlock& block, std::size_t number, const char* role);
 
   const Ring& land() const { return block_.land.outer; }
@@ -20,9 +20,9 @@ class BlockRoom {
   Draws& draws() { return draws_; }
 
   /// Finds room for a rectangle with sides along and square to along(), margin_m from the land's border and gap_m from
-  /// what is there, and takes it. Of `tries` random places the first that fits. Its first edge runs along along().
+  /// what is there, and takes it: the first of `tries` random places that fits. Its first edge runs along along().
   std::optional<Ring> take_box(double width_m, double depth_m, double margin_m, double gap_m, int tries = 60);
-  /// As above, shrinking the box to 60 % in steps.
+  /// Finds room for a rectangle as above, and shrinks it to 60 % in steps if there is none.
   std::optional<Ring> take_box_shrunk(double width_m, double depth_m, double margin_m, double gap_m);
   /// Takes a ring if it fits.
   bool take(const Ring& ring, double margin_m, double gap_m);

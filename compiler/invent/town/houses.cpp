@@ -204,7 +204,8 @@ class LotBuilder {
 
   void build_large(double share, double depth_m, double setback_m) {
     const HouseBox box{lot_.front_m() * share, depth_m * draws_.between(0.6, 1), setback_m, 0};
-    const auto ring = fitted_box(lot_, box, 3);
+    auto ring = fitted_box(lot_, box, 3);
+    if (!ring) ring = fitted_box(lot_, {box.width_m * 0.8, box.depth_m * 0.5, setback_m * 0.7, 0}, 2.5);
     if (!ring) return;
     add_main(*ring, house_tags(lot_.use, storeys_at(plan_, lot_.density, lot_.use, draws_), false, draws_));
   }

@@ -5,14 +5,14 @@
 
 namespace citykiln::invent {
 
-/// What a road costs at each place: a metre on flat dry land costs 1.
+/// The costs of a road at each place: a metre on flat dry land costs 1.
 struct RoadCosts {
   TownRaster<double> height_m;
   TownRaster<char> is_wet;
   TownRaster<char> has_road;   ///< A metre along a road that is there costs kSharedRoad.
   TownRaster<char> is_closed;  ///< Land that roads keep out of.
   double usual_grade = 0.05;
-  double wet_cost = 14;  ///< Of a metre of bridge.
+  double wet_cost = 14;  ///< A metre of bridge costs this.
 };
 
 /// The share of the cost that remains where a road is there already, so that roads join.

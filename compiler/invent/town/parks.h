@@ -6,7 +6,7 @@
 
 namespace citykiln::invent {
 
-/// Each adds the area and all that lies in it.
+/// Adds the area and all that lies in it.
 void add_park(const std::string& name, BlockRoom& room, InventedMap& map);
 void add_square(const std::string& name, BlockRoom& room, InventedMap& map);
 void add_cemetery(BlockRoom& room, InventedMap& map);

@@ -15,8 +15,8 @@ namespace {
 /// A kind of block of which a town has a number by its area.
 struct Wanted {
   BlockUse use;
-  double per_km2;            ///< Of town.
-  double least_m2, most_m2;  ///< Of land.
+  double per_km2;            ///< On a square kilometre of town.
+  double least_m2, most_m2;  ///< Limits of the land.
   double least_density, most_density;
   double near_centre;  ///< 1: as near to a centre as possible; -1: as far.
   double apart_m;      ///< From others of its kind.

@@ -19,7 +19,8 @@ inline constexpr double kTrackHalf_m = 7;
 /// station. A village has none, and a world too small for a station neither.
 void plan_railway(TownPlan& plan);
 
-/// Where roads cross the railway on the level. Roads without room for a bridge are split there, others get a bridge.
+/// Returns the places where roads cross the railway on the level. Roads without room for a bridge are split there,
+/// others get a bridge.
 std::vector<Vec2> cross_railway(const TownPlan& plan, StreetGraph& graph);
 
 /// Joins the square in front of the station to the nearest street that can be reached.

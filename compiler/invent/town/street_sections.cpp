@@ -9,7 +9,8 @@ namespace {
 
 struct ClassRow {
   const char* highway;
-  double lane_m;  ///< As compiling assumes for a lane of the class, or the whole way where lanes are not counted.
+  double lane_m;  ///< The width that compiling assumes for a lane of the class, or the whole way where lanes are not
+                  ///< counted.
   const char* maxspeed;
   const char* surface;
 };

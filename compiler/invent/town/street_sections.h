@@ -12,7 +12,7 @@ struct StreetSection {
   double carriageway_m = 5.5;
   double pavement_m = 2;  ///< On each side; 0: none.
   double parking_m = 0;   ///< On each side, for parked cars.
-  /// From the axis to the land beside the street, with 0.4 m to spare.
+  /// Returns the distance from the axis to the land beside the street, with 0.4 m to spare.
   double half_m() const { return carriageway_m / 2 + parking_m + pavement_m + 0.4; }
 };
 

@@ -203,14 +203,29 @@ class Division {
   // ---- land use
   // ------------------------------------------------------------------------------------------------------
 
+  static Polygon on_grid(const Polygon& polygon) {
+    Polygon snapped;
+    const auto snap = [](const Ring& ring) {
+      Ring points;
+      for (const Vec2 p : ring) points.push_back(on_place_grid(p));
+      return without_repeats(points);
+    };
+    snapped.outer = snap(polygon.outer);
+    for (const Ring& hole : polygon.holes)
+      if (Ring ring = snap(hole); ring.size() >= 3) snapped.holes.push_back(std::move(ring));
+    return snapped;
+  }
+
   void add_land(const parcels::Block& block, const std::array<double, 8>& uses, std::vector<InventedArea>& land) const {
     const double whole_m2 = area_m2(block.polygon);
     double built_m2 = 0;
     for (const double use : uses) built_m2 += use;
-    if (built_m2 < 0.35 * whole_m2 || whole_m2 > 2e5) return;
+    if (built_m2 < 0.55 * whole_m2 || whole_m2 > 2e5) return;
     const auto use = static_cast<BlockUse>(std::ranges::max_element(uses) - uses.begin());
     const bool is_centre = use == BlockUse::kCore && plan_.density.at(block.polygon.outer[0]) > 0.8;
-    land.push_back({block.polygon, tags_of({{"landuse", is_centre ? "retail" : landuse_of(use)}})});
+    Polygon polygon = on_grid(block.polygon);
+    if (polygon.outer.size() < 400 && !is_simple(polygon.outer)) return;
+    land.push_back({std::move(polygon), tags_of({{"landuse", is_centre ? "retail" : landuse_of(use)}})});
   }
 
   const TownPlan& plan_;

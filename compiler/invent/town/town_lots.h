@@ -12,7 +12,7 @@ struct TownLot {
   std::vector<char> is_front;  ///< For each edge from its vertex: 1 if it lies on a street.
   Vec2 from, to;               ///< The ends of its front on its street, in the order of the ring.
   std::uint32_t edge = 0;      ///< The street edge that it is entered from.
-  bool is_on_left = false;     ///< Of the edge.
+  bool is_on_left = false;     ///< The side of the edge.
   double at_m = 0;             ///< Along the edge, to the middle of its front.
   BlockUse use = BlockUse::kHouses;
   double density = 0;

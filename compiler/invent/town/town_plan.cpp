@@ -16,7 +16,7 @@ constexpr double kDensityStep_m = 32;
 constexpr double kCentreDistance_m = 1100;
 
 struct KindRules {
-  double peak, radius_m, side_share;  ///< Of the main centre: the radius is at most this share of the side.
+  double peak, radius_m, side_share;  ///< Rules of the main centre: the radius is at most this share of the side.
   double floor;                       ///< The least density of the whole square.
 };
 
