@@ -391,8 +391,8 @@ class Growth {
 
 double street_spacing_m(const TownPlan& plan, Vec2 p, int family) {
   const double density = plan.density.at(p);
-  const double wide = plan.settings.kind == TownKind::kVillage ? 1.15 : 1;
-  if (density > 0.58) return family == 0 ? 82 : 118;
+  const double wide = plan.settings.kind == TownKind::kVillage ? 0.9 : 1;
+  if (density > 0.58) return family == 0 ? 86 : 124;
   if (density > 0.3) return (family == 0 ? 72 : 150) * wide;
   return (family == 0 ? 78 : 175) * wide;
 }

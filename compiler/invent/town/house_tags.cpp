@@ -103,7 +103,7 @@ int storeys_at(const TownPlan& plan, double density, BlockUse use, Draws& draws)
     case BlockUse::kIndustry:
       return 1 + (spread > 0.8 ? 1 : 0);
     default:
-      return spread > 0.82 ? 3 : spread > 0.2 ? 2 : 1;
+      return spread > 0.6 ? 3 : spread > 0.12 ? 2 : 1;
   }
 }
 

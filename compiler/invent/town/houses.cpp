@@ -92,7 +92,9 @@ class LotBuilder {
       ring = whole_lot();
     if (ring.empty()) return build_house();
     const int storeys = storeys_at(plan_, lot_.density, lot_.use, draws_);
-    add_main(ring, house_tags(lot_.use, storeys, is_corner(), draws_));
+    Tags tags = house_tags(lot_.use, storeys, is_corner(), draws_);
+    turn_roof(tags, depth_m);
+    add_main(ring, std::move(tags));
     if (lot_.density > 0.6 && draws_.chance(lot_.density - 0.2)) add_shop(ring);
     if (draws_.chance(0.22)) add_back_house();
   }
@@ -111,10 +113,18 @@ class LotBuilder {
       add_building(*ring, outhouse_tags("shed", draws_));
   }
 
+  // a ridge runs along the street, also on houses that are deeper than wide
+  void turn_roof(Tags& tags, double depth_m) const {
+    if (!is_corner()) set_tag(tags, "roof:orientation", lot_.front_m() < depth_m ? "across" : "along");
+  }
+
   void build_terrace() {
     const Ring ring = row_ring(lot_, 3.5, 10.5);
     if (ring.empty() || lot_.front_m() > 16) return build_house();
-    add_main(ring, house_tags(lot_.use, storeys_at(plan_, lot_.density, lot_.use, draws_), is_corner(), draws_));
+    const int storeys = storeys_at(plan_, lot_.density, lot_.use, draws_);
+    Tags tags = house_tags(lot_.use, storeys, is_corner(), draws_);
+    turn_roof(tags, 10.5);
+    add_main(ring, std::move(tags));
     if (draws_.chance(0.3)) add_shed();
   }
 
@@ -124,9 +134,9 @@ class LotBuilder {
   void build_house() {
     if (lot_.front_m() > 17.5 && lot_.use == BlockUse::kHouses && draws_.chance(0.3)) return build_pair();
     const bool is_villa = lot_.use == BlockUse::kVillas;
-    const double width_m = std::min(lot_.front_m() - 5, is_villa ? draws_.between(12, 17) : draws_.between(9.5, 13.5));
+    const double width_m = std::min(lot_.front_m() - 5, is_villa ? draws_.between(12, 17) : draws_.between(10, 14.5));
     if (width_m < 5) return;
-    HouseBox box{width_m, is_villa ? draws_.between(11, 14) : draws_.between(9, 12), draws_.between(3.5, 7), 0};
+    HouseBox box{width_m, is_villa ? draws_.between(11, 14) : draws_.between(9.5, 12.5), draws_.between(3.5, 7), 0};
     box.aside_m = draws_.chance(0.5) ? 1.8 : -1.8;
     const auto ring = fitted_box(lot_, box, 1.6);
     if (!ring) return;
