@@ -23,7 +23,7 @@ constexpr double kLeastFootprint_m2 = 10;
 constexpr double kStorey_m = 3;
 constexpr double kStreetHalf_m = 5;
 
-bool is_street(std::string_view highway) {
+bool is_car_street(std::string_view highway) {
   constexpr std::array kStreets = {"trunk",       "primary",      "secondary",    "tertiary",
                                    "residential", "unclassified", "living_street"};
   return std::ranges::find(kStreets, highway) != kStreets.end();
@@ -71,7 +71,7 @@ void read_buildings(const source::OsmData& osm, const LocalMetres& metres, TownM
 
 void read_streets(const source::OsmData& osm, const LocalMetres& metres, TownMap& map) {
   for (const source::Way& way : osm.ways) {
-    if (!is_street(osm.value_of(way.tags, "highway"))) continue;
+    if (!is_car_street(osm.value_of(way.tags, "highway"))) continue;
     Polyline axis;
     for (const source::NodeRef& node : osm.nodes_of(way)) axis.push_back(metres(node.at));
     if (axis.size() > 1) map.streets.push_back(std::move(axis));
@@ -89,7 +89,7 @@ std::string value_of_key(const invent::Tags& tags, std::string_view key) {
 
 using CellKey = std::pair<int, int>;
 
-CellKey cell_of(Vec2 p) {
+CellKey density_cell_of(Vec2 p) {
   return {static_cast<int>(std::floor(p.x / kDensityCell_m)), static_cast<int>(std::floor(p.y / kDensityCell_m))};
 }
 
@@ -99,7 +99,7 @@ void add_lengths(const Polyline& street, std::map<CellKey, double>& lengths_m) {
     const double whole_m = distance(street[i], street[i + 1]);
     const int pieces = 1 + static_cast<int>(whole_m / 8);
     for (int k = 0; k < pieces; ++k)
-      lengths_m[cell_of(street[i] + (street[i + 1] - street[i]) * ((k + 0.5) / pieces))] += whole_m / pieces;
+      lengths_m[density_cell_of(street[i] + (street[i + 1] - street[i]) * ((k + 0.5) / pieces))] += whole_m / pieces;
   }
 }
 
@@ -107,7 +107,7 @@ TownValues street_densities(const TownMap& map) {
   std::map<CellKey, double> lengths_m;
   std::map<CellKey, std::size_t> buildings;
   for (const Polyline& street : map.streets) add_lengths(street, lengths_m);
-  for (const Ring& ring : map.buildings) ++buildings[cell_of(ring[0])];
+  for (const Ring& ring : map.buildings) ++buildings[density_cell_of(ring[0])];
   TownValues densities;
   for (const auto& [cell, count] : buildings)
     if (count >= kBuiltUp) densities.push_back(lengths_m[cell] / 1000 / (kDensityCell_m * kDensityCell_m / 1e6));
@@ -164,7 +164,7 @@ TownMap town_map_of(const invent::InventedMap& invented, double side_m, std::str
   const double half_m = std::floor(side_m / 2);
   map.extent = {{-half_m, -half_m}, {half_m, half_m}};
   for (const invent::InventedLine& line : invented.lines)
-    if (is_street(value_of_key(line.tags, "highway"))) map.streets.push_back(line.axis);
+    if (is_car_street(value_of_key(line.tags, "highway"))) map.streets.push_back(line.axis);
   for (const invent::InventedArea& area : invented.areas)
     if (!value_of_key(area.tags, "building").empty())
       add_building(map, area.polygon.outer,

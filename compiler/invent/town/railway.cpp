@@ -19,7 +19,7 @@ constexpr double kStationHalf_m = 95;
 /// Half of a bridge over the railway.
 constexpr double kOverbridgeHalf_m = 30;
 /// Steps of the raster of land near tracks, and its distance from them.
-constexpr double kTrackStep_m = 6;
+constexpr double kTrackLandStep_m = 6;
 constexpr double kTrackLand_m = 17;
 
 // where a line leaves the square
@@ -78,15 +78,15 @@ Polyline track_axis(const TownPlan& plan, const Railway& railway) {
 }
 
 void mark_track_land(TownPlan& plan) {
-  plan.tracks = TownRaster<char>(plan.settings.side_m, kTrackStep_m);
-  for (const Vec2 p : with_even_steps(plan.railway.axis, kTrackStep_m))
+  plan.tracks = TownRaster<char>(plan.settings.side_m, kTrackLandStep_m);
+  for (const Vec2 p : with_even_steps(plan.railway.axis, kTrackLandStep_m))
     for (int row = plan.tracks.row(p.y - kTrackLand_m); row <= plan.tracks.row(p.y + kTrackLand_m); ++row)
       for (int column = plan.tracks.column(p.x - kTrackLand_m); column <= plan.tracks.column(p.x + kTrackLand_m);
            ++column)
         if (distance(plan.tracks.place(column, row), p) <= kTrackLand_m)
           plan.tracks.values[plan.tracks.index(column, row)] = 1;
-  for (double along_m = -104; along_m <= 104; along_m += kTrackStep_m / 2)
-    for (double town_m = -20; town_m <= 40; town_m += kTrackStep_m / 2)
+  for (double along_m = -104; along_m <= 104; along_m += kTrackLandStep_m / 2)
+    for (double town_m = -20; town_m <= 40; town_m += kTrackLandStep_m / 2)
       plan.tracks.nearest(plan.railway.at(along_m, town_m)) = 1;
 }
 
