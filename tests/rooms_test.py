@@ -16,7 +16,7 @@ ROWS = [
     ["compiler/contract"],
     ["compiler/geometry"],
     ["compiler/parcels", "compiler/source", "compiler/materials", "compiler/climate", "compiler/simplify", "grammars", "lsystems"],
-    ["compiler/impostor"],
+    ["compiler/impostor", "compiler/invent"],
     ["compiler/map"],
     ["compiler/assume"],
     ["compiler/roads"],
@@ -45,6 +45,7 @@ ROW_OF = {room: i for i, row in enumerate(ROWS) for room in row}
 
 # Headers that a room may not include although they are in an earlier row: patterns of the included path.
 FORBIDDEN = {
+    "compiler/invent": r"compiler/(?!contract/|geometry/|parcels/)|grammars/|lsystems/",
     "exporters": r"compiler/source/|grammars/|lsystems/|compiler/[^/]+\.h$|.*/(plan|generate)\.h$",
     "preview": r"grammars/|lsystems/|compiler/source/read_|compiler/[^/]+\.h$|.*/plan\.h$",
     "main": r"(?!compiler/commands/)",
@@ -62,7 +63,7 @@ STEPS = {"exporters/gltf": [["", "pictures"], ["pack"], ["write", "read"]]}
 
 # Functions whose last bits differ between CPUs and C libraries.
 NOT_REPRODUCIBLE = re.compile(r"<random>|std::hash\b|std::(a?sinh?|a?cosh?|a?tanh?|atan2|exp2?|expm1|pow|log(2|10|1p)?|cbrt|hypot)\(")
-REPRODUCIBLE_ROOMS = ["grammars", "lsystems", "compiler/parcels", "compiler/simplify", "compiler/climate"] + [room for row in ROWS[4:18] for room in row]
+REPRODUCIBLE_ROOMS = ["grammars", "lsystems", "compiler/parcels", "compiler/invent", "compiler/simplify", "compiler/climate"] + [room for row in ROWS[4:18] for room in row]
 # sky light, which is only in rendered pictures
 EXEMPT = [Path("compiler/sky") / name for name in ("generate.cpp", "preetham.cpp", "spectrum.cpp", "stars.cpp", "atmosphere")]
 

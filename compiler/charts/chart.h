@@ -140,6 +140,12 @@ Result<std::vector<Chart>> chart_cloud(const ChartRequest& request);
 /// error. Notes are a Markdown table with a row for each map; of errors it has the median and the 90th percentile.
 Result<std::vector<Chart>> chart_assumed(const ChartRequest& request);
 
+/// Charts the distributions of six measures of towns: street density, arms of junctions, areas of blocks, fronts of
+/// lots, areas of footprints, heights; of the maps of the request and of nine invented towns (town_shape.h). Titles
+/// have the largest Kolmogorov distances. Notes are a Markdown table with the median of each measure and the largest
+/// distance from a mapped town. Errors: fewer than two maps, or one that cannot be read.
+Result<std::vector<Chart>> chart_invented(const ChartRequest& request);
+
 /// Compiles the first map of the request. Errors: no map, or an error of compile().
 Result<scene::Scene> compile_first_map(const ChartRequest& request);
 

@@ -41,7 +41,8 @@ constexpr std::array kKinds = {Kind{"plane", charts::chart_plane},
                                Kind{"sky", charts::chart_sky},
                                Kind{"linelights", charts::chart_linelights},
                                Kind{"cloud", charts::chart_cloud},
-                               Kind{"assumed", charts::chart_assumed}};
+                               Kind{"assumed", charts::chart_assumed},
+                               Kind{"invented", charts::chart_invented}};
 
 std::string known_names() {
   std::string names;

@@ -1,0 +1,24 @@
+// Erosion of a lattice by running water and by creep.
+#pragma once
+
+#include <vector>
+
+#include "compiler/invent/land/lattice.h"
+
+namespace citykiln::invent {
+
+struct Erosion {
+  int steps = 12;
+  double strength = 0.01;  ///< K times the duration of a step: metres of descent a metre of √area and unit of slope.
+  double creep = 0.1;      ///< The share of the difference to the mean of its neighbours that a point loses a step.
+};
+
+/// Lowers the land by the stream power law, dh/dt = -K √area slope, solved implicitly from the outlets upstream, so
+/// that every strength is stable; then by creep. Pits are filled before each step and at the end.
+///
+/// @param is_fixed  Points whose height stays, such as lakes with their outlets; empty for none. The border stays too.
+/// Guarantees: the result has no pits, except that fixed points may be pits.
+/// Source: Braun and Willett 2013 (drainage.h).
+void erode(Lattice& lattice, const Erosion& settings, const std::vector<bool>& is_fixed);
+
+}  // namespace citykiln::invent

@@ -1,0 +1,16 @@
+// Fills pits, so that water from every point of a lattice reaches its border.
+#pragma once
+
+#include "compiler/invent/land/lattice.h"
+
+namespace citykiln::invent {
+
+/// The fall of a filled pit's surface towards its outlet, from point to point.
+inline constexpr double kPitFall_m = 0.002;
+
+/// Raises points until each one inside the border has a lower neighbour, by at least kPitFall_m less rounding. No point
+/// is lowered, and points of the border stay. O(n log n). Source: Barnes, Lehman, Mulla, "Priority-flood", Computers &
+/// Geosciences 62, 2014.
+void fill_pits(Lattice& lattice);
+
+}  // namespace citykiln::invent

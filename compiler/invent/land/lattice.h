@@ -1,0 +1,41 @@
+// Heights on a square lattice while a terrain is made.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "compiler/geometry/vec.h"
+
+namespace citykiln::invent {
+
+/// (cells + 1)² heights, row by row from the south-west corner.
+struct Lattice {
+  int cells = 0;
+  double step_m = 0;
+  std::vector<double> heights_m;
+
+  int count() const { return cells + 1; }
+  std::size_t size() const { return heights_m.size(); }
+  int column(std::size_t i) const { return static_cast<int>(i % count()); }
+  int row(std::size_t i) const { return static_cast<int>(i / count()); }
+  /// The place of a point in a square about the middle of the world.
+  Vec2 place(std::size_t i) const {
+    const double half_m = cells * step_m / 2;
+    return {column(i) * step_m - half_m, row(i) * step_m - half_m};
+  }
+  std::size_t index(int column, int row) const { return static_cast<std::size_t>(row) * count() + column; }
+  bool is_on_border(std::size_t i) const {
+    return column(i) == 0 || row(i) == 0 || column(i) == cells || row(i) == cells;
+  }
+  /// Calls visit(neighbour, distance in steps) for the up to eight neighbours of a point, always in the same order.
+  template <typename Visit>
+  void for_each_neighbour(std::size_t i, Visit visit) const {
+    const int x = column(i), y = row(i);
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        if ((dx != 0 || dy != 0) && x + dx >= 0 && y + dy >= 0 && x + dx <= cells && y + dy <= cells)
+          visit(index(x + dx, y + dy), dx != 0 && dy != 0 ? 1.4142135623730951 : 1.0);
+  }
+};
+
+}  // namespace citykiln::invent

@@ -1,0 +1,111 @@
+#include "compiler/invent/land/make_terrain.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/contract/random_sequence.h"
+#include "compiler/geometry/trig.h"
+#include "compiler/invent/land/contour.h"
+#include "compiler/invent/land/drainage.h"
+#include "compiler/invent/land/fill_pits.h"
+#include "compiler/invent/land/find_lakes.h"
+#include "compiler/invent/land/noise.h"
+#include "compiler/invent/land/trace_rivers.h"
+
+namespace citykiln::invent {
+namespace {
+
+// Sides of the square, in sides of the map: land around is seen from the map, and rivers need land to come from.
+constexpr double kUsualMargin = 3;
+// lakes keep off the border of the map by this share of its side, so that their shores are mapped whole
+constexpr double kLakesWithin = 0.9;
+constexpr double kLeastSea_m2 = 2000;
+
+Lattice raw_land(const TerrainSettings& settings, double map_side_m, std::uint64_t seed) {
+  const double asked_m = settings.size_m > 0 ? settings.size_m : map_side_m * kUsualMargin;
+  Lattice lattice{1 << settings.fractal.power, 0, diamond_square(settings.fractal, seed)};
+  lattice.step_m = std::max(asked_m, map_side_m) / lattice.cells;
+  if (settings.ridges_m > 0)
+    for (std::size_t i = 0; i < lattice.size(); ++i)
+      lattice.heights_m[i] +=
+          settings.ridges_m * ridged_noise(lattice.place(i) * (1 / settings.ridge_length_m), 5, seed);
+  return lattice;
+}
+
+/// Sinks the land towards one side, so that the coast crosses the map.
+void sink_coast(Lattice& lattice, const TerrainSettings& settings, double map_side_m, std::uint64_t seed) {
+  const Vec2 seaward = direction_of(RandomSequence(seed, {}, "coast").unit(0));
+  // the coast lies about a quarter of the map's side from the middle
+  const double middle_m = lattice.heights_m[lattice.size() / 2];
+  for (std::size_t i = 0; i < lattice.size(); ++i) {
+    const double away = dot(lattice.place(i), seaward) / map_side_m;
+    const double offset_m = std::clamp(0.25 - away, -1.0, 1.0) * settings.coast_fall_m;
+    lattice.heights_m[i] += offset_m - middle_m;
+  }
+}
+
+/// Points of lakes, and those within two steps of them.
+std::vector<bool> points_about(const std::vector<Lake>& lakes, const Lattice& lattice) {
+  if (lakes.empty()) return {};
+  std::vector<bool> is_near(lattice.size(), false);
+  for (const Lake& lake : lakes)
+    for (const std::uint32_t i : lake.points)
+      for (int row = lattice.row(i) - 2; row <= lattice.row(i) + 2; ++row)
+        for (int column = lattice.column(i) - 2; column <= lattice.column(i) + 2; ++column)
+          if (column >= 0 && row >= 0 && column <= lattice.cells && row <= lattice.cells)
+            is_near[lattice.index(column, row)] = true;
+  return is_near;
+}
+
+std::vector<bool> standing_water(const std::vector<Lake>& lakes, const Lattice& lattice, double sea_level_m) {
+  std::vector<bool> is_standing(lattice.size(), false);
+  for (std::size_t i = 0; i < lattice.size(); ++i) is_standing[i] = lattice.heights_m[i] < sea_level_m;
+  for (const Lake& lake : lakes)
+    for (const std::uint32_t i : lake.points) is_standing[i] = true;
+  return is_standing;
+}
+
+std::vector<Polygon> sea_of(const Lattice& lattice, double sea_level_m) {
+  const double half_m = lattice.cells * lattice.step_m / 2;
+  ValueGrid grid{{-half_m, -half_m}, lattice.step_m, lattice.count(), lattice.count(), {}};
+  for (const double height_m : lattice.heights_m) grid.values.push_back(sea_level_m - height_m);
+  return area_above_zero(grid, kLeastSea_m2);
+}
+
+void put_lakes(std::vector<Lake> lakes, Lattice& lattice, Terrain& terrain) {
+  for (Lake& lake : lakes) {
+    for (std::size_t k = 0; k < lake.points.size(); ++k) lattice.heights_m[lake.points[k]] = lake.beds_m[k];
+    if (lake.shore.outer.empty()) continue;
+    terrain.lakes.push_back(std::move(lake.shore));
+    terrain.lake_levels_m.push_back(lake.level_m);
+  }
+}
+
+}  // namespace
+
+Terrain make_terrain(const TerrainSettings& settings, double map_side_m, std::uint64_t seed) {
+  Lattice lattice = raw_land(settings, map_side_m, seed);
+  if (settings.has_coast) sink_coast(lattice, settings, map_side_m, seed);
+  // lakes are hollows of the fractal: erosion would drain them, so that they and their shores stay as they are
+  std::vector<Lake> lakes = find_lakes(lattice, settings.lakes, map_side_m * kLakesWithin);
+  const std::vector<bool> is_fixed = points_about(lakes, lattice);
+  fill_pits(lattice);
+  erode(lattice, settings.erosion, is_fixed);
+
+  Terrain terrain;
+  terrain.side_m = lattice.cells * lattice.step_m;
+  terrain.cells = lattice.cells;
+  terrain.sea_level_m = settings.has_coast ? 0 : -1e6;
+  const std::vector<bool> is_standing = standing_water(lakes, lattice, terrain.sea_level_m);
+  std::vector<TracedRiver> rivers = trace_rivers(lattice, drain(lattice), settings, is_standing);
+  lower_to_rivers(lattice, rivers, is_fixed);
+  fill_pits(lattice);
+  for (TracedRiver& traced : rivers) terrain.rivers.push_back(std::move(traced.river));
+  if (settings.has_coast) terrain.sea = sea_of(lattice, terrain.sea_level_m);
+  put_lakes(std::move(lakes), lattice, terrain);
+  terrain.heights_m.assign(lattice.heights_m.begin(), lattice.heights_m.end());
+  index_water(terrain);
+  return terrain;
+}
+
+}  // namespace citykiln::invent

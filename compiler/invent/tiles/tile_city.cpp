@@ -1,0 +1,119 @@
+#include "compiler/invent/tiles/tile_city.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "compiler/invent/land/noise.h"
+#include "compiler/invent/street_names.h"
+#include "compiler/invent/tiles/address_buildings.h"
+#include "compiler/invent/tiles/join_covers.h"
+#include "compiler/invent/tiles/join_lines.h"
+
+namespace citykiln::invent {
+namespace {
+
+std::string_view value_of(const Tags& tags, std::string_view key) {
+  const auto found = std::ranges::find(tags, key, &std::pair<std::string, std::string>::first);
+  return found == tags.end() ? std::string_view() : std::string_view(found->second);
+}
+
+/// Turns a place of the unit square counter-clockwise.
+Vec2 turned(Vec2 p, int turns) {
+  for (int i = 0; i < turns; ++i) p = {1 - p.y, p.x};
+  return p;
+}
+
+/// Places on a grid of 1 cm, so that neighbouring cells have equal points on their common side.
+double on_grid(double v) { return std::floor(v * 100 + 0.5) / 100; }
+
+class TileCity {
+ public:
+  TileCity(const TileSet& set, const TileGrid& grid, std::uint64_t seed, InventedMap& map)
+      : set_(set), grid_(grid), seed_(seed), map_(map) {}
+
+  void add() {
+    covers_.assign(grid_.tiles.size(), 0);
+    for (int row = 0; row < grid_.rows; ++row)
+      for (int column = 0; column < grid_.columns; ++column) add_cell(column, row);
+    add_covers();
+    std::vector<InventedLine> joined = join_lines(lines_, map_.points);
+    name_streets(joined);
+    map_.lines.insert(map_.lines.end(), std::make_move_iterator(joined.begin()), std::make_move_iterator(joined.end()));
+    address_buildings(map_);
+  }
+
+ private:
+  Vec2 place(int column, int row, Vec2 in_cell) const {
+    return {on_grid((column + in_cell.x - grid_.columns / 2.0) * set_.cell_m),
+            on_grid((row + in_cell.y - grid_.rows / 2.0) * set_.cell_m)};
+  }
+
+  Tags tags_of(const TileContent& content, int column, int row, std::size_t number) const {
+    Tags tags;
+    for (std::size_t i = 0; i < content.tags.size(); ++i) {
+      const TagChoice& choice = content.tags[i];
+      const std::uint64_t hash = hash_of(column, row, seed_ + number * 64 + i);
+      const std::string& value = choice.values[(hash >> 16) % choice.values.size()];
+      // "-" leaves the tag out
+      if (value != "-") tags.emplace_back(choice.key, value);
+    }
+    return tags;
+  }
+
+  void add_cell(int column, int row) {
+    const TurnedTile& turned_tile = set_.turned[grid_.at(column, row)];
+    const Tile& tile = set_.tiles[turned_tile.tile];
+    for (std::size_t i = 0; i < tile.content.size(); ++i) {
+      const TileContent& content = tile.content[i];
+      Tags tags = tags_of(content, column, row, i);
+      Polyline points;
+      for (const Vec2 p : content.points) points.push_back(place(column, row, turned(p, turned_tile.turn)));
+      if (content.kind == ContentKind::kLine) lines_.push_back({std::move(points), std::move(tags)});
+      if (content.kind == ContentKind::kArea) map_.areas.push_back({{std::move(points), {}}, std::move(tags)});
+      if (content.kind == ContentKind::kPoint) map_.points.push_back({points.front(), std::move(tags)});
+      if (content.kind == ContentKind::kCover)
+        covers_[static_cast<std::size_t>(row) * grid_.columns + column] =
+            labels_.try_emplace(std::move(tags), static_cast<std::uint32_t>(labels_.size() + 1)).first->second;
+    }
+  }
+
+  void add_covers() {
+    const auto joined = join_covers(covers_, grid_.columns, static_cast<std::uint32_t>(labels_.size() + 1));
+    for (const auto& [tags, label] : labels_)
+      for (Polygon polygon : joined[label]) {
+        for (Vec2& p : polygon.outer) p = place(0, 0, p);
+        for (Ring& hole : polygon.holes)
+          for (Vec2& p : hole) p = place(0, 0, p);
+        map_.areas.push_back({std::move(polygon), tags});
+      }
+  }
+
+  void name_streets(std::vector<InventedLine>& lines) const {
+    std::uint32_t number = 0;
+    for (InventedLine& line : lines) {
+      const std::string_view road = value_of(line.tags, "highway");
+      const bool is_main = road == "primary" || road == "secondary" || road == "tertiary";
+      if (!is_main && road != "residential" && road != "living_street" && road != "pedestrian") continue;
+      line.tags.emplace_back("name", street_name(number++, is_main, seed_));
+      std::ranges::sort(line.tags);
+    }
+  }
+
+  const TileSet& set_;
+  const TileGrid& grid_;
+  std::uint64_t seed_;
+  InventedMap& map_;
+  std::vector<InventedLine> lines_;
+  std::vector<std::uint32_t> covers_;
+  std::map<Tags, std::uint32_t> labels_;
+};
+
+}  // namespace
+
+void add_tile_city(const TileSet& set, const TileGrid& grid, std::uint64_t seed, InventedMap& map) {
+  TileCity(set, grid, seed, map).add();
+}
+
+}  // namespace citykiln::invent

@@ -1,0 +1,18 @@
+// Invented names of streets and places.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compiler/invent/town/street_graph.h"
+#include "compiler/invent/town/town_plan.h"
+
+namespace citykiln::invent {
+
+/// Returns the name of a place that does not exist, made of syllables: "Welkow", "Harbenau".
+std::string place_name(std::uint64_t seed, std::uint64_t ordinal);
+
+/// Gives every street a name of its own: stem and ending, or a place that it seems to lead to.
+void name_streets(const TownPlan& plan, StreetGraph& graph);
+
+}  // namespace citykiln::invent
