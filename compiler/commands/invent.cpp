@@ -17,6 +17,8 @@
 #include "exporters/output_folder.h"
 
 namespace citykiln::commands {
+Verb invent_verb();
+
 namespace {
 
 namespace fs = std::filesystem;

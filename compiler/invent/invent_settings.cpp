@@ -11,7 +11,7 @@ constexpr std::array<std::string_view, 5> kKindNames = {"village", "town", "city
 
 void name_terrain(TerrainSettings& t, std::vector<NamedSetting>& all) {
   constexpr std::string_view kSection = "terrain";
-  all.insert(all.end(), {{kSection, "power", &t.fractal.power, 2, 12},
+  all.insert(all.end(), {{kSection, "power", &t.fractal.power, 0, 12},
                          {kSection, "size", &t.size_m, 0, 262144},
                          {kSection, "initial_height", &t.fractal.initial_height_m, -400, 5000},
                          {kSection, "spread", &t.fractal.spread_m, 0, 5000},

@@ -151,7 +151,7 @@ struct AreaFeature {
 /// An area where sports are played.
 struct SportsArea {
   ObjectId id;         ///< The id of an AreaFeature.
-  std::string sports;  ///< sport=*: values separated by ";".
+  std::string sports;  ///< sport=*: values separated by ";"; "parking" for bays of car parks.
 };
 
 /// A river, stream, canal or ditch as a line.

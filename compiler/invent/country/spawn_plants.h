@@ -22,7 +22,7 @@ struct Spawner {
   double x_m = 0, y_m = 0;  ///< The middle of the grid, seen from the spot: to the east, to the north.
   int columns = 1, rows = 1;
   double cell_m = 3;
-  double probability = 0.8;  ///< That a cell has a plant.
+  double probability = 0.8;  ///< How likely a cell has a plant.
   double jitter = 0.8;       ///< The share of a cell, about its middle, in which the plant stands.
   double height_m = 2;       ///< The height of a plant, times a number between these two:
   double low_scale = 0.75, high_scale = 1.25;

@@ -16,15 +16,30 @@ namespace citykiln::invent {
 namespace {
 
 // Sides of the square, in sides of the map: land around is seen from the map, and rivers need land to come from.
-constexpr double kUsualMargin = 3;
+constexpr double kUsualSides = 3, kMostAround_m = 4096;
+constexpr double kUsualStep_m = 8;
+constexpr int kLeastPower = 6, kMostUsualPower = 10;
 // lakes keep off the border of the map by this share of its side, so that their shores are mapped whole
 constexpr double kLakesWithin = 0.9;
 constexpr double kLeastSea_m2 = 2000;
 
+double side_of(const TerrainSettings& settings, double map_side_m) {
+  if (settings.size_m > 0) return std::max(settings.size_m, map_side_m);
+  return std::min(map_side_m * kUsualSides, map_side_m + kMostAround_m);
+}
+
+int power_of(const TerrainSettings& settings, double side_m) {
+  if (settings.fractal.power > 0) return settings.fractal.power;
+  int power = kLeastPower;
+  while (power < kMostUsualPower && side_m / (1 << power) > kUsualStep_m) ++power;
+  return power;
+}
+
 Lattice raw_land(const TerrainSettings& settings, double map_side_m, std::uint64_t seed) {
-  const double asked_m = settings.size_m > 0 ? settings.size_m : map_side_m * kUsualMargin;
-  Lattice lattice{1 << settings.fractal.power, 0, diamond_square(settings.fractal, seed)};
-  lattice.step_m = std::max(asked_m, map_side_m) / lattice.cells;
+  const double side_m = side_of(settings, map_side_m);
+  DiamondSquare fractal = settings.fractal;
+  fractal.power = power_of(settings, side_m);
+  Lattice lattice{1 << fractal.power, side_m / (1 << fractal.power), diamond_square(fractal, seed)};
   if (settings.ridges_m > 0)
     for (std::size_t i = 0; i < lattice.size(); ++i)
       lattice.heights_m[i] +=

@@ -67,7 +67,10 @@ TEST(Drainage, AllLandReachesTheBorder) {
   const Drainage drainage = drain(lattice);
   double out_m2 = 0;
   for (std::size_t i = 0; i < lattice.size(); ++i)
-    if (drainage.receiver[i] == i) out_m2 += drainage.area_m2[i], EXPECT_TRUE(lattice.is_on_border(i));
+    if (drainage.receiver[i] == i) {
+      out_m2 += drainage.area_m2[i];
+      EXPECT_TRUE(lattice.is_on_border(i));
+    }
   EXPECT_NEAR(out_m2, lattice.size() * 100.0, 1e-6);
 }
 

@@ -57,9 +57,9 @@ TEST(InventSettings, BadTextsGiveOneLine) {
   EXPECT_EQ(error_in(R"({"terrain": 1})"), "invent.json: \"terrain\": expected an object of settings, found 1");
   EXPECT_EQ(error_in(R"({"terrain": {"spred": 1}})"), "invent.json: unknown setting \"spred\"; did you mean spread?");
   EXPECT_EQ(error_in(R"({"terrain": {"power": 40}})"),
-            "invent.json: \"terrain.power\": expected a whole number from 2 to 12, found 40");
+            "invent.json: \"terrain.power\": expected a whole number from 0 to 12, found 40");
   EXPECT_EQ(error_in(R"({"terrain": {"power": 4.5}})"),
-            "invent.json: \"terrain.power\": expected a whole number from 2 to 12, found 4.5");
+            "invent.json: \"terrain.power\": expected a whole number from 0 to 12, found 4.5");
   EXPECT_EQ(error_in(R"({"terrain": {"coast": 1}})"),
             "invent.json: \"terrain.coast\": expected true or false, found 1");
 }
