@@ -19,7 +19,7 @@ namespace citykiln::invent {
 namespace {
 
 constexpr TownKind kKinds[] = {TownKind::kVillage, TownKind::kTown, TownKind::kCity};
-constexpr double kSide_m = 480;
+constexpr double kTownSide_m = 480;
 
 std::string value_of(const Tags& tags, std::string_view key) {
   for (const auto& [k, value] : tags)
@@ -29,7 +29,7 @@ std::string value_of(const Tags& tags, std::string_view key) {
 
 Ground ground_of(std::uint64_t seed) { return kGrounds[seed % 4]; }
 
-InventedMap town_of(TownKind kind, std::uint64_t seed, double side_m = kSide_m) {
+InventedMap town_of(TownKind kind, std::uint64_t seed, double side_m = kTownSide_m) {
   const Terrain terrain = made_ground(ground_of(seed), side_m);
   InventedMap map;
   add_town(terrain, {kind, side_m, seed}, map);
@@ -143,14 +143,14 @@ void expect_sound(TownKind kind, std::uint64_t seed) {
   expect_connected(map);
   expect_nodes_at_crossings(map);
   expect_houses_off_streets(map);
-  expect_houses_dry(map, made_ground(ground_of(seed), kSide_m));
+  expect_houses_dry(map, made_ground(ground_of(seed), kTownSide_m));
   expect_houses_apart(map);
 }
 
 void expect_sound_lots(TownKind kind, std::uint64_t seed) {
   SCOPED_TRACE("kind " + std::to_string(static_cast<int>(kind)) + ", seed " + std::to_string(seed));
-  const Terrain terrain = made_ground(ground_of(seed), kSide_m);
-  const TownPlan plan = plan_town(terrain, {kind, kSide_m, seed});
+  const Terrain terrain = made_ground(ground_of(seed), kTownSide_m);
+  const TownPlan plan = plan_town(terrain, {kind, kTownSide_m, seed});
   const TownLayout layout = lay_out_town(plan);
   EXPECT_FALSE(layout.lots.lots.empty());
   for (const TownLot& lot : layout.lots.lots) {
@@ -185,8 +185,8 @@ TEST(Town, LotsAreSimpleDryAndHaveAFront) {
 
 TEST(Town, NoHouseLiesAcrossTheBorderOfItsLot) {
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
-    const Terrain terrain = made_ground(ground_of(seed), kSide_m);
-    const TownLayout layout = lay_out_town(plan_town(terrain, {TownKind::kTown, kSide_m, seed}));
+    const Terrain terrain = made_ground(ground_of(seed), kTownSide_m);
+    const TownLayout layout = lay_out_town(plan_town(terrain, {TownKind::kTown, kTownSide_m, seed}));
     const InventedMap map = town_of(TownKind::kTown, seed);
     for (const Ring* house : houses_of(map)) EXPECT_TRUE(is_in_one_lot(*house, layout.lots.lots)) << (*house)[0].x;
   }
@@ -236,7 +236,7 @@ TEST(Town, CitiesAreHigherThanTownsAndTownsThanVillages) {
 }
 
 TEST(Town, RoadsCrossWaterOnBridges) {
-  const Terrain terrain = made_ground(Ground::kRiver, kSide_m);
+  const Terrain terrain = made_ground(Ground::kRiver, kTownSide_m);
   for (const std::uint64_t seed : {3, 7, 11})
     for (const InventedLine& line : town_of(TownKind::kTown, seed).lines) {
       if (value_of(line.tags, "highway").empty() || !value_of(line.tags, "bridge").empty()) continue;
