@@ -97,7 +97,7 @@ int storeys_at(const TownPlan& plan, double density, BlockUse use, Draws& draws)
       if (is_city && spread > 0.85) return 8 + static_cast<int>(draws.below(7));
       return 3 + static_cast<int>(spread * (is_city ? 4 : 2.6));
     case BlockUse::kTerraces:
-      return 2 + (spread > 0.55 ? 1 : 0);
+      return 2 + (spread > 0.4 ? 1 : 0);
     case BlockUse::kCommerce:
       return 1 + static_cast<int>(spread * (is_city ? 6 : 3));
     case BlockUse::kIndustry:

@@ -15,6 +15,9 @@
 namespace citykiln::invent {
 namespace {
 
+/// From the front of a terrace to its rear.
+constexpr double kTerraceDepth_m = 11;
+
 constexpr std::array kShops = {"bakery",      "butcher", "clothes",     "books",       "florist",
                                "hairdresser", "shoes",   "convenience", "optician",    "bicycle",
                                "gift",        "jewelry", "electronics", "greengrocer", "chemist"};
@@ -119,11 +122,11 @@ class LotBuilder {
   }
 
   void build_terrace() {
-    const Ring ring = row_ring(lot_, 3.5, 10.5);
+    const Ring ring = row_ring(lot_, 3.5, kTerraceDepth_m);
     if (ring.empty() || lot_.front_m() > 16) return build_house();
     const int storeys = storeys_at(plan_, lot_.density, lot_.use, draws_);
     Tags tags = house_tags(lot_.use, storeys, is_corner(), draws_);
-    turn_roof(tags, 10.5);
+    turn_roof(tags, kTerraceDepth_m);
     add_main(ring, std::move(tags));
     if (draws_.chance(0.3)) add_shed();
   }

@@ -21,7 +21,7 @@ namespace {
 
 /// Usual sizes of lots, by block use: area, front, depth.
 constexpr std::array<parcels::LotSize, 8> kLotSizes = {{{420, 17, 27},
-                                                        {320, 9, 33},
+                                                        {380, 10, 34},
                                                         {720, 19, 36},
                                                         {1150, 26, 46},
                                                         {2600, 46, 52},
