@@ -5,10 +5,6 @@
 
 #include "compiler/commands/command_line.h"
 
-namespace citykiln::commands {
-Verb invent_verb();
-}
-
 int main(int argc, char** argv) {
   using namespace citykiln::commands;
   // makes exceeding the file size limit a write error with a message, instead of ending the process

@@ -17,8 +17,6 @@
 #include "exporters/output_folder.h"
 
 namespace citykiln::commands {
-Verb invent_verb();
-
 namespace {
 
 namespace fs = std::filesystem;

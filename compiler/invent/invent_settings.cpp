@@ -64,6 +64,7 @@ InventSettings usual_settings(WorldKind kind) {
     terrain.fractal.spread_m = 35;
   } else if (kind == WorldKind::kTiles) {
     terrain.fractal.spread_m = 12;
+    terrain.erosion.steps = 2;
     // cells are drawn over rivers, so that there are none
     terrain.river_from_km2 = 1e6;
   } else if (kind == WorldKind::kForest) {

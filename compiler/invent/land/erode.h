@@ -8,9 +8,9 @@
 namespace citykiln::invent {
 
 struct Erosion {
-  int steps = 12;
-  double strength = 0.01;  ///< K times the duration of a step: metres of descent a metre of √area and unit of slope.
-  double creep = 0.1;      ///< The share of the difference to the mean of its neighbours that a point loses a step.
+  int steps = 8;
+  double strength = 0.015;  ///< K times the duration of a step: metres of descent a metre of √area and unit of slope.
+  double creep = 0.1;       ///< The share of the difference to the mean of its neighbours that a point loses a step.
 };
 
 /// Lowers the land by the stream power law, dh/dt = -K √area slope, solved implicitly from the outlets upstream, so
