@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/geometry/snap.h"
 #include "compiler/roads/generate.h"
 
 namespace citykiln::ground {
@@ -43,7 +44,9 @@ std::vector<roads::Strip> plan_streams(const map::Features& features, Report& re
       continue;
     }
     account.out += report.counts(water.id.osm);
-    streams.push_back({water.id, water.axis, map::LandCoverClass::kRiver, water.width_m / 2, water.width_m / 2});
+    // sides are on the grid of the plane: half of a width may not be
+    const double left_m = snapped(water.width_m / 2);
+    streams.push_back({water.id, water.axis, map::LandCoverClass::kRiver, left_m, water.width_m - left_m});
   }
   report.account("ground", "waterway") = account;
   return streams;

@@ -61,6 +61,7 @@ TEST(Spec, ParsesEverySetting) {
                                                       {"split", "building"},
                                                       {"rules", "r"},
                                                       {"things", "t"},
+                                                      {"species", "s"},
                                                       {"cars", "true"},
                                                       {"drive-on", "left"},
                                                       {"seed", "18446744073709551615"},
@@ -101,7 +102,11 @@ TEST(Spec, AsksWhetherABoxIsInTheOtherOrder) {
   EXPECT_EQ(objection("bbox", "3,1,2,2").find("swapped"), std::string::npos);
 }
 
-TEST(Spec, SaysWhatIsNotSupportedYet) { EXPECT_NE(objection("world", "cylinder:8000").find("yet"), std::string::npos); }
+TEST(Spec, ACylinderHasARadius) {
+  EXPECT_EQ(objection("world", "cylinder:8000"), "");
+  for (const char* text : {"cylinder", "cylinder:", "cylinder:-5", "cylinder:x", "cylinder:1e300"})
+    EXPECT_NE(objection("world", text), "") << text;
+}
 
 TEST(Spec, RefusesACompressionThatTheTargetCannotRead) {
   Outputs outputs;

@@ -172,7 +172,7 @@ TEST(ChunkCodec, WhatNoChunkCanBeIsNamed) {
   EXPECT_EQ(wrong_with([&](auto& c) { c.surfaces = {{id, {}, 3, {}}}; }), "surface rings");
   EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, plants::SpeciesMix{}, 120, 12}}; }), "");
   EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, plants::SpeciesMix{}, 9999, 12}}; }), "wood");
-  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, plants::SpeciesMix{100}, 120, 12}}; }), "wood");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, plants::SpeciesMix{60}, 120, 12}}; }), "wood");
   EXPECT_EQ(wrong_with([&](auto& c) { c.plantings = {{id, plants::SpeciesMix{}, 7, 2, 2, 3}}; }), "");
   EXPECT_EQ(wrong_with([&](auto& c) { c.plantings = {{id, plants::SpeciesMix{}, 7, 2, 0.125, 3}}; }), "planting");
   EXPECT_EQ(wrong_with([&](auto& c) {
