@@ -221,11 +221,6 @@ class BadInput(ProgramTest):
 
     # ---- the command line
 
-    def test_planned_settings_say_not_yet(self):
-        for arguments in (["--world", "cylinder:8000"],):
-            with self.subTest(arguments):
-                self.fails(self.good_map(), *arguments, words=[arguments[0], "yet"])
-
     def test_wrong_settings_are_named(self):
         for arguments in (["--tile", "100"], ["--lods", "1,0.5"], ["--lods", "500"], ["--bbox", "1,2,3"], ["--only", "x"], ["--time", "noon"],
                           ["--seed", "-1"], ["--target", "maya"], ["--split", "road"], ["--compress", "zip"]):
