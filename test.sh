@@ -1,6 +1,7 @@
 #!/bin/sh
-# Builds the program and the tests, and runs the tests that answer in minutes: unit, properties, golden, real.
+# Builds the program and the tests, and runs the tests that answer in minutes: unit, properties, golden.
 # --full also runs what takes longer, in groups; --full GROUP… runs these groups alone:
+#   real      the tests on real maps and heights, in ../shared/data; skipped where that folder is absent
 #   long      the tests labelled full: large maps, clusters, a desktop window
 #   interop   programs of others that read the outputs: Blender, Godot, Chromium, validators
 #   lint      each source compiled alone, warnings are errors
@@ -9,11 +10,11 @@
 #   tsan      the unit tests under the thread sanitizer
 #   bench     the benchmarks, tools and fuzz programs compile
 #   clones    both commands in clones whose paths are short, long, or hold a space and an umlaut
-# CITYKILN_TURN=N runs an eighth of a group (asan, tsan: one room), another one for each N, as .ci/run does.
+# CITYKILN_TURN=N runs an eighth of the group real, another one for each N, as .ci/run does.
 set -eu
 cd "$(dirname "$0")"
 
-all_groups="long interop lint clang asan tsan bench clones"
+all_groups="real long interop lint clang asan tsan bench clones"
 groups="" runs_quick=yes
 for argument in "$@"; do
   case " --full $all_groups " in
@@ -43,59 +44,45 @@ run_tests() {
 run_quick() {
   ./setup.sh release test
   [ -d tests/interop/node_modules ] || install_readers --omit=optional
-  run_tests release -LE 'full|interop'
+  run_tests release -LE 'full|interop|real'
 }
-
-turn="${CITYKILN_TURN:-}"
-parts=8
-part="${turn:+-I $((turn % parts + 1)),,$parts}"
 
 # shellcheck disable=SC2086  # two words or none
-run_long() {
-  ./setup.sh release test long
-  run_tests release -L full $part
+run_real() {
+  turn="${CITYKILN_TURN:-}"
+  part="${turn:+-I $((turn % 8 + 1)),,8}"
+  ./setup.sh release test
+  run_tests release -L real -LE 'full|interop' $part
 }
 
-# shellcheck disable=SC2086
+run_long() {
+  ./setup.sh release test long
+  run_tests release -L full
+}
+
 run_interop() {
   ./setup.sh release test interop
   [ -d tests/interop/node_modules/cesium ] || install_readers
-  run_tests release -L interop $part
+  run_tests release -L interop
 }
 
-# configured PRESET prints the names that ninja can build for the program and its tests.
-configured() {
-  cmake --preset "$1" -DCITYKILN_TESTS=ON >"build/$1.log" || { cat "build/$1.log" >&2; exit 1; }
-  ninja -C "build/$1" -t targets all | cut -d: -f1
-}
-
-# shellcheck disable=SC2046  # many words
-run_lint() {
-  if [ -z "$turn" ]; then ./setup.sh lint test; return; fi
-  cmake --build build/lint --target $(configured lint | awk -v n="$turn" -v of=$parts '/\.o$/ && ++k % of == n % of')
-}
-
-# run_sanitized PRESET OPTIONS… runs the unit tests, or those of one room.
-run_sanitized() {
-  preset="$1"
-  shift
-  if [ -z "$turn" ]; then ./setup.sh "$preset" test; run_tests "$preset" -L '^unit$' "$@"; return; fi
-  room="$(configured "$preset" | grep -x 'test_[a-z0-9]*' | awk -v n="$turn" '{name[NR - 1] = $0} END {print name[n % NR]}')"
-  cmake --build "build/$preset" --target "$room"
-  "build/$preset/tests/$room" --gtest_filter='-*Real.*:*Full.*:*WriteImage*' --gtest_brief=1
-}
+run_lint() { ./setup.sh lint test; }
 
 run_clang() {
   ./setup.sh clang clang
   CITYKILN="$PWD/build/clang/citykiln" python3 tests/golden/golden_test.py
 }
 
-run_asan() { run_sanitized asan; }
+run_asan() {
+  ./setup.sh asan test
+  run_tests asan -L '^unit$'
+}
 
 # picture writing is left out: the thread sanitizer does not see the locks inside OpenImageIO
 run_tsan() (
   export TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp"
-  run_sanitized tsan -E WriteImage
+  ./setup.sh tsan test
+  run_tests tsan -L '^unit$' -E WriteImage
 )
 
 run_bench() {
@@ -122,4 +109,4 @@ for group in $groups; do
   echo "--- $group"
   "run_$group"
 done
-[ -n "$groups" ] || echo "not run: large maps, clusters, other programs, sanitizers, clang++: ./test.sh --full"
+[ -n "$groups" ] || echo "not run: real and large maps, clusters, other programs, sanitizers, clang++: ./test.sh --full"

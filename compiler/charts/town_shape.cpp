@@ -85,7 +85,6 @@ std::string value_of_key(const invent::Tags& tags, std::string_view key) {
 }
 
 // ---- measures
-// --------------------------------------------------------------------------------------------------------
 
 using CellKey = std::pair<int, int>;
 

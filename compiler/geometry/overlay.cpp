@@ -44,16 +44,49 @@ struct Local {
   std::span<const WindingStep> steps(const ArrangedEdge& e) const { return {&arrangement.steps[e.first], e.count}; }
 };
 
+// Edges that count crossings, in parallel stripes of the plane, each in the arrangement's order: a ray along a stripe
+// meets no others.
+class Stripes {
+ public:
+  // are_level: stripes along x, one above the other; else along y, side by side
+  Stripes(const Local& local, bool are_level) : are_level_(are_level) {
+    const std::vector<ArrangedEdge>& edges = local.arrangement.edges;
+    if (edges.empty()) return;
+    const auto [low, high] =
+        std::ranges::minmax(local.vertices, {}, [&](GridPoint p) { return across(p); });
+    low_ = across(low);
+    const auto count = static_cast<std::int64_t>(edges.size() / kEdgesOfStripe + 1);
+    width_ = (across(high) - low_) / count + 1;
+    stripes_.resize(static_cast<std::size_t>(count));
+    for (const ArrangedEdge& edge : edges) {
+      const auto [from, to] = std::minmax({across(local.vertices[edge.a]), across(local.vertices[edge.b])});
+      if (edge.count > 0 && from < to)
+        for (std::size_t i = stripe(from); i <= stripe(to); ++i) stripes_[i].push_back(&edge);
+    }
+  }
+  std::span<const ArrangedEdge* const> about(GridPoint p) const { return stripes_[stripe(across(p))]; }
+
+ private:
+  static constexpr std::size_t kEdgesOfStripe = 4;
+  std::int64_t across(GridPoint p) const { return are_level_ ? p.y : p.x; }
+  std::size_t stripe(std::int64_t at) const { return static_cast<std::size_t>((at - low_) / width_); }
+
+  bool are_level_;
+  std::int64_t low_ = 0, width_ = 1;
+  std::vector<std::vector<const ArrangedEdge*>> stripes_;
+};
+
 // Counts crossings along a ray from the far west (for horizontal edges from the far south) to the edge's midpoint.
-Sides sides_of(const Local& local, const ArrangedEdge& edge, Windings& windings) {
+Sides sides_of(const Local& local, const ArrangedEdge& edge, const Stripes& rows, const Stripes& columns,
+               Windings& windings) {
   const GridPoint a = local.vertices[edge.a], b = local.vertices[edge.b];
   const GridPoint middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
   const bool is_level = a.y == b.y;
   const auto along = [&](GridPoint p) { return is_level ? p.x : p.y; };
   windings.clear();
-  for (const ArrangedEdge& other : local.arrangement.edges) {
-    if (&other == &edge || other.count == 0) continue;
-    const GridPoint c = local.vertices[other.a], d = local.vertices[other.b];
+  for (const ArrangedEdge* other : (is_level ? columns : rows).about(middle)) {
+    if (other == &edge) continue;
+    const GridPoint c = local.vertices[other->a], d = local.vertices[other->b];
     // vertices are sorted by x, so no further edge begins west of the midpoint
     if (c.x > middle.x) break;
     if ((along(c) <= along(middle)) == (along(d) <= along(middle))) continue;
@@ -61,7 +94,7 @@ Sides sides_of(const Local& local, const ArrangedEdge& edge, Windings& windings)
     const bool rises = along(d) > along(c);
     // a rising edge has west on its left and south on its right
     const bool is_passed = is_level ? rises == (side > 0) : rises == (side < 0);
-    if (is_passed) windings.cross(local.steps(other), side > 0 ? 1 : -1);
+    if (is_passed) windings.cross(local.steps(*other), side > 0 ? 1 : -1);
   }
   // the ray ends just west of the edge, or just south of it
   const bool stand_left = !is_level && b.y > a.y;
@@ -83,9 +116,10 @@ bool lies_before(const Border& a, const Border& b) {
 std::vector<Border> borders_of(const Local& local, std::uint32_t owner_count) {
   std::vector<Border> borders;
   Windings windings(owner_count);
+  const Stripes rows(local, true), columns(local, false);
   for (const ArrangedEdge& edge : local.arrangement.edges) {
     if (edge.count == 0) continue;
-    const Sides sides = sides_of(local, edge, windings);
+    const Sides sides = sides_of(local, edge, rows, columns, windings);
     if (sides.left == sides.right) continue;
     if (sides.left != kNobody) borders.push_back({sides.left, edge.a, edge.b});
     if (sides.right != kNobody) borders.push_back({sides.right, edge.b, edge.a});

@@ -153,6 +153,7 @@ RunRecord record_of(const OrderedJson& report) {
   if (const auto split = split_named(report.at("split").get<std::string>()); split) record.split = *split;
   // reports of older versions have no such key
   if (const auto layout = layout_named(report.value("layout", "embedded")); layout) record.layout = *layout;
+  record.lights = report.value("lights", std::size_t{0});
   if (const auto compress = compression_named(report.value("compress", "none")); compress) record.compress = *compress;
   for (const OrderedJson& file : report.at("files")) record.has_manifest |= file.at("file") == exporters::kManifestName;
   add_ledger(report.at("ledger"), record.ledger);
@@ -204,6 +205,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["split"] = name_of(outputs.split);
   json["compress"] = name_of(outputs.compress);
   json["layout"] = name_of(outputs.layout);
+  if (outputs.lights > 0) json["lights"] = outputs.lights;
   json["counts"] = counts_of(scene);
   if (outputs.max_bytes) json["solved_for"]["max_bytes"] = *outputs.max_bytes;
   if (outputs.max_triangles) json["solved_for"]["max_triangles"] = *outputs.max_triangles;

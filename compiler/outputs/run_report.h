@@ -70,6 +70,7 @@ struct RunRecord {
   Split split = Split::kLayer;                ///< The division of a tile into meshes.
   Compression compress = Compression::kNone;  ///< The compression of the meshes.
   Layout layout = Layout::kEmbedded;          ///< The place of shared meshes and images: in each tile or in files.
+  std::size_t lights = 0;                     ///< The largest number of lamps of a tile that are lights.
   bool has_manifest = false;                  ///< True if the run wrote the scene as a file (scene.kiln).
   /// The object counts of the run, and those of assumptions, without its diagnoses. A Report::ledger() has one account
   /// per stage and kind of objects: how many went into the stage, came out, were merged or were dropped.

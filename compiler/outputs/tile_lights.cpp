@@ -5,12 +5,14 @@
 
 namespace citykiln::outputs {
 
+std::vector<bake::PlacedLamp> lights_of(const scene::Header& header, const scene::Chunk& chunk, std::size_t most) {
+  if (most == 0) return {};
+  return bake::in_world(bake::brightest(bake::lamps_of(header, chunk), most), header);
+}
+
 std::vector<std::vector<bake::PlacedLamp>> lights_of_tiles(const scene::Scene& scene, std::size_t most, int threads) {
-  using Lamps = std::vector<bake::PlacedLamp>;
-  if (most == 0) return std::vector<Lamps>(scene.chunks.size());
-  return for_each_slot<Lamps>(scene.chunks.size(), threads, [&](std::size_t i) {
-    return bake::in_world(bake::brightest(bake::lamps_of(scene.header, scene.chunks[i]), most), scene.header);
-  });
+  return for_each_slot<std::vector<bake::PlacedLamp>>(
+      scene.chunks.size(), threads, [&](std::size_t i) { return lights_of(scene.header, scene.chunks[i], most); });
 }
 
 }  // namespace citykiln::outputs

@@ -29,7 +29,7 @@ constexpr double kParapetHeight_m = 0.8;
 
 // A segment beside which there is no railing.
 struct Obstacle {
-  Vec2 a, b;
+  Vec2 a{}, b{};
   double radius_m = 0;
   OsmId way{};                  // of a way that may lead across an edge
   bool is_only_across = false;  // true for ways

@@ -11,6 +11,7 @@
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/mesh/reference.h"
+#include "compiler/outputs/tile_lights.h"
 #include "compiler/scene/land_cover.h"
 #include "compiler/verify/ground_index.h"
 #include "compiler/verify/measure_assumed.h"
@@ -50,7 +51,8 @@ struct TileUnderCheck {
   ground::LandCoverIndex cover;                    // of `surfaces`
   bake::ExpectedGround expected;                   // that of the previous level, then of this one
   CheckedTile checked;
-  std::vector<WayBox> way_boxes{};  // for openings, at all levels
+  std::vector<bake::PlacedLamp> lights;  // of all levels
+  std::vector<WayBox> way_boxes{};       // for openings, at all levels
 
   CheckResults& results() { return checked.results; }
 };
@@ -282,13 +284,13 @@ void check_ways(TileUnderCheck& tile, const bake::BakedTile& level, const std::s
 }
 
 // True if baked recipes give exactly the bytes of the file.
-bool is_baked(const LoadedRun& loaded, const bake::BakedTile& baked, std::span<const std::byte> bytes) {
-  Outputs outputs;
-  outputs.target = loaded.record.target, outputs.split = loaded.record.split;
-  outputs.compress = loaded.record.compress;
+bool is_baked(const TileUnderCheck& tile, const bake::BakedTile& baked, std::span<const std::byte> bytes) {
+  const outputs::RunRecord& record = tile.loaded.record;
+  const scene::Header& header = tile.loaded.scene.header;
+  const exporters::GlbOptions options{
+      .target = record.target, .split = record.split, .compression = record.compress, .lights = tile.lights};
   const exporters::EncodedTile encoded =
-      exporters::encode_tile(bake::in_world(baked, loaded.scene.header), loaded.scene.header,
-                             outputs::glb_options_of(outputs), kOneThread, loaded.record.layout);
+      exporters::encode_tile(bake::in_world(baked, header), header, options, kOneThread, record.layout);
   return std::ranges::equal(encoded.glb, bytes);
 }
 
@@ -315,7 +317,7 @@ Result<Done> check_glb_level(TileUnderCheck& tile, bake::PreparedTile& prepared,
   check_area(tile, bake::ground_of(prepared, level), file.name);
   Report ignored;
   bake::BakedTile baked = bake::bake_prepared(prepared, level, kOneThread, ignored);
-  tile.results().glb_bytes.test(is_baked(loaded, baked, *bytes), file.name);
+  tile.results().glb_bytes.test(is_baked(tile, baked, *bytes), file.name);
   if (const auto cylinder = scene::cylinder_of(loaded.scene.header)) {
     // measured in the plane: the file's tile is the image of the baked one, which the bytes and its vertices show
     check_bend(tile, *cylinder, baked, *written, file.name);
@@ -346,7 +348,8 @@ Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const outputs:
                       scene::coarse_land_cover(chunk),
                       {},
                       {},
-                      {}};
+                      {},
+                      outputs::lights_of(loaded.scene.header, chunk, loaded.record.lights)};
   tile.cover = ground::index_land_cover(tile.surfaces, tile.box.widened(scene::kHalo_m));
   for (std::size_t i = 0; i < levels.size(); ++i)
     if (const Result<Done> done = check_glb_level(tile, *recipes->prepared, i, levels[i].file); !done)

@@ -214,9 +214,10 @@ double vertices_outside_m(const OrientedBox& box, const bake::BakedTile& tile) {
 
 void find_sides(const bake::BakedTile& tile, const scene::Header& header, CheckedContent& content) {
   constexpr double kRounded_m = 0.0008;  // a vertex is rounded to 2^-10 m, and moved by at most 0.7 of it in plan
-  const auto cylinder = scene::cylinder_of(header);
-  // high above the ground of a cylinder a step is a longer way in plan
-  const double on_side_m = kRounded_m * (cylinder ? 2 : 1);
+  const bool is_inside = scene::cylinder_of(header).has_value();
+  // along the axis of a cylinder vertices stay; high above its ground a step is a longer way around it
+  const double across_m = is_inside ? 1e-6 : kRounded_m, along_m = is_inside ? 2 * kRounded_m : kRounded_m;
+  const double on_side_m[] = {across_m, across_m, along_m, along_m};
   const Vec2 low = Vec2{static_cast<double>(tile.tile.x), static_cast<double>(tile.tile.y)} * header.tile_m,
              high = low + Vec2{header.tile_m, header.tile_m};
   const Unbend unbend(header, (low.y + high.y) / 2);
@@ -227,7 +228,7 @@ void find_sides(const bake::BakedTile& tile, const scene::Header& header, Checke
       const Vec3 p = unbend(there);
       const double away_m[] = {p.x - low.x, p.x - high.x, p.y - low.y, p.y - high.y};
       for (std::size_t side = 0; side < 4; ++side)
-        if (std::abs(away_m[side]) <= on_side_m) {
+        if (std::abs(away_m[side]) <= on_side_m[side]) {
           const auto along_cm = static_cast<std::int64_t>(std::floor((side < 2 ? p.y : p.x) * 100));
           content.sides[side][along_cm].emplace(p.z, there);
         }

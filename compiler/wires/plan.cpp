@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <set>
 
 #include "compiler/contract/erase_repeated.h"
@@ -162,15 +161,15 @@ void add_span(const SpanPlanner& planner, const map::PowerLine& line, std::int64
 }
 
 void add_line(const SpanPlanner& planner, const map::PowerLine& line, SpanList& list, Report& report) {
-  std::optional<std::int64_t> last;
+  const std::int64_t* last = nullptr;
   for (std::uint32_t i = 0; i < line.node_ids.size(); ++i) {
-    const std::int64_t node = line.node_ids[i];
+    const std::int64_t& node = line.node_ids[i];
     if (!planner.supports.contains(node)) {
-      if (planner.mapped.contains(node)) last.reset();
+      if (planner.mapped.contains(node)) last = nullptr;
       continue;
     }
     if (last && *last != node) add_span(planner, line, *last, node, i, list, report);
-    last = node;
+    last = &node;
   }
 }
 

@@ -31,10 +31,22 @@ struct Lattice {
   template <typename Visit>
   void for_each_neighbour(std::size_t i, Visit visit) const {
     const int x = column(i), y = row(i);
+    if (x > 0 && y > 0 && x < cells && y < cells) return for_each_of_eight(i, visit);
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx)
         if ((dx != 0 || dy != 0) && x + dx >= 0 && y + dy >= 0 && x + dx <= cells && y + dy <= cells)
-          visit(index(x + dx, y + dy), dx != 0 && dy != 0 ? 1.4142135623730951 : 1.0);
+          visit(index(x + dx, y + dy), dx != 0 && dy != 0 ? kDiagonal : 1.0);
+  }
+
+ private:
+  static constexpr double kDiagonal = 1.4142135623730951;
+
+  template <typename Visit>
+  void for_each_of_eight(std::size_t i, Visit visit) const {
+    const std::size_t n = static_cast<std::size_t>(count());
+    visit(i - n - 1, kDiagonal), visit(i - n, 1.0), visit(i - n + 1, kDiagonal);
+    visit(i - 1, 1.0), visit(i + 1, 1.0);
+    visit(i + n - 1, kDiagonal), visit(i + n, 1.0), visit(i + n + 1, kDiagonal);
   }
 };
 

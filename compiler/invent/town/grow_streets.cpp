@@ -61,7 +61,6 @@ class Growth {
   }
 
   // ---- seeds
-  // ---------------------------------------------------------------------------------------------------------
 
   void seed_main_roads() {
     const std::size_t count = graph_.vertices().size();
@@ -133,7 +132,6 @@ class Growth {
   }
 
   // ---- what limits growth
-  // --------------------------------------------------------------------------------------------
 
   bool is_buildable(Vec2 p) const {
     return plan_.is_inside(p) && plan_.density.at(p) > kTownEdge && plan_.water.at(p) > 22 && !plan_.is_reserved(p) &&
@@ -163,7 +161,6 @@ class Growth {
   }
 
   // ---- growth
-  // --------------------------------------------------------------------------------------------------------
 
   // long streets that join others at both ends collect the traffic of a quarter
   void choose_class(double length_m, Draws& draws) {
@@ -299,7 +296,6 @@ class Growth {
   }
 
   // ---- ends
-  // ----------------------------------------------------------------------------------------------------------
 
   void finish(Vec2 direction, Draws& draws) {
     if (line_.size() > kept_ && !rescue(direction)) keep_dead_end(draws);

@@ -85,7 +85,6 @@ class LotBuilder {
   }
 
   // ---- rows
-  // ----------------------------------------------------------------------------------------------------------
 
   void build_core() {
     const double depth_m = draws_.between(11, 14);
@@ -132,7 +131,6 @@ class LotBuilder {
   }
 
   // ---- houses that stand free
-  // ----------------------------------------------------------------------------------------
 
   void build_house() {
     if (lot_.front_m() > 17.5 && lot_.use == BlockUse::kHouses && draws_.chance(0.3)) return build_pair();
@@ -203,7 +201,6 @@ class LotBuilder {
   }
 
   // ---- large buildings
-  // -----------------------------------------------------------------------------------------------
 
   void build_flats() {
     const int storeys = storeys_at(plan_, lot_.density, lot_.use, draws_);
@@ -235,7 +232,6 @@ class LotBuilder {
   }
 
   // ---- shops
-  // ---------------------------------------------------------------------------------------------------------
 
   // a point in the house behind its front
   void add_shop(const Ring& ring) {

@@ -117,7 +117,6 @@ class EdgeThings {
   }
 
   // ---- crossings and signs
-  // -------------------------------------------------------------------------------------------
 
   bool has_signals(std::uint32_t vertex) const {
     if (graph_.degree(vertex) < 3 || plan_.density.at(graph_.position(vertex)) < 0.3) return false;

@@ -70,7 +70,6 @@ class Division {
 
  private:
   // ---- the land that is divided
-  // --------------------------------------------------------------------------------------
 
   void prepare() {
     const double half = plan_.half_m();
@@ -133,7 +132,6 @@ class Division {
   }
 
   // ---- lots of its parcels
-  // -------------------------------------------------------------------------------------------
 
   void index_fronts() {
     std::vector<Box2> boxes;
@@ -201,7 +199,6 @@ class Division {
   }
 
   // ---- land use
-  // ------------------------------------------------------------------------------------------------------
 
   static Polygon on_grid(const Polygon& polygon) {
     Polygon snapped;

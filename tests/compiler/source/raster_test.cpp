@@ -135,7 +135,6 @@ TEST(FillVoids, AcceptsRastersWithoutSamples) {
 }
 
 // ---- files written here
-// ----------------------------------------------------------------------------------------------
 
 constexpr std::string_view kAscii =
     "ncols 3\nnrows 2\nxllcorner 10\nyllcorner 50\ncellsize 0.5\nNODATA_value -9999\n1 2 3\n4 -9999 6\n";

@@ -110,7 +110,6 @@ TEST(ReadOsmReal, CutGzipAndBzip2AreErrors) {
 }
 
 // ---- areas as GEOS sees them
-// -----------------------------------------------------------------------------------------
 
 GEOSGeometry* ring_of(GEOSContextHandle_t geos, std::span<const Location> points) {
   GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(geos, static_cast<unsigned>(points.size() + 1), 2);

@@ -76,7 +76,6 @@ std::vector<Vec2> points_inside(const Ring& ring) {
 }
 
 // ---- claims about one map
-// --------------------------------------------------------------------------------------------
 
 void expect_connected(const InventedMap& map) {
   std::map<Vec2, std::uint32_t> numbers;
@@ -171,7 +170,6 @@ bool is_in_one_lot(const Ring& house, const std::vector<TownLot>& lots) {
 }
 
 // ---- towns
-// -----------------------------------------------------------------------------------------------------------
 
 TEST(Town, IsSoundFor20SeedsOfEachKind) {
   for (const TownKind kind : kKinds)

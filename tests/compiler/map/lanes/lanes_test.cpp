@@ -340,7 +340,6 @@ TEST(Lanes, RealWaysAreReadAsDrawn) {
 }
 
 // ---- mirrors
-// ----------------------------------------------------------------------------------------------------------
 
 std::string swapped_words(std::string text, const std::string& a, const std::string& b) {
   std::string result;
@@ -464,7 +463,6 @@ TEST(Lanes, RealWaysTurnedRoundAreReversed) {
 }
 
 // ---- random tags
-// ------------------------------------------------------------------------------------------------------
 
 struct Choice {
   std::vector<std::string> keys, values;
@@ -579,7 +577,6 @@ TEST(Lanes, RandomTagsTurnedRoundAreReversed) {
 }
 
 // ---- widths, axes, turns, bad values
-// ----------------------------------------------------------------------------------
 
 TEST(Lanes, WithoutTagsOfLanesTheWholeIsAsWideAsTheTrack) {
   const struct {

@@ -32,7 +32,6 @@ Extent extent_of(const Ring& ring) {
 }
 
 // ---- lines between lanes
-// ---------------------------------------------------------------------------------------------
 
 // Lines along the way from left to right: u, then | solid, : broken, doubled where broad.
 std::string lines_of(const MarkingLayout& layout) {
@@ -127,7 +126,6 @@ TEST(Markings, LinesAreSolidWhereDriversMayHaveToStop) {
 }
 
 // ---- crossings and ends
-// ----------------------------------------------------------------------------------------------
 
 std::vector<Extent> extents_of(const Marks& marks) {
   std::vector<Extent> extents;
@@ -214,7 +212,6 @@ TEST(Markings, RailsStandAtTheirGauge) {
 }
 
 // ---- arrows
-// ----------------------------------------------------------------------------------------------------------
 
 // The direction of a single arrow's head: from the middle of its tail to its tip.
 Vec2 pointing(MarkingLayout strip, std::uint16_t turns) {
@@ -291,7 +288,6 @@ TEST(Markings, EachTurnOfALaneHasAHead) {
 }
 
 // ---- any layout
-// -----------------------------------------------------------------------------------------------------
 
 MarkingLayout random_layout(std::mt19937& random) {
   const auto below = [&](unsigned count) { return std::uniform_int_distribution<unsigned>(0, count - 1)(random); };
