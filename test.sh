@@ -2,7 +2,7 @@
 # Builds the program and the tests, and runs the tests that answer in minutes: unit, properties, golden.
 # --full also runs what takes longer, in groups; --full GROUP… runs these groups alone:
 #   real      the tests on real maps and heights, in ../shared/data; skipped where that folder is absent
-#   long      the tests labelled full: large maps, clusters, a desktop window
+#   long      the tests labelled full: large maps, clusters, a desktop window; unit tests with more rounds
 #   interop   programs of others that read the outputs: Blender, Godot, Chromium, validators
 #   lint      each source compiled alone, warnings are errors
 #   clang     the program built with clang++, which gives the golden outputs
@@ -55,10 +55,11 @@ run_real() {
   run_tests release -L real -LE 'full|interop' $part
 }
 
-run_long() {
+run_long() (
+  export CITYKILN_FULL=1
   ./setup.sh release test long
-  run_tests release -L full
-}
+  run_tests release -L 'full|^unit$'
+)
 
 run_interop() {
   ./setup.sh release test interop

@@ -1,5 +1,7 @@
 #include "tests/test_files.h"
 
+#include <cstdlib>
+
 namespace citykiln {
 
 std::filesystem::path real_data(std::string_view file) {
@@ -8,5 +10,7 @@ std::filesystem::path real_data(std::string_view file) {
 }
 
 std::filesystem::path source_file(std::string_view file) { return std::filesystem::path(CITYKILN_SOURCE) / file; }
+
+int quick_or_full(int quick, int full) { return std::getenv("CITYKILN_FULL") == nullptr ? quick : full; }
 
 }  // namespace citykiln

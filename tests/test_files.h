@@ -1,4 +1,4 @@
-// Paths of the files that tests and benchmarks read.
+// Paths of the files that tests and benchmarks read, and how much of a long test runs.
 #pragma once
 
 #include <filesystem>
@@ -15,5 +15,8 @@ std::filesystem::path real_data(std::string_view file = {});
 ///
 /// @param file  From the root of the tree.
 std::filesystem::path source_file(std::string_view file);
+
+/// The first number, or the second where CITYKILN_FULL is set (./test.sh --full long): rounds of a test, for example.
+int quick_or_full(int quick, int full);
 
 }  // namespace citykiln

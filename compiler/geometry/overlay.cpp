@@ -52,8 +52,7 @@ class Stripes {
   Stripes(const Local& local, bool are_level) : are_level_(are_level) {
     const std::vector<ArrangedEdge>& edges = local.arrangement.edges;
     if (edges.empty()) return;
-    const auto [low, high] =
-        std::ranges::minmax(local.vertices, {}, [&](GridPoint p) { return across(p); });
+    const auto [low, high] = std::ranges::minmax(local.vertices, {}, [&](GridPoint p) { return across(p); });
     low_ = across(low);
     const auto count = static_cast<std::int64_t>(edges.size() / kEdgesOfStripe + 1);
     width_ = (across(high) - low_) / count + 1;

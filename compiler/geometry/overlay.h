@@ -24,7 +24,8 @@ namespace citykiln {
 /// Guarantees: rings are simple, counter-clockwise outside, holes clockwise, and touch themselves and each other at
 /// vertices only; polygons of different owners share edges, not area; no vertex is farther than 2^-10 m from the rings.
 /// Cannot fail: it is based on a snap-rounded arrangement; polygons that rounding leaves without area are dropped.
-/// Cost: as arrange(), plus for each edge the number of owners and of the edges in its row, about the square root of all.
+/// Cost: as arrange(), plus for each edge the number of owners and of the edges in its row, about the square root of
+/// all.
 std::vector<std::vector<Polygon>> overlay(std::span<const OwnedSegment> segments, std::uint32_t owner_count);
 
 /// Returns the part of a polygon outside of others, as overlay() does. Cost: that of overlay().

@@ -155,17 +155,39 @@ double transform_error_m(map::LonLat origin, const std::vector<double>& transfor
 
 // ---- contents ----
 
-/// The terrain vertices on a side of a tile, by the distance along the side in centimetres. Each has its height above
-/// the ellipsoid.
-using Side = std::map<std::int64_t, std::set<std::pair<double, Vec3>>>;
+/// A terrain vertex on a side of a tile.
+struct SideVertex {
+  double along_m;   ///< The distance along the side.
+  double height_m;  ///< Above the ellipsoid, or above the ground of a cylinder.
+  Vec3 at;          ///< In the frame of the run.
+};
+using Side = std::vector<SideVertex>;
 
-/// True if two sides have vertices at the same places, and share at each place the lower of their highest vertices. The
-/// other side may have a higher one: a pavement that touches the border in a point from one side ends there in a kerb.
+/// Takes the vertices of a sorted side from `next` on that follow within `kPlace_m` of `end_m`, which grows with them.
+void take_place(const Side& side, std::size_t& next, double& end_m, std::set<std::pair<double, Vec3>>& place) {
+  constexpr double kPlace_m = 0.003;  // vertices above each other are rounded apart by less
+  for (; next < side.size() && side[next].along_m <= end_m + kPlace_m; ++next) {
+    place.emplace(side[next].height_m, side[next].at);
+    end_m = std::max(end_m, side[next].along_m);
+  }
+}
+
+/// True if two sorted sides have vertices at the same places, and share at each place the lower of their highest
+/// vertices. The other side may have a higher one: a pavement that touches the border in a point from one side ends
+/// there in a kerb.
 bool do_meet(const Side& a, const Side& b) {
-  return std::ranges::equal(a, b, [](const auto& of_a, const auto& of_b) {
-    const auto lower = std::min(*of_a.second.rbegin(), *of_b.second.rbegin());
-    return of_a.first == of_b.first && of_a.second.contains(lower) && of_b.second.contains(lower);
-  });
+  for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
+    double end_m = std::min(i < a.size() ? a[i].along_m : HUGE_VAL, j < b.size() ? b[j].along_m : HUGE_VAL);
+    std::set<std::pair<double, Vec3>> of_a, of_b;
+    for (std::size_t taken = i + j + 1; taken != i + j;) {
+      taken = i + j;
+      take_place(a, i, end_m, of_a), take_place(b, j, end_m, of_b);
+    }
+    if (of_a.empty() || of_b.empty()) return false;
+    const auto lower = std::min(*of_a.rbegin(), *of_b.rbegin());
+    if (!of_a.contains(lower) || !of_b.contains(lower)) return false;
+  }
+  return true;
 }
 
 /// The results for a content, and the data needed to compare its borders.
@@ -173,7 +195,7 @@ struct CheckedContent {
   CheckResults results;
   scene::TileKey tile;
   double tolerance_m = 0;
-  std::array<Side, 4> sides;  ///< West, east, south, north; in the frame of the run.
+  std::array<Side, 4> sides;  ///< West, east, south, north; sorted along each side.
 };
 
 // Returns asset.copyright of a .glb, whose first chunk is JSON.
@@ -228,12 +250,11 @@ void find_sides(const bake::BakedTile& tile, const scene::Header& header, Checke
       const Vec3 p = unbend(there);
       const double away_m[] = {p.x - low.x, p.x - high.x, p.y - low.y, p.y - high.y};
       for (std::size_t side = 0; side < 4; ++side)
-        if (std::abs(away_m[side]) <= on_side_m[side]) {
-          const auto along_cm = static_cast<std::int64_t>(std::floor((side < 2 ? p.y : p.x) * 100));
-          content.sides[side][along_cm].emplace(p.z, there);
-        }
+        if (std::abs(away_m[side]) <= on_side_m[side])
+          content.sides[side].push_back({side < 2 ? p.y : p.x, p.z, there});
     }
   }
+  for (Side& side : content.sides) std::ranges::sort(side, {}, &SideVertex::along_m);
 }
 
 CheckedContent check_content(const LoadedRun& run, const ContentReference& reference) {

@@ -10,6 +10,7 @@
 #include "tests/grammars/on_lot.h"
 #include "tests/grammars/plain_roof.h"
 #include "tests/grammars/surfaces.h"
+#include "tests/test_files.h"
 
 namespace citykiln::grammars {
 namespace {
@@ -116,7 +117,7 @@ struct Levels : testing::Test {
 TEST_F(Levels, SimplifiedSurfacesLieWithinTheStatedError) {
   int cut_ones = 0;
   double tightest = 0;
-  for (int round = 0; round < 600; ++round) {
+  for (int round = 0, rounds = quick_or_full(200, 600); round < rounds; ++round) {
     const std::string text = rules();
     const Program program = program_of(text);
     const Shape first = lot_of(between(3, 12), between(3, 12));

@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from citykiln_program import TOWN, ProgramTest, long_test, run, sha256
+from citykiln_program import TOWN, TOWN_MIDDLE, ProgramTest, long_test, run, sha256
 from glb import Glb
 
 EYE = "--eye=60,40,80"
@@ -13,7 +13,7 @@ class BakeForEye(ProgramTest):
 
     def setUp(self):
         super().setUp()
-        self.scene = self.compiled_once("--spec", TOWN / "spec.json", "--tile", "256", "--emit", "kiln") / "scene.kiln"
+        self.scene = self.compiled_once("--spec", TOWN / "spec.json", "--tile", "256", "--emit", "kiln", *TOWN_MIDDLE) / "scene.kiln"
 
     def baked(self, name, *arguments):
         out = self.folder / name

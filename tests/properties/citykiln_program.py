@@ -17,6 +17,8 @@ PROGRAM = os.environ.get("CITYKILN", str(ROOT / "build" / "release" / "citykiln"
 if not Path(PROGRAM).exists():
     raise SystemExit(f"{PROGRAM} does not exist: run ./setup.sh")
 TOWN = ROOT / "examples" / "town"
+# 220 by 180 m of the town, about the corner of four tiles
+TOWN_MIDDLE = ["--bbox", "12.2990,48.6992,12.3020,48.7008"]
 IS_FULL = "CITYKILN_FULL" in os.environ
 
 # A class or method that takes long; a smaller case of the same claim runs always.

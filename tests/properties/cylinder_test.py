@@ -10,12 +10,12 @@ from glb import Glb
 from png import mean_difference
 
 RADIUS_M = 1000
-MAP = ["compile", TOWN / "town.osm", "--bbox", "12.2965,48.6985,12.3035,48.7030", "--dem",
-       f"{TOWN}/town_heights.png,bounds=12.2871378/48.6926888/12.3128622/48.7073471,scale=0.02", "--tile", "256", "--lods", "2.5,12.5"]
+MAP = ["compile", TOWN / "town.osm", "--bbox", "12.2980,48.6985,12.3020,48.7020", "--dem",
+       f"{TOWN}/town_heights.png,bounds=12.2871378/48.6926888/12.3128622/48.7073471,scale=0.02", "--tile", "128"]
 
 
-def inside(*more, radius_m=RADIUS_M):
-    return [*MAP, "--world", f"cylinder:{radius_m}", *more]
+def inside(*more, radius_m=RADIUS_M, levels_m="0.5,2.5"):
+    return [*MAP, "--lods", levels_m, "--world", f"cylinder:{radius_m}", *more]
 
 
 class Cylinder(ProgramTest):
@@ -23,7 +23,7 @@ class Cylinder(ProgramTest):
         """The town, compiled once in all formats."""
         if "town" not in self.shared_runs:
             out = Path(self.shared_scratch.name) / "town"
-            done = run(*inside("--emit", "kiln,glb,usd,3dtiles", "-o", out))
+            done = run(*inside("--emit", "kiln,glb,usd,3dtiles", "--lights", 64, "-o", out))
             self.assertEqual(done.returncode, 0, done.stderr)
             self.shared_runs["town"] = out
         return self.shared_runs["town"]
@@ -54,13 +54,13 @@ class Cylinder(ProgramTest):
         runs = []
         for threads in (1, 7):
             out = self.folder / str(threads)
-            self.assertEqual(run(*inside("--emit", "kiln,glb,3dtiles", "--threads", threads, "-o", out)).returncode, 0)
+            self.assertEqual(run(*inside("--emit", "kiln,glb,3dtiles", "--threads", threads, "-o", out, levels_m="2.5")).returncode, 0)
             runs.append(bytes_of_outputs(out))
         self.assertEqual(*runs)
 
     def test_bake_gives_the_bytes_of_compile(self):
         out = self.folder / "again"
-        done = run("bake", self.town(), "--lods", "2.5,12.5", "--emit", "glb", "-o", out)
+        done = run("bake", self.town(), "--lods", "0.5,2.5", "--emit", "glb", "--lights", 64, "-o", out)
         self.assertEqual(done.returncode, 0, done.stderr)
         compiled = bytes_of_outputs(self.town())
         for name, sha in bytes_of_outputs(out).items():
@@ -68,7 +68,7 @@ class Cylinder(ProgramTest):
 
     def test_the_manifest_differs_by_its_sky_alone(self):
         flat = self.folder / "flat"
-        self.assertEqual(run(*MAP, "--emit", "glb", "-o", flat).returncode, 0)
+        self.assertEqual(run(*MAP, "--lods", "0.5,2.5", "--emit", "glb", "--lights", 64, "-o", flat).returncode, 0)
         levels = [r["tiles"] for r in (report_of(flat), report_of(self.town()))]
         self.assertEqual([t["file"] for t in levels[0]], [t["file"] for t in levels[1]])
         for plane, bent in zip(*levels):
@@ -106,7 +106,7 @@ class Cylinder(ProgramTest):
 
     def test_maps_that_do_not_fit_get_one_line(self):
         out = ["-o", self.folder / "bad"]
-        whole = [argument for argument in inside(*out, radius_m=150) if "12.2965" not in str(argument) and argument != "--bbox"]
+        whole = [argument for argument in inside(*out, radius_m=150) if "12.2980" not in str(argument) and argument != "--bbox"]
         least = math.ceil(1280 / (2 * math.pi))
         self.refused(whole, "942 m", f"at least {least} m")
         high = [f"{a},offset=2000" if "town_heights" in str(a) else a for a in inside(*out)]

@@ -6,14 +6,14 @@ import resource
 import subprocess
 import unittest
 
-from citykiln_program import PROGRAM, ROOT, TOWN, ProgramTest, report_of, run, sha256
+from citykiln_program import PROGRAM, ROOT, TOWN, TOWN_MIDDLE, ProgramTest, report_of, run, sha256
 from glb import Glb
 from shuffled import shuffle
 from tiles3d_test import Tileset
 
 FORMS = ["usd", "3dtiles"]
 HEIGHTS = json.loads((TOWN / "spec.json").read_text())["dem"]
-ARGUMENTS = ["--dem", HEIGHTS, "--lods", "2.5,12.5", "--geoid-height", "47", "--only", "0_0,-1_0"]
+ARGUMENTS = ["--dem", HEIGHTS, "--lods", "2.5,12.5", "--geoid-height", "47", *TOWN_MIDDLE, "--tile", "128"]
 
 
 def files_of(out):

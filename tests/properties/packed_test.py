@@ -2,9 +2,9 @@
 """Compressed tiles keep the guarantees of plain ones: the same bytes on every run, borders that meet, errors within the tolerance."""
 import unittest
 
-from citykiln_program import TOWN, ProgramTest, bytes_of_outputs, long_test, report_of, run
+from citykiln_program import TOWN, TOWN_MIDDLE, ProgramTest, bytes_of_outputs, long_test, report_of, run
 
-ARGUMENTS = ["--spec", TOWN / "spec.json", "--lods", "2.5,12.5"]
+ARGUMENTS = ["--spec", TOWN / "spec.json", *TOWN_MIDDLE, "--tile", "128", "--lods", "2.5,12.5"]
 
 # The largest error of compression: half a step of 2^-5 m in each direction, a quarter of it for instances of at most double
 # size, and single precision.

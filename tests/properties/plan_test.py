@@ -11,7 +11,7 @@ import time
 import unittest
 from pathlib import Path
 
-from citykiln_program import PROGRAM, ROOT, TOWN, ProgramTest, bytes_of_outputs, long_test, report_of, run
+from citykiln_program import PROGRAM, ROOT, TOWN, TOWN_MIDDLE, ProgramTest, bytes_of_outputs, long_test, report_of, run
 
 ARGUMENTS = ["--lods", "2.5", "--tile", "256"]
 
@@ -133,10 +133,10 @@ class Plan(ProgramTest):
         self.assertFalse((plan / "out" / "report.json").exists())
 
     def test_gather_writes_one_tileset_and_one_usd_scene(self):
-        arguments = ["--lods", "12.5", "--tile", "256", "--emit", "kiln,usd,3dtiles"]
+        arguments = ["--lods", "12.5", "--tile", "128", "--emit", "kiln,usd,3dtiles", *TOWN_MIDDLE]
         whole = self.compiled("whole", self.MAP, *self.DEM, *arguments)
         plan = self.folder / "plan"
-        done = run("plan", self.MAP, *self.DEM, *arguments, "--region", 2 * self.REGION, "-o", plan)
+        done = run("plan", self.MAP, *self.DEM, *arguments, "--region", self.REGION, "-o", plan)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertGreater(len(self.regions_of(plan)), 1)
         self.compile_all(plan)

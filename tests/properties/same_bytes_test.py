@@ -5,7 +5,7 @@ import json
 import os
 import unittest
 
-from citykiln_program import IS_FULL, TOWN, ProgramTest, bytes_of_outputs, long_test, run
+from citykiln_program import IS_FULL, TOWN, TOWN_MIDDLE, ProgramTest, bytes_of_outputs, long_test, run
 from shuffled import shuffle
 
 # Makes glibc and libm behave as on a CPU without FMA; glibc changed the spelling of the names, so both are given.
@@ -83,12 +83,9 @@ class SameBytes:
 
 
 class SameBytesOfTown(SameBytes, ProgramTest):
-    # the village has 0.1 m always
-    LEVELS = "0.1,2.5" if IS_FULL else "0.5,2.5"
-
     def inputs(self):
         spec = json.loads((TOWN / "spec.json").read_text())
-        return TOWN / "town.osm", ["--dem", spec["dem"]]
+        return TOWN / "town.osm", ["--dem", spec["dem"], *([] if IS_FULL else TOWN_MIDDLE)]
 
 
 class SameBytesOfAVillageReal(SameBytes, ProgramTest):

@@ -6,10 +6,10 @@ import math
 import random
 import unittest
 
-from citykiln_program import TOWN, ProgramTest, bytes_of_outputs, long_test, report_of, run, sha256
+from citykiln_program import TOWN, TOWN_MIDDLE, ProgramTest, bytes_of_outputs, long_test, report_of, run, sha256
 from glb import Glb
 
-ARGUMENTS = ["--spec", TOWN / "spec.json", "--lods", "2.5,12.5", "--emit", "kiln,3dtiles"]
+ARGUMENTS = ["--spec", TOWN / "spec.json", *TOWN_MIDDLE, "--tile", "128", "--lods", "2.5,12.5", "--emit", "kiln,3dtiles"]
 SLACK_M = 0.002
 
 TILE_KEYS = {"boundingVolume", "viewerRequestVolume", "geometricError", "refine", "transform", "content", "contents", "metadata",

@@ -216,6 +216,7 @@ class WhatUsdSays(ProgramTest):
         for row in sun.attributes["xformOp:transform"][:3]:
             self.assertAlmostEqual(sum(c * c for c in row), 1, delta=1e-4)
 
+    @long_test
     def test_bytes_depend_on_neither_threads_nor_the_command(self):
         want = hashes(self.town)
         self.assertGreater(len(want), 20)

@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "tests/exporters/gltf/glb_json.h"
+#include "tests/test_files.h"
 
 namespace citykiln::exporters {
 namespace {
 
 TEST(Glb, ReadsBackWhatItWroteForEachTargetAndSplit) {
-  for (std::uint32_t seed = 0; seed < 12; ++seed)
+  for (std::uint32_t seed = 0, seeds = quick_or_full(3, 12); seed < seeds; ++seed)
     for (const GlbOptions& options : kAll) {
       for (const BakedTile& tile :
            {made_tile(seed), made_marked_tile(seed), made_facade_tile(seed), made_textured_tile(seed)}) {

@@ -9,6 +9,7 @@
 #include "compiler/roads/junctions/corner_pavements.h"
 #include "tests/compiler/roads/junctions/junction_claims.h"
 #include "tests/compiler/roads/made_road.h"
+#include "tests/test_files.h"
 
 namespace citykiln::roads {
 namespace {
@@ -352,7 +353,7 @@ TEST_F(Junctions, AreSoundHoweverRoadsMeet) {
   std::mt19937_64 chance(20261121);
   Faults faults;
   int outlines = 0;
-  for (int round = 0; round < 20000; ++round) {
+  for (int round = 0, rounds = quick_or_full(5000, 20000); round < rounds; ++round) {
     const std::vector<Road> roads = random_roads(chance);
     const Outlined all = outlined(roads);
     const double beyond_m = beyond_reach_m(roads);
@@ -361,7 +362,7 @@ TEST_F(Junctions, AreSoundHoweverRoadsMeet) {
     ASSERT_EQ(faults.self_crossing, 0) << "round " << round;
     ASSERT_EQ(faults.beyond_reach, 0) << "round " << round;
   }
-  EXPECT_GT(outlines, 10000);
+  EXPECT_GT(outlines, quick_or_full(2500, 10000));
   RecordProperty("outlines", outlines);
   RecordProperty("spikes", faults.spikes);
 }

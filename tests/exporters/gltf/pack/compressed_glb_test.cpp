@@ -13,6 +13,7 @@
 #include "exporters/gltf/packed_grids.h"
 #include "exporters/gltf/write/encode_tile.h"
 #include "tests/exporters/made_tile.h"
+#include "tests/test_files.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -107,7 +108,7 @@ BakedTile off_grid(std::uint32_t seed) {
 }
 
 TEST(CompressedGlb, HoldsTheQuantisedTileTriangleForTriangle) {
-  for (std::uint32_t seed = 0; seed < 10; ++seed)
+  for (std::uint32_t seed = 0, seeds = quick_or_full(3, 10); seed < seeds; ++seed)
     for (const Compression compression : kCompressions)
       for (const Target target : {Target::kThree, Target::kUnreal})
         for (const BakedTile& tile : {made_tile(seed), made_marked_tile(seed), made_facade_tile(seed),
@@ -308,7 +309,7 @@ TEST(CompressedGlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
   for (const Compression compression : kCompressions) {
     const Bytes bytes = compressed_glb(made_marked_tile(3), compression);
     ASSERT_FALSE(bytes.empty());
-    for (std::size_t at = 0; at < bytes.size(); at += 1 + dice() % 13) {
+    for (std::size_t at = 0; at < bytes.size(); at += 1 + dice() % quick_or_full(40, 13)) {
       Bytes changed = bytes;
       changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
       const auto tile = decode_glb(changed, "changed");

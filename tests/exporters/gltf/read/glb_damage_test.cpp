@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tests/exporters/gltf/glb_json.h"
+#include "tests/test_files.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -30,7 +31,7 @@ TEST(GlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
   for (const GlbOptions& options : {kExtension, GlbOptions{}}) {
     const Bytes bytes = encoded(options.target == Target::kGeneric ? made_tile(3) : made_marked_tile(3), options);
     ASSERT_FALSE(bytes.empty());
-    for (std::size_t at = 0; at < bytes.size(); at += 1 + dice() % 5) {
+    for (std::size_t at = 0; at < bytes.size(); at += 1 + dice() % quick_or_full(20, 5)) {
       Bytes changed = bytes;
       changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
       const auto tile = decoded(changed);
@@ -121,7 +122,7 @@ TEST(GlbTextureDamage, AChangedByteOfTheJsonIsRefusedOrMakesAnotherTile) {
   const Bytes bytes = encoded(made_textured_tile(3), kExtension);
   const std::size_t end = 20 + json_of(bytes).size();
   ASSERT_GT(end, 0u);
-  for (std::size_t at = 0; at < end; at += 1 + dice() % 12) {
+  for (std::size_t at = 0; at < end; at += 1 + dice() % quick_or_full(60, 12)) {
     Bytes changed = bytes;
     changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
     const auto tile = decoded(changed);
