@@ -1,0 +1,22 @@
+# Writes text files as rows of a C++ table, {name, text}: cmake -DFOLDER=… -DPATTERNS=… -DOUT=… -P text_table.cmake
+# A name is relative to FOLDER; -DSUFFIX=… is left out of it.
+list(TRANSFORM PATTERNS PREPEND ${FOLDER}/)
+file(GLOB_RECURSE files RELATIVE ${FOLDER} ${PATTERNS})
+list(SORT files COMPARE STRING)
+set(rows "")
+foreach(file ${files})
+  file(READ ${FOLDER}/${file} text)
+  set(name ${file})
+  if(SUFFIX)
+    string(REGEX REPLACE "${SUFFIX}$" "" name ${file})
+  endif()
+  string(APPEND rows "{\"${name}\",\n")
+  # a literal has 65,536 characters at most
+  string(LENGTH "${text}" length)
+  foreach(at RANGE 0 ${length} 8000)
+    string(SUBSTRING "${text}" ${at} 8000 piece)
+    string(APPEND rows "R\"text(${piece})text\"\n")
+  endforeach()
+  string(APPEND rows "},\n")
+endforeach()
+file(WRITE ${OUT} "${rows}")
