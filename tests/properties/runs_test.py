@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from citykiln_program import IS_FULL, PROGRAM, ROOT, TOWN, ProgramTest, report_of, run, sha256
+from citykiln_program import IS_FULL, PROGRAM, ROOT, TOWN, TOWN_MIDDLE, ProgramTest, report_of, run, sha256
 
 MOMENTS = 12 if IS_FULL else 5
 LEVELS = "1,2.5,5"
@@ -17,7 +17,7 @@ LEVELS = "1,2.5,5"
 
 def town():
     spec = json.loads((TOWN / "spec.json").read_text())
-    return [TOWN / "town.osm", "--dem", spec["dem"], "--tile", "128", "--only", "0_0,0_1,1_0,-1_0"]
+    return [TOWN / "town.osm", "--dem", spec["dem"], "--tile", "128", *TOWN_MIDDLE]
 
 
 def contents(folder):

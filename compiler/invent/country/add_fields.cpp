@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compiler/contract/for_each_slot.h"
 #include "compiler/geometry/overlay.h"
 #include "compiler/invent/country/split_convex.h"
 #include "compiler/invent/land/noise.h"
@@ -40,16 +41,21 @@ class FieldDivider {
 
   void divide(double side_m) {
     const double half_m = side_m / 2 + kFieldEdge_m;
-    std::vector<FieldPiece> open = {{{{-half_m, -half_m}, {half_m, -half_m}, {half_m, half_m}, {-half_m, half_m}}, 1}};
+    std::vector<FieldPiece> whole,
+        open = {{{{-half_m, -half_m}, {half_m, -half_m}, {half_m, half_m}, {-half_m, half_m}}, 1}};
     while (!open.empty()) {
       const FieldPiece piece = std::move(open.back());
       open.pop_back();
       const double wanted_m2 = settings_.field_ha * 1e4 * (0.6 + 1.1 * share_of(piece.id, seed_ + 1));
       if (signed_area_m2(piece.ring) <= wanted_m2)
-        add_field(piece);
+        whole.push_back(piece);
       else
         split(piece, open);
     }
+    const auto fields =
+        for_each_slot<std::vector<InventedArea>>(whole.size(), 0, [&](std::size_t i) { return fields_of(whole[i]); });
+    for (const std::vector<InventedArea>& of_piece : fields)
+      map_.areas.insert(map_.areas.end(), of_piece.begin(), of_piece.end());
   }
 
  private:
@@ -137,7 +143,9 @@ class FieldDivider {
         map_.points.push_back({part[i], {{"leaf_type", "broadleaved"}, {"natural", "tree"}}});
   }
 
-  void add_field(const FieldPiece& piece) {
+  /// What is free of a piece, as fields.
+  std::vector<InventedArea> fields_of(const FieldPiece& piece) const {
+    std::vector<InventedArea> fields;
     for (Polygon& field : difference({piece.ring, {}}, taken_.polygons_near(box_of(piece.ring)))) {
       const double area = area_m2(field);
       double border_m = 0;
@@ -145,8 +153,9 @@ class FieldDivider {
       // twice the area by half the border: the width of a long strip
       if (area < kLeastField_m2 || 2 * area / border_m < kLeastFieldWidth_m) continue;
       Tags tags = tags_of(field, piece.id);
-      map_.areas.push_back({std::move(field), std::move(tags)});
+      fields.push_back({std::move(field), std::move(tags)});
     }
+    return fields;
   }
 
   Tags tags_of(const Polygon& field, std::uint64_t id) const {

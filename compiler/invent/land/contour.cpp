@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "compiler/contract/for_each_slot.h"
+
 namespace citykiln::invent {
 namespace {
 
@@ -94,9 +96,12 @@ ValueGrid value_grid(double side_m, double step_m, const std::function<double(Ve
   const int cells = static_cast<int>(std::ceil(side_m / step_m));
   const double half_m = cells * step_m / 2;
   ValueGrid grid{{-half_m, -half_m}, step_m, cells + 1, cells + 1, {}};
-  grid.values.reserve(static_cast<std::size_t>(grid.columns) * grid.rows);
-  for (int row = 0; row < grid.rows; ++row)
-    for (int column = 0; column < grid.columns; ++column) grid.values.push_back(value_at(grid.point(column, row)));
+  grid.values.resize(static_cast<std::size_t>(grid.columns) * grid.rows);
+  for_each_index(static_cast<std::size_t>(grid.rows), 0, [&](std::size_t row) {
+    double* const values = &grid.values[row * grid.columns];
+    for (int column = 0; column < grid.columns; ++column)
+      values[column] = value_at(grid.point(column, static_cast<int>(row)));
+  });
   return grid;
 }
 

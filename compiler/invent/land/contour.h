@@ -21,7 +21,8 @@ struct ValueGrid {
 };
 
 /// Returns a grid over a square about the middle of the world, with the value of each point.
-/// @param side_m  Rounded up to whole steps.
+/// @param side_m    Rounded up to whole steps.
+/// @param value_at  Called from several threads at once.
 ValueGrid value_grid(double side_m, double step_m, const std::function<double(Vec2)>& value_at);
 
 /// Returns the area in which the values, linear along the lattice's edges, are above zero, closed along the lattice's

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/contract/for_each_slot.h"
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/trig.h"
 #include "compiler/invent/land/contour.h"
@@ -40,10 +41,13 @@ Lattice raw_land(const TerrainSettings& settings, double map_side_m, std::uint64
   DiamondSquare fractal = settings.fractal;
   fractal.power = power_of(settings, side_m);
   Lattice lattice{1 << fractal.power, side_m / (1 << fractal.power), diamond_square(fractal, seed)};
+  const auto row_length = static_cast<std::size_t>(lattice.count());
   if (settings.ridges_m > 0)
-    for (std::size_t i = 0; i < lattice.size(); ++i)
-      lattice.heights_m[i] +=
-          settings.ridges_m * ridged_noise(lattice.place(i) * (1 / settings.ridge_length_m), 5, seed);
+    for_each_index(row_length, 0, [&](std::size_t row) {
+      for (std::size_t i = row * row_length; i < (row + 1) * row_length; ++i)
+        lattice.heights_m[i] +=
+            settings.ridges_m * ridged_noise(lattice.place(i) * (1 / settings.ridge_length_m), 5, seed);
+    });
   return lattice;
 }
 

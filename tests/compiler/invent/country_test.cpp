@@ -78,8 +78,9 @@ TEST(AddCountry, FieldsOverlapNeitherEachOtherNorTownsRoadsAndWoods) {
         if (in_fields == 0) continue;
         EXPECT_FALSE(std::ranges::any_of(others, holds)) << seed << ": " << x << " " << y;
         for (const InventedLine& line : map.lines)
-          if (half_strip_m(line) > 0)
+          if (half_strip_m(line) > 0) {
             EXPECT_GE(distance_to_polyline(line.axis, p), half_strip_m(line) * 0.9) << seed << ": " << x << " " << y;
+          }
       }
     EXPECT_GT(covered, 3000) << "little land has fields, seed " << seed;
   }

@@ -82,7 +82,9 @@ TEST(Erode, LowersAValleyTowardsItsOutlet) {
   const Drainage drainage = drain(before);
   double lowered = 0;
   for (std::size_t i = 0; i < lattice.size(); ++i) {
-    if (lattice.is_on_border(i)) EXPECT_EQ(lattice.heights_m[i], before.heights_m[i]);
+    if (lattice.is_on_border(i)) {
+      EXPECT_EQ(lattice.heights_m[i], before.heights_m[i]);
+    }
     if (drainage.area_m2[i] > 1e5) lowered = std::max(lowered, before.heights_m[i] - lattice.heights_m[i]);
   }
   EXPECT_GT(lowered, 1);

@@ -100,7 +100,9 @@ TEST(FillLots, HousesOfOneLotHaveItsIdAndTheirOrderDoesNotMatter) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].id, b[i].id);
     EXPECT_EQ(a[i].polygon, b[i].polygon);
-    if (i > 0) EXPECT_LT(a[i - 1].id, a[i].id);
+    if (i > 0) {
+      EXPECT_LT(a[i - 1].id, a[i].id);
+    }
   }
 }
 

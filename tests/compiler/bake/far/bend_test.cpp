@@ -190,7 +190,9 @@ TEST(BendIntoCylinder, TilesApartMeetOnTheirBorder) {
   std::ranges::set_intersection(a, b, std::inserter(common, common.end()));
   EXPECT_GE(common.size(), 2u);
   for (const Vec3& corner : a)
-    if (std::abs(corner.y) < 1e-9) EXPECT_TRUE(common.contains(corner));
+    if (std::abs(corner.y) < 1e-9) {
+      EXPECT_TRUE(common.contains(corner));
+    }
 }
 
 TEST(BendIntoCylinder, InstancesStandUprightAllAroundAndTheirRigidityIsBounded) {
