@@ -14,9 +14,9 @@ void add_line(std::span<const Vec2> line, double half_m, std::vector<Capsule>& c
   for (std::size_t i = 0; i + 1 < line.size(); ++i) capsules.push_back({line[i], line[i + 1], half_m});
 }
 
-void add_outline(const Ring& ring, std::vector<Capsule>& capsules) {
-  add_line(ring, 0, capsules);
-  if (ring.size() > 1) capsules.push_back({ring.back(), ring.front(), 0});
+void add_outline(const Ring& ring, double half_m, std::vector<Capsule>& capsules) {
+  add_line(ring, half_m, capsules);
+  if (ring.size() > 1) capsules.push_back({ring.back(), ring.front(), half_m});
 }
 
 // The road with its raised lanes; its middle lies beside the axis if its sides differ.
@@ -42,6 +42,8 @@ Capsules crossings_of(std::span<const Road> roads, std::span<const roads::Juncti
     }
     for (const Vec2 node : junctions[j].nodes)
       nodes.push_back({node, node, half_m + (is_street ? kSight_m : kBesideJunction_m)});
+    // the corner between two arms reaches far where they meet at a small angle
+    for (const Ring& ring : roads::stroke(junctions[j], roads, arms[j])) add_outline(ring, kBesideCorner_m, nodes);
   }
   return index_capsules(std::move(nodes));
 }
@@ -69,7 +71,7 @@ MappedThings mapped_things(const map::Features& features, std::span<const Road> 
   for (const map::Footprint& f : features.footprints) {
     if (f.min_height_m > 0 || f.polygon.outer.size() < 3) continue;
     buildings.push_back(&f.polygon);
-    for (const Ring* ring : rings_of(f.polygon)) add_outline(*ring, walls);
+    for (const Ring* ring : rings_of(f.polygon)) add_outline(*ring, 0, walls);
   }
   for (const Road& road : roads) {
     const LandCoverGroup group = map::values_of(road.surface).group;
@@ -83,7 +85,7 @@ MappedThings mapped_things(const map::Features& features, std::span<const Road> 
   for (const map::PowerLine& line : features.power_lines)
     add_line(line.axis, line.corridor_m / 2 + kClearOfWires_m, wires);
   for (const map::AreaFeature& area : features.areas) {
-    if (area.surface == map::LandCoverClass::kParking) add_outline(area.polygon.outer, parking);
+    if (area.surface == map::LandCoverClass::kParking) add_outline(area.polygon.outer, 0, parking);
     if (area.surface == map::LandCoverClass::kPool) pools.push_back(&area.polygon);
   }
   return {.buildings = index_polygons(std::move(buildings)),

@@ -49,6 +49,8 @@ inline constexpr double kSight_m = 10;
 /// The distance of hedges and trees to a node of another junction, such as of service roads, beyond half its widest
 /// arm: its outline is larger than the strips of its arms.
 inline constexpr double kBesideJunction_m = 4;
+/// The distance of hedges and trees to the outline of a junction.
+inline constexpr double kBesideCorner_m = 1;
 /// The distance of trees to wires of power lines, beyond the half of their corridor.
 inline constexpr double kClearOfWires_m = 3;
 

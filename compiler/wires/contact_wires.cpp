@@ -23,7 +23,9 @@ constexpr double kStraightOn = 0.7;
 constexpr int kMostWays = 8;
 // A wire across a street sags by this share of its length.
 constexpr double kCrossSag = 0.04;
-constexpr double kShortestContact_m = 1, kMarginAbove_m = 2, kLandStep_m = 2;
+constexpr double kShortestContact_m = 1, kMarginAbove_m = 2, kLandStep_m = 1;
+// Walls of cuttings keep off wires by this, since the ground of a coarse level has them a little elsewhere.
+constexpr double kBesideWire_m = 1;
 
 Vec3 on_grid(Vec3 p) {
   return {snapped_to(kWireQuantum_m, p.x), snapped_to(kWireQuantum_m, p.y), snapped_to(kWireQuantum_m, p.z)};
@@ -42,14 +44,17 @@ double above_m_of(const std::vector<Wire>& wires, const ground::GradedTerrain& g
   return std::ceil(greatest_m + kMarginAbove_m);
 }
 
-// How much lower than kLeastOverTrack_m a wire is above the land; 0: nowhere.
+// How much lower than kLeastOverTrack_m a wire is above the land, also beside it; 0: nowhere.
 double too_low_m(const Wire& wire, const ground::GradedTerrain& ground) {
-  const int steps = std::max(1, static_cast<int>(distance(in_plan(wire.from), in_plan(wire.to)) / kLandStep_m));
+  const Vec2 along = in_plan(wire.to) - in_plan(wire.from);
+  const int steps = std::max(1, static_cast<int>(length(along) / kLandStep_m));
   double largest_m = 0;
-  for (int i = 0; i <= steps; ++i) {
-    const Vec3 place = place_on(wire, static_cast<double>(i) / steps);
-    largest_m = std::max(largest_m, kLeastOverTrack_m - (place.z - land_m(ground, in_plan(place))));
-  }
+  for (int i = 0; i <= steps; ++i)
+    for (const double aside_m : {-kBesideWire_m, 0.0, kBesideWire_m}) {
+      const Vec3 place = place_on(wire, static_cast<double>(i) / steps);
+      const Vec2 below = in_plan(place) + left_of(unit(along)) * aside_m;
+      largest_m = std::max(largest_m, kLeastOverTrack_m - (place.z - land_m(ground, below)));
+    }
   return largest_m;
 }
 

@@ -26,5 +26,26 @@ TEST(MappedThings, CrossingsOfStreetsNeedSightAndOthersTheirOutline) {
   EXPECT_DOUBLE_EQ(clear_of_junction_m(map::LandCoverClass::kServiceRoad), kBesideJunction_m);
 }
 
+// Two ways that meet at 15 degrees: the corner of their junction is far from its node.
+TEST(MappedThings, CornersOfJunctionsReachFarAtSmallAngles) {
+  map::Features town;
+  const auto service = map::LandCoverClass::kServiceRoad;
+  town.tracks = {street(1, {{-60, 0}, {0, 0}, {60, 0}}, service), street(2, {{0, 0}, {60, 16}}, service)};
+  town.tracks[1].node_ids[0] = town.tracks[0].node_ids[1];
+  Report report;
+  const std::vector<roads::Road> roads = roads::plan(town, report);
+  const std::vector<roads::Junction> junctions = roads::plan_junctions(roads, report);
+  const MappedThings mapped = mapped_things(town, roads, junctions, {});
+  ASSERT_EQ(junctions.size(), 1u);
+  double farthest_m = 0;
+  const auto outlines = roads::outline_junctions(junctions, roads, 1);
+  for (const Polygon& outline : outlines[0])
+    for (const Vec2 p : outline.outer) {
+      EXPECT_LT(clearance_m(mapped.crossings, p, 10), -0.9 * kBesideCorner_m) << p.x << " " << p.y;
+      farthest_m = std::max(farthest_m, length(p));
+    }
+  EXPECT_GT(farthest_m, 8);
+}
+
 }  // namespace
 }  // namespace citykiln::lots
