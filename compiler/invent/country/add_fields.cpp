@@ -143,7 +143,7 @@ class FieldDivider {
         map_.points.push_back({part[i], {{"leaf_type", "broadleaved"}, {"natural", "tree"}}});
   }
 
-  /// What is free of a piece, as fields.
+  /// The free parts of a piece, as fields.
   std::vector<InventedArea> fields_of(const FieldPiece& piece) const {
     std::vector<InventedArea> fields;
     for (Polygon& field : difference({piece.ring, {}}, taken_.polygons_near(box_of(piece.ring)))) {
