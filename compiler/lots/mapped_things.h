@@ -33,7 +33,7 @@ struct MappedThings {
   Capsules barriers;
   Capsules trees;      ///< Trees and tree rows.
   Capsules wires;      ///< Power lines, as wide as trees keep clear of them.
-  Capsules crossings;  ///< Nodes of junctions: hedges and trees there would hide traffic.
+  Capsules crossings;  ///< Nodes and outlines of junctions: hedges and trees there would hide traffic.
   Capsules parking;    ///< Borders of car parks.
   PolygonIndex pools;
 };
@@ -49,7 +49,8 @@ inline constexpr double kSight_m = 10;
 /// The distance of hedges and trees to a node of another junction, such as of service roads, beyond half its widest
 /// arm: its outline is larger than the strips of its arms.
 inline constexpr double kBesideJunction_m = 4;
-/// The distance of hedges and trees to the outline of a junction.
+/// The distance of hedges and trees to the outline of any junction, which has far corners where arms meet at a small
+/// angle.
 inline constexpr double kBesideCorner_m = 1;
 /// The distance of trees to wires of power lines, beyond the half of their corridor.
 inline constexpr double kClearOfWires_m = 3;
