@@ -172,6 +172,7 @@ Result<Done> fits_manifest(const CompileSpec& spec, const scene::Header& header)
 Result<Exit> bake_to_folder(const BakeRequest& request, const Console& console) {
   const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, request.spec.only);
   if (!scene) return scene.error();
+  if (const Result<Done> fits = fits_manifest(request.spec, scene->header); !fits) return fits.error();
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(request.out_path);
   if (!folder) return folder.error();
 

@@ -119,6 +119,7 @@ class Cylinder(ProgramTest):
         self.refused(inside("--emit", "3dtiles,page", *out), "--emit")
         self.refused(inside("--geoid-height", "47", *out), "--geoid-height")
         self.refused(["bake", self.town(), "--world", "cylinder:500", *out], "--world")
+        self.refused(["bake", self.town(), "--world", "plane", *out], "--world")
         self.refused(["bake", self.town(), "--eye", "0,0,50", "-o", self.folder / "eye.glb"], "--eye")
         self.refused(["plan", *MAP[1:], "--world", "cylinder:1000", *out], "--world")
 
