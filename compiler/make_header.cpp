@@ -93,7 +93,7 @@ Result<Done> fits_into(const map::Cylinder& cylinder, const Box2& extent, const 
 climate::ClimateField climate_of(const map::Plane& plane, const Box2& extent) {
   return climate::make_climate_field(extent, [&](Vec2 at) {
     const map::LonLat place = plane.backward(at);
-    return climate::Degrees{place.lon_deg, place.lat_deg};
+    return climate::LonLatDegrees{place.lon_deg, place.lat_deg};
   });
 }
 
@@ -131,7 +131,7 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
                        .snow_line_m = spec.snow_line_m,
                        .around = std::move(*around),
                        .climate = climate_of(plane, extent)};
-  if (!header.snow_line_m && climate::is_under_snow(header.climate.own, scene::local_month_of(header)))
+  if (!header.snow_line_m && climate::is_under_snow(header.climate.origin_class, scene::local_month_of(header)))
     header.snow_line_m = kBelowAllLand_m;
   for (const source::RasterSpec& raster : spec.rasters) header.sources.push_back(file_name_of(raster.path));
   for (const source::RasterSpec& raster : spec.rasters) {

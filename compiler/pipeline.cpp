@@ -51,18 +51,18 @@ Result<map::Features> with_lots(map::Features features, const CompileSpec& spec,
                                 const map::Plane& plane, const scene::Recipes& recipes, Report& report) {
   const lots::ClimateAt climate_at = climate_of_places(plane);
   const std::vector<OsmId> private_ways = map::private_ways(osm);
-  const lots::YardSite site{.roads = recipes.roads,
-                            .junctions = recipes.junctions,
-                            .private_ways = private_ways,
-                            .climate_at = climate_at,
-                            .seed = spec.seed,
-                            .threads = spec.threads};
+  const lots::LotInputs inputs{.roads = recipes.roads,
+                               .junctions = recipes.junctions,
+                               .private_ways = private_ways,
+                               .climate_at = climate_at,
+                               .seed = spec.seed,
+                               .threads = spec.threads};
   if (spec.fill_lots) {
     const Result<lots::HouseRules> rules = house_rules_for(spec);
     if (!rules) return rules.error();
-    features = lots::with_houses(std::move(features), site, *rules, spec.assume, report);
+    features = lots::with_houses(std::move(features), inputs, *rules, spec.assume, report);
   }
-  if (has(spec.assume, Assumption::kYards)) features = lots::with_yards(std::move(features), site, report);
+  if (has(spec.assume, Assumption::kYards)) features = lots::with_yards(std::move(features), inputs, report);
   return features;
 }
 

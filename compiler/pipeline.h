@@ -40,8 +40,8 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
 /// @param survey   The survey of the whole extent. Heights, waters and streams are only needed around these tiles.
 /// @param owns     True for the places whose elements are counted and diagnosed (source/owned_elements.h).
 ///
-/// Guarantees: the chunks equal those of compile(), and so does the header, except that `rules` and `species` list
-/// those of these tiles only. Memory: for this part.
+/// Guarantees: the chunks equal those of compile(), and so does the header, except that `rules`, `species` and `things`
+/// list those of these tiles only. Memory: for this part.
 Result<CompileResult> compile_region(const CompileSpec& spec, const std::string& extract, const Survey& survey,
                                      const source::OwnsPlace& owns, const OnProgress& on_progress);
 

@@ -1,7 +1,6 @@
-// The settings of a compile: inputs, bounds, seed, levels, outputs.
+// The request for a compile: inputs, bounds, seed, levels, outputs.
 //
-// Every setting has one name for the command line (--tile 512) and spec.json ("tile": 512). They are all defined in the
-// table behind settings().
+// Its settings are the table of settings.h, for the command line (--tile 512) and for spec.json ("tile": 512).
 #pragma once
 
 #include <array>
@@ -16,9 +15,9 @@
 #include "compiler/contract/assumption.h"
 #include "compiler/contract/compression.h"
 #include "compiler/contract/layout.h"
+#include "compiler/contract/node_split.h"
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
-#include "compiler/contract/split.h"
 #include "compiler/contract/target.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/map/locate.h"
@@ -45,7 +44,7 @@ struct Outputs {
   bool surroundings = false;  ///< The land around the extent as a separate tile, in glTF, USD and 3D Tiles.
   std::string geoid;          ///< The argument of map::read_geoid(); "" if no height of the geoid is given.
   Target target = Target::kGeneric;
-  Split split = Split::kLayer;
+  NodeSplit split = NodeSplit::kLayer;
   Compression compress = Compression::kNone;
   Layout layout = Layout::kEmbedded;
   std::size_t lights = 0;  ///< The number of street lamps per tile, brightest first, that are lights in .glb and USD.
@@ -71,7 +70,7 @@ struct CompileSpec {
   std::vector<source::RasterSpec> rasters;  ///< At each place the first heightmap that covers it is used.
   map::Options map;
   double tile_m = map::kDefaultTile_m;  ///< A multiple of map::kCell_m.
-  std::vector<scene::TileKey> only;     ///< If not empty, only these tiles are compiled.
+  std::vector<scene::TileKey> only;     ///< Sorted. If not empty, only these tiles are compiled.
   std::uint64_t seed = 0;
   Assumptions assume = kUsualAssumptions;  ///< The assumptions made where the map is silent.
   std::optional<double> snow_line_m;       ///< Land above it is covered by snow.
@@ -90,57 +89,20 @@ struct CompileSpec {
   Outputs outputs;
 };
 
-/// One row of the table of settings.
-struct Setting {
-  std::string_view name;  ///< The name, such as "tile".
-  /// The format of the value, such as "M" or "W,S,E,N"; empty for a switch, which takes "true" or "false". The format
-  /// of a switch with an optional value begins with "[=", such as "[=CODE,...]".
-  std::string_view value;
-  std::string_view help;  ///< "{}" stands for the default value.
-  bool repeats = false;   ///< True if it may be given several times; the values accumulate.
-  Result<Done> (*apply)(CompileSpec& spec, std::string_view text);
-  std::string (*default_in)(const CompileSpec& spec) = nullptr;  ///< The value in a spec as text, if help has "{}".
-};
-
-/// Returns the help with the default value, which is that of an empty CompileSpec.
-std::string help_of(const Setting& setting);
-
-/// Returns all settings in the order of the help text.
-std::span<const Setting> settings();
-
-/// Applies one setting. An error states the expected value, without the name of the setting, and leaves the spec
-/// unchanged.
-Result<Done> apply(const Setting& setting, std::string_view text, CompileSpec& spec);
-
 /// Reads spec.json: an object whose keys are names of settings and whose values are strings, numbers, booleans, or
 /// arrays of these. Paths are relative to the working directory. Errors: a missing file, malformed JSON (with line and
 /// column), an unknown key, an invalid value.
 Result<CompileSpec> read_spec(const std::string& path);
 
-/// Checks that the spec is complete. Errors: it has no map or no output folder; those of fits_world() and
-/// fits_target().
-Result<Done> is_complete(const CompileSpec& spec);
+/// Checks that the spec is complete. Errors: it has no map or no output folder; those of check_world() and
+/// check_target().
+Result<Done> check_complete(const CompileSpec& spec);
 
 /// Checks the surface of the outputs. Errors: `world` is not a surface that the outputs can be on; settings that have
 /// no meaning inside of a cylinder; the geoid's file cannot be read.
-Result<Done> fits_world(const CompileSpec& spec);
+Result<Done> check_world(const CompileSpec& spec);
 
 /// Checks the compression of .glb tiles. Error: the target's reader cannot read it.
-Result<Done> fits_target(const Outputs& outputs);
-
-/// Parses a tolerance above 0 and at most kCoarsest_m: "0.5".
-Result<double> parse_tolerance(std::string_view text);
-/// Parses increasing tolerances: "0.1,0.5,2.5".
-Result<std::vector<double>> parse_ladder(std::string_view text);
-/// Parses the key of a tile, such as "3_-2".
-Result<scene::TileKey> parse_tile(std::string_view text);
-/// Parses "3_-2,0_0" and inserts the tiles into a sorted vector without duplicates.
-Result<Done> add_tiles(std::string_view text, std::vector<scene::TileKey>& tiles);
-/// Parses a finite number.
-Result<double> parse_number(std::string_view text);
-/// Parses exactly `count` numbers separated by commas.
-Result<std::vector<double>> parse_numbers(std::string_view text, std::size_t count);
-/// Parses an integer from `least` to 2^31 - 1.
-Result<std::int64_t> parse_whole(std::string_view text, std::int64_t least);
+Result<Done> check_target(const Outputs& outputs);
 
 }  // namespace citykiln

@@ -21,7 +21,7 @@ namespace citykiln {
 /// Facts about the whole extent that a region cannot derive from its own data (regions/radii.h).
 struct Survey {
   source::LonLatBox extent;                      ///< In degrees.
-  scene::Header header;                          ///< Without rules and species.
+  scene::Header header;                          ///< Without rules, species and things.
   map::Heightfield heights;                      ///< Heights of the extent, or around a region.
   std::vector<ground::LandCoverPolygon> waters;  ///< Areas of water, with their levels.
   std::vector<roads::Strip> streams;             ///< Watercourses, with their profiles.

@@ -27,7 +27,9 @@ scene::CoverRecipes cover_recipes_of(const scene::Recipes& recipes) {
 
 bool is_empty(const map::Features& features) {
   return features.tracks.empty() && features.footprints.empty() && features.areas.empty() &&
-         features.waterways.empty() && features.barriers.empty() && features.points.empty() && features.things.empty();
+         features.sports_areas.empty() && features.waterways.empty() && features.barriers.empty() &&
+         features.landforms.empty() && features.points.empty() && features.things.empty() &&
+         features.tree_rows.empty() && features.power_lines.empty();
 }
 
 Result<source::LonLatBox> choose_worthwhile_extent(const CompileSpec& spec, const source::OsmData& osm,

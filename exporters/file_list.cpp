@@ -74,22 +74,22 @@ bool is_whole(const std::string& folder, const ListedFile& file) {
   return bytes && hash_text(content_hash(*bytes)) == file.hash;
 }
 
-std::vector<std::string> strange_files(const std::string& folder, const FileList& list) {
+std::vector<std::string> unlisted_files(const std::string& folder, const FileList& list) {
   const std::set<fs::path> folders = folders_of(list);
   std::set<fs::path> known = {kFileListName, kStagingName};
   for (const ListedFile& file : list) known.insert(file.name);
-  std::vector<std::string> strange;
+  std::vector<std::string> unlisted;
   for (const fs::path& inside : folders) {
     std::error_code bad;
     for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(folder) / inside, bad)) {
       const fs::path name = inside / entry.path().filename();
       const bool is_folder = entry.is_directory(bad);
       if (known.contains(name) || (is_folder && folders.contains(name))) continue;
-      strange.push_back(name.string() + (is_folder ? "/" : ""));
+      unlisted.push_back(name.string() + (is_folder ? "/" : ""));
     }
   }
-  std::ranges::sort(strange);
-  return strange;
+  std::ranges::sort(unlisted);
+  return unlisted;
 }
 
 FolderState compare_folder(const std::string& folder, const FileList& list, int threads) {
@@ -102,7 +102,7 @@ FolderState compare_folder(const std::string& folder, const FileList& list, int 
     const bool is_there = fs::exists(fs::path(folder) / list[i].name, bad);
     (is_there ? state.changed : state.missing).push_back(list[i].name);
   }
-  state.unlisted = strange_files(folder, list);
+  state.unlisted = unlisted_files(folder, list);
   return state;
 }
 

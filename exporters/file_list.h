@@ -42,7 +42,7 @@ struct FolderState {
 FolderState compare_folder(const std::string& folder, const FileList& list, int threads);
 
 /// Returns FolderState::unlisted as compare_folder() finds it, but reads no file.
-std::vector<std::string> strange_files(const std::string& folder, const FileList& list);
+std::vector<std::string> unlisted_files(const std::string& folder, const FileList& list);
 
 /// True if a file exists and, if its entry has a hash, has the size and the hash of the entry.
 bool is_whole(const std::string& folder, const ListedFile& file);

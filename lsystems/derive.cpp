@@ -84,7 +84,7 @@ struct DerivationState {
     rest.limits.written -= std::min(rest.limits.written, result.written);
     const Derivation seen = interpret(system, string, rest);
     result.written += now.size + seen.written;
-    if (seen.limit_exceeded) stop(LimitKind::kWritten, step);
+    if (seen.limit_exceeded) stop(seen.limit_exceeded->kind, step);
     const std::vector<double> answers = answers_to(system, seen.string, options.environment);
     std::size_t value = 0, answer = 0;
     for (const Kind kind : now.kinds()) {

@@ -21,7 +21,9 @@ struct Limits {
   std::uint64_t symbols = 8'000'000;  ///< Modules in a string, with at most four times as many values. Capped at 2^27.
   std::uint64_t written = 400'000'000;  ///< Modules in all strings of a derivation together.
   std::uint64_t steps = 100'000;
-  std::uint64_t work = 4'000'000'000;  ///< Tested rules, and executed instructions of their conditions and values.
+  /// Tested rules, and executed instructions of their conditions and values. Productions, decompositions and each
+  /// interpretation are counted separately.
+  std::uint64_t work = 4'000'000'000;
 };
 
 /// The inputs of a derivation beside the L-system.
@@ -44,7 +46,9 @@ struct Warning {
 /// The member of Limits that ended a derivation.
 enum class LimitKind : std::uint8_t { kSymbols, kWritten, kSteps, kWork };
 
-/// The limit that ended a derivation. The derivation then has the last complete string.
+/// The limit that ended a derivation. The derivation then has the string of the last completed pass: that of the step
+/// before if a production exceeded the limit; that of this step, not fully decomposed or with queries that are not
+/// answered, if a decomposition or the interpretation for a query exceeded it.
 struct LimitExceeded {
   LimitKind kind = LimitKind::kSymbols;
   std::uint64_t limit = 0;

@@ -69,7 +69,7 @@ Ring ring_of(const Stem& stem, Vec3 node, double distance, Vec3 first) {
 double side_distance(const Stem& stem, const Stem& upper, std::span<const Stem> sides, Vec3 axis, double radius) {
   double distance = std::max(leaving(stem, axis, radius).distance + kCollar * stem.radius, separation(stem, upper));
   for (const Stem& other : sides)
-    if (other.name != stem.name) distance = std::max(distance, separation(stem, other));
+    if (other.id != stem.id) distance = std::max(distance, separation(stem, other));
   return std::min(distance, stem.room_m);
 }
 
@@ -125,7 +125,7 @@ Joint place_joint(Vec3 node, const Stem& parent, const Stem& upper, std::span<co
   Joint joint;
   joint.rings[0] = ring_of(parent, node, heights.lower_ring, corner);
   joint.rings[1] = ring_of(upper, node, heights.upper_ring, corner);
-  joint.names = {parent.name, upper.name};
+  joint.ids = {parent.id, upper.id};
   for (int k = 0; k < 4; ++k) {
     const Vec3 out = (compass.towards(k) - compass.towards((k + 1) % 4)) * std::sqrt(0.5) * kCornerScale;
     joint.box[k] = node + axis * heights.low + out * parent.radius;
@@ -137,7 +137,7 @@ Joint place_joint(Vec3 node, const Stem& parent, const Stem& upper, std::span<co
     const Stem& stem = *taken[k];
     const double distance = side_distance(stem, upper, sides, axis, std::max(parent.radius, upper.radius));
     joint.open |= 1U << k;
-    joint.names[joint.stems] = stem.name;
+    joint.ids[joint.stems] = stem.id;
     joint.rings[joint.stems++] = ring_of(stem, node, distance, first_of_side(stem.direction, compass, k));
   }
   joint.extent_m = extent_of(joint);

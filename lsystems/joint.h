@@ -11,11 +11,11 @@ namespace citykiln::lsystems {
 
 /// A stem at a joint.
 struct Stem {
-  Vec3 direction;         ///< Unit vector, away from the root.
-  double radius = 0;      ///< The radius at the joint.
-  double slope = 0;       ///< The decrease of the radius per metre, away from the root.
-  double room_m = 0;      ///< The length of the stem that the joint may use.
-  std::int32_t name = 0;  ///< A number of the caller, copied to Joint::names.
+  Vec3 direction;       ///< Unit vector, away from the root.
+  double radius = 0;    ///< The radius at the joint.
+  double slope = 0;     ///< The decrease of the radius per metre, away from the root.
+  double room_m = 0;    ///< The length of the stem that the joint may use.
+  std::int32_t id = 0;  ///< A number of the caller, copied to Joint::ids.
 };
 
 inline constexpr std::size_t kMostSideStems = 4;
@@ -27,10 +27,10 @@ struct Joint {
   /// The rings of the arriving stem, of the continuing stem, and of the side stems in the order of box sides.
   /// Ring::sides is not set.
   std::array<Ring, 2 + kMostSideStems> rings;
-  std::array<std::int32_t, 2 + kMostSideStems> names{};
+  std::array<std::int32_t, 2 + kMostSideStems> ids{};  ///< The Stem::id of each ring's stem.
   std::size_t stems = 2;
   unsigned open = 0;    ///< Bit k: a side stem leaves the box through side k.
-  double extent_m = 0;  ///< The largest distance of a cage point from the box's centre.
+  double extent_m = 0;  ///< An upper bound of the distance of cage points from the box's centre.
 };
 
 /// Places the cage of a joint. Rings lie where stems no longer overlap, or nearer to the node if Stem::room_m requires.

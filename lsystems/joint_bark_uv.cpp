@@ -14,7 +14,7 @@ constexpr double kOpposite = 0.625;
 // Makes the wraps below and above continuous at kOpposite.
 void lay_through(BarkWrap& below, BarkWrap& above) {
   above.at = below.u(kOpposite) - above.per_turn * kOpposite;
-  const double whole = kFirst - std::floor(std::min(below.at, above.at));
+  const double whole = kFirstU - std::floor(std::min(below.at, above.at));
   below.at += whole, above.at += whole;
 }
 
@@ -22,7 +22,7 @@ void lay_through(BarkWrap& below, BarkWrap& above) {
 
 BarkWrap continue_wrap(const BarkWrap& arriving, double turn, double per_turn) {
   const double at = arriving.u(turn + kOpposite) - per_turn * kOpposite;
-  return {per_turn, kFirst + fraction(at)};
+  return {per_turn, kFirstU + fraction(at)};
 }
 
 JointBarkUv joint_bark_uv(const Joint& joint, const std::array<BarkWrap, 2 + kMostSideStems>& wrap) {

@@ -16,10 +16,10 @@ struct BarkWrap {
   double u(double turn) const { return at + per_turn * turn; }
 };
 
-/// The value of u at the first point of a ring. With it, rings that begin half a side earlier still have u > 0.
-inline constexpr double kFirst = 1;
+/// The least value of u at the first point of a ring. With it, rings that begin half a side earlier still have u > 0.
+inline constexpr double kFirstU = 1;
 
-/// Returns the wrap of the stem that continues above a joint.
+/// Returns the wrap of the stem that continues above a joint. It begins in [kFirstU, kFirstU + 1).
 /// @param turn  The angle about the arriving stem, in turns, at the first point of the joint's lower ring.
 BarkWrap continue_wrap(const BarkWrap& arriving, double turn, double per_turn);
 
@@ -35,7 +35,8 @@ struct JointBarkUv {
 
 /// Returns the texture coordinates of a joint.
 /// @param wrap  The wraps of the arriving stem, from the lower ring's first point on, of the continuing stem
-/// (continue_wrap()) and of the side stems. The first two are moved by one whole number so that they begin at kFirst.
+/// (continue_wrap()) and of the side stems. In the result the first two are equal opposite to side 0, and moved by one
+/// whole number so that the smaller one begins in [kFirstU, kFirstU + 1).
 JointBarkUv joint_bark_uv(const Joint& joint, const std::array<BarkWrap, 2 + kMostSideStems>& wrap);
 
 }  // namespace citykiln::lsystems

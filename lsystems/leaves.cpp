@@ -80,7 +80,7 @@ bool add_polygon(std::span<const Vec3> corners, double tolerance_m, std::vector<
     mesh.normals.push_back(plane.normal);
     mesh.uvs.push_back(frame.within(ring[i]));
   }
-  for (const Triangle& t : ears_of(ring)) mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  for (const Triangle& t : triangulate_ring(ring)) mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
   return true;
 }
 
@@ -123,7 +123,7 @@ bool add_instance(const Instance& instance, const LeafSurface& surface, double t
 
 }  // namespace
 
-std::vector<Triangle> ears_of(std::span<const Vec2> ring) {
+std::vector<Triangle> triangulate_ring(std::span<const Vec2> ring) {
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> left(ring.size());
   std::iota(left.begin(), left.end(), 0U);

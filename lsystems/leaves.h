@@ -10,8 +10,9 @@ namespace citykiln::lsystems {
 /// Leaves without area, or no larger than the tolerance, are left out and counted in out.left_out.
 void mesh_leaves(const Skeleton& skeleton, const TubeOptions& options, PlantMesh& out);
 
-/// Triangulates a ring into two triangles fewer than points: by ear clipping, or as a fan if no ear is found or the
-/// ring has more than kMostClipped points. Rings may intersect themselves.
-std::vector<Triangle> ears_of(std::span<const Vec2> ring);
+/// Triangulates a ring of n points, n >= 3, into n - 2 triangles: by ear clipping; as a fan if it is convex or has more
+/// than kMostClipped points. Where no ear is found, the rest of the ring becomes a fan. Rings may intersect themselves.
+/// At worst O(n³).
+std::vector<Triangle> triangulate_ring(std::span<const Vec2> ring);
 
 }  // namespace citykiln::lsystems

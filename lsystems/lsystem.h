@@ -116,8 +116,7 @@ struct LSystem {
   TextPosition axiom_place;
   RuleSet productions, decomposition, interpretation;
   Kind push = 0, pop = 0, cut = 0;  ///< The kinds of [ ] %, which are always present.
-  bool has_cuts = false;            ///< A successor contains %.
-  bool has_queries = false;
+  bool has_queries = false;         ///< The axiom or a rule contains a query.
 
   // directives
   int steps = 0;
@@ -126,8 +125,8 @@ struct LSystem {
   double step = 1;        ///< The default length of F f G.
   double width = 0.1;     ///< The initial width.
   double width_unit = 1;  ///< The length of a width of 1.
-  Vec3 tropism;           ///< The direction to which segments turn; {0, 0, -1} is gravity.
-  double elasticity = 0;  ///< The angle in radians by which a segment perpendicular to the tropism turns.
+  Vec3 tropism;           ///< The direction to which segments turn, of any length; {0, 0, -1} is gravity.
+  double elasticity = 0;  ///< The turtle turns by elasticity · |heading × tropism| radians after each segment.
   double height = 0;      ///< The height to which the plant is scaled; 0: no scaling.
   std::string bark;       ///< The name of a bark material for the renderer, or empty.
 };

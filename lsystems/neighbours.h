@@ -30,7 +30,8 @@ void find_neighbours(const LSystem& system, std::span<const Kind> kinds, Neighbo
 /// True if the rule's contexts match at module `at`. If so, `slots` gets the parameters of contexts and module.
 ///
 /// The left context is a path towards the root. The right context follows the branch; brackets in it match any branch
-/// that begins there, in order; at most kBranchScan are tried. O(length of the contexts).
+/// that begins there, in order; at most kBranchScan are tried. O(length of the contexts) without brackets; each nested
+/// bracket multiplies that by up to kBranchScan.
 bool contexts_fit(const LSystem& system, const Rule& rule, std::span<const Kind> kinds, std::span<const double> values,
                   const Neighbours& neighbours, std::uint32_t at, double* slots);
 

@@ -40,7 +40,7 @@ GrownSkeleton grow_plant(const PlantFile& plant, std::uint64_t seed) {
     GrownSkeleton result{std::move(tree.skeleton), std::nullopt};
     if (tree.stopped)
       result.stopped =
-          Error{plant.tree->file, fmt::format("expected at most {} stems and leaves, found more", kMostTreeParts)};
+          Error{plant.tree->file, fmt::format("expected at most {} stems and leaves, found more", kMostPlantParts)};
     return result;
   }
   DeriveOptions options;

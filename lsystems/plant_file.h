@@ -21,7 +21,8 @@ struct PlantFile {
   std::optional<TreeParameters> tree{};  ///< The parameters of a .tree file.
 };
 
-/// Reads a file; its extension, and for .lsys its first word, decide the notation.
+/// Reads a file. Its extension decides the notation; .lsys is read as ours unless it begins as RPForest's files do
+/// (is_rpforest()).
 ///
 /// @param file  The file's name, also in error messages.
 /// Errors: those of read_lsystem(), read_rpforest() and read_weber_penn().

@@ -7,7 +7,8 @@
 
 namespace citykiln::lsystems {
 
-/// The number of random numbers that one production may use for a module.
+/// The random numbers of a module. The first one chooses between rules, so a production may draw one fewer; an axiom
+/// may draw all those of position 0. nran() takes two.
 inline constexpr std::uint32_t kDrawsPerModule = 16;
 
 /// The random numbers of one module.

@@ -298,16 +298,10 @@ void refuse_ignored_contexts(Reader& reader) {
       }
 }
 
-bool writes_cuts(const LSystem& system) {
-  return std::find(system.successor_kinds.begin(), system.successor_kinds.end(), system.cut) !=
-         system.successor_kinds.end();
-}
-
 void finish(Reader& reader, const FileState& state) {
   LSystem& system = reader.system;
   note_ignored(system, state);
   refuse_ignored_contexts(reader);
-  system.has_cuts = writes_cuts(system);
   for (RuleSet* set : {&system.productions, &system.decomposition, &system.interpretation})
     sort_rules(*set, system.kinds.size());
 }

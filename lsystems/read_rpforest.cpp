@@ -196,6 +196,17 @@ std::string family_text(const Config& config) {
   return text;
 }
 
+// The text of a file in our notation.
+Result<std::string> rpforest_to_lsystem_text(std::string_view text, std::string_view file) {
+  if (text.size() > kTextLimit)
+    return Error{std::string(file), fmt::format("expected at most {} bytes, found {}", kTextLimit, text.size())};
+  const Form form = form_of(file);
+  const Config config = config_of(text, file, form);
+  if (config.failed) return *config.failed;
+  if (form == Form::kHonda) return honda_text(config);
+  return form == Form::kFamily ? family_text(config) : lsys_text(config);
+}
+
 }  // namespace
 
 bool is_rpforest(std::string_view text, std::string_view file) {
@@ -208,16 +219,6 @@ bool is_rpforest(std::string_view text, std::string_view file) {
   // our `n: 5` is RPForest's `N 5`; of our statements, only productions begin with a number
   const bool is_numbers = words.size() > 1 && is_digit(words[0].text[0]) && is_digit(words[1].text[0]);
   return words.size() > 1 && (is_numbers || (is_named && words[1].text != ":" && words[1].text != "="));
-}
-
-Result<std::string> rpforest_to_lsystem_text(std::string_view text, std::string_view file) {
-  if (text.size() > kTextLimit)
-    return Error{std::string(file), fmt::format("expected at most {} bytes, found {}", kTextLimit, text.size())};
-  const Form form = form_of(file);
-  const Config config = config_of(text, file, form);
-  if (config.failed) return *config.failed;
-  if (form == Form::kHonda) return honda_text(config);
-  return form == Form::kFamily ? family_text(config) : lsys_text(config);
 }
 
 Result<LSystem> read_rpforest(std::string_view text, std::string_view file) {

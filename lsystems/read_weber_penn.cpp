@@ -32,7 +32,7 @@ constexpr LevelRow kLevelRows[] = {
 #include "lsystems/weber_penn_parameters.inc"
 };
 
-// The most stems that parameters may allow; a tree that exceeds kMostTreeParts stops while it grows.
+// The most stems that parameters may allow; a tree that exceeds kMostPlantParts stops while it grows.
 constexpr double kMostAllowedStems = 4e6;
 
 // A parameter of a tree, and its range.
@@ -49,13 +49,6 @@ std::optional<Place> place_named(TreeParameters& tree, std::string_view name) {
   if (of_level == std::end(kLevelRows)) return std::nullopt;
   StemParameters& level = tree.level[static_cast<std::size_t>(name[0] - '0')];
   return Place{&(level.*of_level->member), of_level->least, of_level->most};
-}
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
 bool is_word(std::string_view text) {

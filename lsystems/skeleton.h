@@ -1,5 +1,5 @@
 // The skeleton of a plant: segments (straight pieces of stems), polygons, and instances of named shapes such as leaves.
-// A turtle draws it: a moving position with three directions.
+// A turtle draws it: a moving position with three directions. So does grow_tree() (weber_penn.h).
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,12 @@ struct TurtleFrame {
 
 inline constexpr std::int32_t kNoParent = -1;
 
-/// A straight piece of a stem, drawn by F or G.
+/// A straight piece of a stem, drawn by F or G, or by grow_tree().
 struct Segment {
   TurtleFrame start;
   double length = 0;
-  /// The parent's end_radius if the segment continues the parent's axis, else end_radius of this segment.
+  /// The turtle: the parent's end_radius if the segment continues the parent's axis, else end_radius of this segment.
+  /// grow_tree(): the radius of the stem there.
   double start_radius = 0;
   double end_radius = 0;
   std::int32_t colour = 0;
@@ -49,6 +50,9 @@ struct Instance {
   std::int32_t parent = kNoParent;
   std::int32_t order = 0;
 };
+
+/// The most segments and leaves of a tree by Weber and Penn, and of a plant of one's own.
+inline constexpr std::size_t kMostPlantParts = 400'000;
 
 /// A skeleton, in the file's units or scaled to its `height`. The plant stands at the origin, z up. Parents precede
 /// their children.

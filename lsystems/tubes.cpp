@@ -113,12 +113,12 @@ bool has_foot(const Segment& root, double flare) {
 // their start.
 constexpr double kRoomAtStart = 0.62, kRoomAtEnd = 0.3;
 
-Stem stem_of(const Segment& segment, double radius, double room, std::uint32_t name) {
+Stem stem_of(const Segment& segment, double radius, double room, std::uint32_t id) {
   return {.direction = direction(segment),
           .radius = radius,
           .slope = slope(segment),
           .room_m = room * std::abs(segment.length),
-          .name = static_cast<std::int32_t>(name)};
+          .id = static_cast<std::int32_t>(id)};
 }
 
 // Sorts the continuing stem first, then the others by thickness.
@@ -130,7 +130,7 @@ std::vector<Stem>& sort_stems(std::vector<Stem>& stems, Vec3 arriving) {
   const std::size_t joined = std::min(stems.size(), kMostSideStems + 1);
   std::partial_sort(
       stems.begin() + 1, stems.begin() + static_cast<std::ptrdiff_t>(joined), stems.end(),
-      [](const Stem& a, const Stem& b) { return a.radius != b.radius ? a.radius > b.radius : a.name < b.name; });
+      [](const Stem& a, const Stem& b) { return a.radius != b.radius ? a.radius > b.radius : a.id < b.id; });
   return stems;
 }
 
@@ -255,7 +255,7 @@ struct Mesher {
 
   DrawnRing begin_with_cap(std::size_t i) {
     ++out.separate_stems;
-    const BarkWrap wrap{periods_around(i), kFirst};
+    const BarkWrap wrap{periods_around(i), kFirstU};
     if (has_foot(segment(i), options.flare)) return draw_foot(segment(i), wrap);
     Ring ring = ring_on(segment(i), segment(i).start_radius, options.tolerance_m);
     ring.sides = sides_of(thickest(segment(i)), options.tolerance_m);
@@ -339,14 +339,13 @@ struct Mesher {
 
   // Sets the wraps of the stems that leave a joint.
   void set_wraps(const Joint& joint, const DrawnRing& end) {
-    begins[joint.names[1]].wrap = continue_wrap(end.wrap, end.turn, periods_around(joint.names[1]));
-    for (std::size_t s = 2; s < joint.stems; ++s)
-      begins[joint.names[s]].wrap = {periods_around(joint.names[s]), kFirst};
+    begins[joint.ids[1]].wrap = continue_wrap(end.wrap, end.turn, periods_around(joint.ids[1]));
+    for (std::size_t s = 2; s < joint.stems; ++s) begins[joint.ids[s]].wrap = {periods_around(joint.ids[s]), kFirstU};
   }
 
   JointBarkUv bark_of(const Joint& joint, const BarkWrap& arriving) const {
     std::array<BarkWrap, 2 + kMostSideStems> wrap{arriving};
-    for (std::size_t s = 1; s < joint.stems; ++s) wrap[s] = begins[joint.names[s]].wrap;
+    for (std::size_t s = 1; s < joint.stems; ++s) wrap[s] = begins[joint.ids[s]].wrap;
     return joint_bark_uv(joint, wrap);
   }
 
@@ -386,7 +385,7 @@ struct Mesher {
     const std::size_t joined = std::min(stems.size(), kMostSideStems + 1);
     Joint joint = place_joint(segment(i).end().at, parent, stems[0], std::span(stems).subspan(1, joined - 1));
     double radius = thickest(segment(i));
-    for (std::size_t s = 1; s < joint.stems; ++s) radius = std::max(radius, thickest(segment(joint.names[s])));
+    for (std::size_t s = 1; s < joint.stems; ++s) radius = std::max(radius, thickest(segment(joint.ids[s])));
     const int sides = joint_sides(joint, radius, options.tolerance_m);
     for (Ring& ring : joint.rings) ring.sides = sides;
     const DrawnRing end = draw_tube(begin, joint.rings[0], true);
@@ -396,8 +395,8 @@ struct Mesher {
       joint.rings[s].along_m = low_m + length(joint.rings[s].at - joint.rings[0].at);
     set_wraps(joint, end);
     draw_joint(joint, {end.wrap.per_turn, end.wrap.u(end.turn)});
-    for (std::size_t s = 1; s < joint.stems; ++s) begins[joint.names[s]].ring = joint.rings[s];
-    for (std::size_t s = joined; s < stems.size(); ++s) branching.attached[stems[s].name] = false;
+    for (std::size_t s = 1; s < joint.stems; ++s) begins[joint.ids[s]].ring = joint.rings[s];
+    for (std::size_t s = joined; s < stems.size(); ++s) branching.attached[stems[s].id] = false;
     const int level = std::bit_width(static_cast<unsigned>(sides)) - 3;
     bound(kJointBend[level] * joint.extent_m + kRoundness * radius);
     ++out.joints;

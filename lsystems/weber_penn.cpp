@@ -52,6 +52,34 @@ struct Axis {
   std::int32_t last = kNoParent, order = 0;
 };
 
+// The paper's ShapeRatio(shape, ratio), for a shape of 0 to 8.
+double shape_ratio(const TreeParameters& tree, int shape, double ratio) {
+  ratio = std::clamp(ratio, 0.0, 1.0);
+  switch (shape) {
+    case 0:  // conical
+      return 0.2 + 0.8 * ratio;
+    case 1:  // spherical
+      return 0.2 + 0.8 * sine(180 * ratio);
+    case 2:  // hemispherical
+      return 0.2 + 0.8 * sine(90 * ratio);
+    case 3:  // cylindrical
+      return 1;
+    case 4:  // tapered cylindrical
+      return 0.5 + 0.5 * ratio;
+    case 5:  // flame
+      return ratio <= 0.7 ? ratio / 0.7 : (1 - ratio) / 0.3;
+    case 6:  // inverse conical
+      return 1 - 0.8 * ratio;
+    case 7:  // tend flame
+      return ratio <= 0.7 ? 0.5 + 0.5 * ratio / 0.7 : 0.5 + 0.5 * (1 - ratio) / 0.3;
+    default: {  // the envelope of pruning
+      const double low = 1 - tree.prune_width_peak;
+      if (ratio < low) return power(ratio / low, tree.prune_power_high);
+      return tree.prune_width_peak > 0 ? power((1 - ratio) / tree.prune_width_peak, tree.prune_power_low) : 1;
+    }
+  }
+}
+
 class Growing {
  public:
   Growing(const TreeParameters& tree, std::uint64_t seed)
@@ -75,7 +103,7 @@ class Growing {
 
   bool has_room() {
     const std::size_t parts = out_.skeleton.segments.size() + out_.skeleton.instances.size();
-    if (parts >= kMostTreeParts || ++work_ > kMostWork) out_.stopped = true;
+    if (parts >= kMostPlantParts || ++work_ > kMostWork) out_.stopped = true;
     return !out_.stopped;
   }
 
@@ -346,33 +374,6 @@ class Growing {
 };
 
 }  // namespace
-
-double shape_ratio(const TreeParameters& tree, int shape, double ratio) {
-  ratio = std::clamp(ratio, 0.0, 1.0);
-  switch (shape) {
-    case 0:  // conical
-      return 0.2 + 0.8 * ratio;
-    case 1:  // spherical
-      return 0.2 + 0.8 * sine(180 * ratio);
-    case 2:  // hemispherical
-      return 0.2 + 0.8 * sine(90 * ratio);
-    case 3:  // cylindrical
-      return 1;
-    case 4:  // tapered cylindrical
-      return 0.5 + 0.5 * ratio;
-    case 5:  // flame
-      return ratio <= 0.7 ? ratio / 0.7 : (1 - ratio) / 0.3;
-    case 6:  // inverse conical
-      return 1 - 0.8 * ratio;
-    case 7:  // tend flame
-      return ratio <= 0.7 ? 0.5 + 0.5 * ratio / 0.7 : 0.5 + 0.5 * (1 - ratio) / 0.3;
-    default: {  // the envelope of pruning
-      const double low = 1 - tree.prune_width_peak;
-      if (ratio < low) return power(ratio / low, tree.prune_power_high);
-      return tree.prune_width_peak > 0 ? power((1 - ratio) / tree.prune_width_peak, tree.prune_power_low) : 1;
-    }
-  }
-}
 
 GrownTree grow_tree(const TreeParameters& tree, std::uint64_t seed) { return Growing(tree, seed).grown(); }
 

@@ -31,9 +31,6 @@ struct TreeParameters {
   std::string bark;  ///< The name of a bark material, or empty.
 };
 
-/// The most stems' segments and leaf cards of a tree.
-inline constexpr std::size_t kMostTreeParts = 400'000;
-
 /// Reads a .tree file: a parameter, =, and its value in a line; "#" begins a comment. Parameters that are missing have
 /// the defaults of weber_penn_parameters.inc.
 ///
@@ -41,15 +38,11 @@ inline constexpr std::size_t kMostTreeParts = 400'000;
 /// of another form; more than kTextLimit bytes; parameters that allow more than 4,000,000 stems.
 Result<TreeParameters> read_weber_penn(std::string_view text, std::string_view file);
 
-/// Returns the paper's ShapeRatio(shape, ratio).
-/// @param shape  0 to 8.
-/// @param ratio  Clamped to 0 … 1.
-double shape_ratio(const TreeParameters& tree, int shape, double ratio);
-
 /// A grown tree.
 struct GrownTree {
-  Skeleton skeleton;     ///< In metres. All instances have the kind 0.
-  bool stopped = false;  ///< It would have more than kMostTreeParts parts, or take too long; the skeleton has the rest.
+  Skeleton skeleton;  ///< In metres. All instances have the kind 0.
+  bool stopped =
+      false;  ///< It would have more than kMostPlantParts parts, or take too long; the skeleton has the rest.
 };
 
 /// Grows a tree. Equations of the paper, except:

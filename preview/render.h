@@ -19,7 +19,9 @@ namespace citykiln::preview {
 struct Options {
   int width = 1280, height = 720;
   int samples = 64;  ///< Paths per pixel; with `noise` > 0 the largest number of them.
-  int bounces = 3;   ///< Most reflections after the first surface, not counting reflections by mirrors.
+  /// Most reflections after the first surface; the first six by mirrors do not count. 0: no ray is followed from the
+  /// first surface, not even by a mirror.
+  int bounces = 3;
   /// Paths that carry less than this share of light may end (Russian roulette); 0: no path does.
   double roulette = 0.1;
   /// True: mirrors are sharp also behind a matt reflection. False: blurred there, less noisy.
@@ -31,8 +33,8 @@ struct Options {
   bool has_guides = false;  ///< Whether the picture gets guides and sample counts.
   /// The function that gets the finished share, 0 to 1, from one thread at a time. Empty: not called.
   std::function<void(double share)> on_progress{};
-  /// The function that gets the unfinished picture, without guides, after 1, 2, 4 … samples a pixel and once more at
-  /// the end, before render() returns. Empty: not called.
+  /// The function that gets the unfinished picture, whose guides are unfinished too, after 1, 2, 4 … and all samples a
+  /// pixel; with `noise` the count starts again after the pilot samples. Empty: not called.
   std::function<void(const Image& image)> on_pass{};
   /// If the flag becomes true, render() returns soon, with the samples taken by then. Null: render() takes all samples.
   const std::atomic<bool>* is_stopped = nullptr;

@@ -50,7 +50,7 @@ class Links(unittest.TestCase):
         self.assertEqual([name for name in re.findall(r"`(k[A-Z]\w+)`", page) if not re.search(rf"\b{name}\b", code)], [])
 
     def test_settings_are_listed_in_their_order(self):
-        settings = re.findall(r'^    \{"([a-z-]+)", ', (ROOT / "compiler" / "spec.cpp").read_text(), re.MULTILINE)
+        settings = re.findall(r'^    \{"([a-z-]+)", ', (ROOT / "compiler" / "settings.cpp").read_text(), re.MULTILINE)
         self.assertGreater(len(settings), 10)
         rows = re.findall(r"^\| ([a-z-]+) \|", (ROOT / "compiler" / "settings.md").read_text(), re.MULTILINE)
         self.assertEqual(rows[1:], settings)  # the first row is the head

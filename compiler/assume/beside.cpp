@@ -98,7 +98,7 @@ struct Indexer {
   void add(const MappedLine& line) {
     all.lines.push_back(line);
     all.widest_half_m = std::max(all.widest_half_m, line.half_m);
-    line_boxes.push_back(box_of(std::array{line.a, line.b}));
+    line_boxes.push_back(box_of_segment(line.a, line.b));
   }
   void add_ring(const Ring& ring, LineKind kind, ObjectId element) {
     for (std::size_t i = 0; i < ring.size(); ++i)
@@ -270,7 +270,7 @@ struct Walk {
   void along(Vec2 a, Vec2 b) {
     const double left_m = left_kerb_m(stretch.section), right_m = right_kerb_m(stretch.section);
     const double widest_m = std::max({kCrossStreet_m, left_m + kBesideKerb_m, right_m + kBesideKerb_m});
-    const auto near = boxes_about(surroundings.line_grid, box_of(std::array{a, b}).widened(widest_m));
+    const auto near = boxes_about(surroundings.line_grid, box_of_segment(a, b).widened(widest_m));
     const Vec2 forward = unit(b - a), out = left_of(forward);
     const int count = std::max(1, static_cast<int>(std::floor(distance(a, b) / kSampleEvery_m + 0.5)));
     for (int k = 0; k < count; ++k) {
@@ -283,9 +283,6 @@ struct Walk {
 };
 
 }  // namespace
-
-double left_kerb_m(const map::CrossSection& section) { return section.axis_offset_m; }
-double right_kerb_m(const map::CrossSection& section) { return carriageway_width_m(section) - section.axis_offset_m; }
 
 Surroundings index_surroundings(const map::Features& features) { return index_surroundings(features, features.tracks); }
 

@@ -33,10 +33,6 @@ static_assert(kBeside_m > kCrossStreet_m && kCrossStreet_m > kHouses_m && kHouse
 /// angle is less than about 37 degrees.
 inline constexpr double kAlong = 0.8;
 
-/// Returns the distances from the axis to the left and the right kerb. Parking lanes lie between the kerbs.
-double left_kerb_m(const map::CrossSection& section);
-double right_kerb_m(const map::CrossSection& section);
-
 /// The use of the land beside a road.
 enum class LandUse : std::uint8_t {
   kNone,  ///< Nothing is mapped.

@@ -95,7 +95,7 @@ struct FrontSegments {
 
 void index(FrontSegments& segments, double reach_m) {
   std::vector<Box2> boxes;
-  for (const FrontSegment& s : segments.all) boxes.push_back(box_of(std::array{s.from, s.to}).widened(reach_m));
+  for (const FrontSegment& s : segments.all) boxes.push_back(box_of_segment(s.from, s.to).widened(reach_m));
   segments.grid = grid_of(boxes, kFrontBucket_m);
 }
 

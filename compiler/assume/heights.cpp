@@ -230,7 +230,7 @@ constexpr double kMostStoreys = 60;
 double whole_storeys(double storeys) { return std::clamp(std::floor(storeys + 0.5), 1.0, kMostStoreys); }
 
 double tagged_storeys(const map::Footprint& f, const HeightFacts& facts) {
-  if (f.is_height_assumed || f.min_height_m > 0 || !has_assumed_storeys(facts.building_class)) return 0;
+  if (f.has_default_height || f.min_height_m > 0 || !has_assumed_storeys(facts.building_class)) return 0;
   if (!f.has_roof_in_height) return f.levels > 0 ? whole_storeys(f.levels) : 0;
   return whole_storeys((f.height_m - included_roof_m(facts)) / class_level_m(facts.building_class));
 }
@@ -284,7 +284,7 @@ double drawn(const StoreyQuartiles& storeys, double draw) {
 // ---- writing --------------------------------------------------------------------------------------------------------
 
 bool follows_outline(const map::Footprint& f) {
-  return f.outline && f.is_height_assumed && class_of(f) != BuildingClass::kSteps;
+  return f.outline && f.has_default_height && class_of(f) != BuildingClass::kSteps;
 }
 
 // Outlines with a part that begins above the ground.
@@ -296,20 +296,20 @@ std::set<ObjectId> raised_outlines(std::span<const map::Footprint> footprints) {
 }
 
 bool is_silent(const map::Footprint& f) {
-  return f.is_height_assumed && f.min_height_m == 0 && !f.is_open && has_assumed_storeys(class_of(f));
+  return f.has_default_height && f.min_height_m == 0 && !f.is_open && has_assumed_storeys(class_of(f));
 }
 
 void set_storeys(double storeys, map::Footprint& f) {
   f.levels = storeys;
   f.height_m = snapped(storeys * class_level_m(class_of(f)));
-  f.has_roof_in_height = f.is_height_assumed = false;
+  f.has_roof_in_height = f.has_default_height = false;
   f.assumed |= bit_of(Assumption::kHeights);
 }
 
 void set_as_outline(const map::Footprint& outline, map::Footprint& f) {
   if (outline.height_m <= f.min_height_m) return;
   f.levels = outline.levels, f.height_m = outline.height_m;
-  f.has_roof_in_height = f.is_height_assumed = false;
+  f.has_roof_in_height = f.has_default_height = false;
   f.assumed |= bit_of(Assumption::kHeights);
 }
 

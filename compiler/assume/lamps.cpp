@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "compiler/assume/beside.h"
 #include "compiler/assume/cut_way.h"
 #include "compiler/assume/pavements.h"
 
@@ -68,8 +69,7 @@ bool may_be_lit(const map::Track& track) {
   return lit_class_score(track.surface).has_value();
 }
 
-}  // namespace
-
+// Returns true if a stretch of street or path is assumed to be lit. The caller checks that lit=* is not tagged.
 bool is_assumed_lit(const map::Track& stretch, const BothSides& sides) {
   double score = lit_class_score(stretch.surface).value_or(0);
   score += std::max(lit_land_score(sides.left.land), lit_land_score(sides.right.land));
@@ -80,6 +80,8 @@ bool is_assumed_lit(const map::Track& stretch, const BothSides& sides) {
   if (houses < kLitOpen) score += kLitOpenScore;
   return score > 0;
 }
+
+}  // namespace
 
 std::vector<map::Track> assume_lamps(const map::Features& features, Report& report) {
   const Surroundings surroundings = index_surroundings(features);

@@ -8,14 +8,10 @@
 
 #include <vector>
 
-#include "compiler/assume/beside.h"
 #include "compiler/contract/report.h"
 #include "compiler/map/features.h"
 
 namespace citykiln::assume {
-
-/// Returns true if a stretch of street or path is assumed to be lit. The caller checks that lit=* is not tagged.
-bool is_assumed_lit(const map::Track& stretch, const BothSides& sides);
 
 /// Returns the tracks with assumed lighting, sorted by id. Streets, and paved paths of 40 m or more, may change on the
 /// ground and on bridges if Track::has_tagged_lighting is false. Ways on the ground of more than kLongestWhole_m are

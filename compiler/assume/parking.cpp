@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/assume/beside.h"
 #include "compiler/assume/cut_way.h"
 #include "compiler/assume/pavements.h"
 
@@ -94,8 +95,8 @@ void add_parking(map::Track& track, std::uint8_t sides) {
   if ((sides & map::kRightSide) != 0) add_row(track, false);
 }
 
-}  // namespace
-
+// Returns the sides of a street on which cars are assumed to park, as bits of RoadSide; 0 if streets of this kind never
+// get rows, or if the street has no room for one.
 std::uint8_t assumed_parking(const map::Track& stretch, const BothSides& sides) {
   if (!may_have_parking(stretch)) return 0;
   const std::uint8_t own = stretch.side == map::DrivingSide::kRight ? map::kRightSide : map::kLeftSide;
@@ -104,6 +105,8 @@ std::uint8_t assumed_parking(const map::Track& stretch, const BothSides& sides) 
   if (!(own == map::kLeftSide ? left : right) || !has_width_for(stretch, 1)) return 0;
   return own;
 }
+
+}  // namespace
 
 std::vector<map::Track> assume_parking(const map::Features& features, Report& report) {
   const Surroundings surroundings = index_surroundings(features);

@@ -11,7 +11,6 @@
 
 #include <vector>
 
-#include "compiler/assume/beside.h"
 #include "compiler/contract/report.h"
 #include "compiler/map/features.h"
 
@@ -19,10 +18,6 @@ namespace citykiln::assume {
 
 /// The width of a row of cars parked along the kerb: the default of parking=lane.
 inline constexpr double kParkedRow_m = 2;
-
-/// Returns the sides of a street on which cars are assumed to park, as bits of RoadSide. It is 0 if streets of this
-/// kind never get rows, or if the street has no room for one.
-std::uint8_t assumed_parking(const map::Track& stretch, const BothSides& sides);
 
 /// Returns the tracks with assumed rows of parked cars, sorted by id. The rows are the same lanes as parking:left=lane
 /// and parking:right=lane give. The moving lanes become narrower, the carriageway keeps its width. A street may change

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compiler/assume/beside.h"
 #include "compiler/assume/cut_way.h"
 
 namespace citykiln::assume {
@@ -120,6 +121,18 @@ std::uint8_t inner_side(const Track& track) {
   return track.side == map::DrivingSide::kRight ? map::kLeftSide : map::kRightSide;
 }
 
+// Returns the width of the pavement that is assumed on a side of a stretch; 0 for none.
+// @param is_inner_side  True for the left side where traffic drives on the right, and for the right side elsewhere: on
+//                       roundabouts and dual carriageways this is the inner side.
+double assumed_pavement_m(const Track& stretch, const SideFacts& side, bool is_inner_side) {
+  if ((is_inner_side && stretch.is_roundabout) || side.path > kPathReplaces || side.oncoming > kCarriagewayReplaces)
+    return 0;
+  if (score_of(stretch, side, is_inner_side) <= 0) return 0;
+  const double usual_m = usual_width_m(stretch, side.houses > kTownHouses);
+  const double width_m = std::min(usual_m, std::floor(side.room_m / kWidthStep_m) * kWidthStep_m);
+  return width_m < kNarrowestPavement_m ? 0 : width_m;
+}
+
 bool add_pavement(Track& stretch, std::uint8_t side, const SideFacts& facts) {
   if ((stretch.tagged_pavements & side) != 0) return false;
   const double width_m = assumed_pavement_m(stretch, facts, inner_side(stretch) == side);
@@ -138,15 +151,6 @@ bool add_pavements(const Surroundings& surroundings, Track& stretch) {
 }
 
 }  // namespace
-
-double assumed_pavement_m(const Track& stretch, const SideFacts& side, bool is_inner_side) {
-  if ((is_inner_side && stretch.is_roundabout) || side.path > kPathReplaces || side.oncoming > kCarriagewayReplaces)
-    return 0;
-  if (score_of(stretch, side, is_inner_side) <= 0) return 0;
-  const double usual_m = usual_width_m(stretch, side.houses > kTownHouses);
-  const double width_m = std::min(usual_m, std::floor(side.room_m / kWidthStep_m) * kWidthStep_m);
-  return width_m < kNarrowestPavement_m ? 0 : width_m;
-}
 
 std::vector<Track> assume_pavements(const map::Features& features, Report& report) {
   const Surroundings surroundings = index_surroundings(features);

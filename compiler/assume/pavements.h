@@ -21,7 +21,8 @@ namespace citykiln::assume {
 /// A way of at most this length is not cut: a side of it has an assumed pavement along the whole way or none. Nothing
 /// is assumed of a longer segment without nodes.
 inline constexpr double kLongestWhole_m = 512;
-/// Longer ways are cut into stretches of at most this length, except between two nodes that are farther apart.
+/// Longer ways are cut at one node in each window of this length (cut_way.h). A stretch has at most twice this length,
+/// except between two nodes that are farther apart.
 inline constexpr double kStretch_m = 256;
 /// The result at a place of a way depends on what lies within this distance of it: the rest of the stretch, and what is
 /// mapped beside it.
@@ -29,11 +30,6 @@ inline constexpr double kPavementRadius_m = kLongestWhole_m + kBeside_m;
 
 /// The least width of an assumed pavement: two people can pass each other sideways, or one can push a pram.
 inline constexpr double kNarrowestPavement_m = 1;
-
-/// Returns the width of the pavement that is assumed on a side of a stretch; 0 for none.
-/// @param is_inner_side  True for the left side where traffic drives on the right, and for the right side elsewhere: on
-///                       roundabouts and dual carriageways this is the inner side.
-double assumed_pavement_m(const map::Track& stretch, const SideFacts& side, bool is_inner_side);
 
 /// Returns the tracks with assumed pavements, sorted by id. A side of a street may change if it is not in
 /// Track::tagged_pavements, and the street lies on the ground and outside of buildings. A way of more than

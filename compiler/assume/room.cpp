@@ -1,7 +1,6 @@
 #include "compiler/assume/room.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -180,7 +179,7 @@ Room room_beside(const Surroundings& surroundings, const map::Track& stretch) {
   for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
     const Vec2 along = unit(axis[i + 1] - axis[i]), left = left_of(along);
     for (const std::uint32_t n :
-         boxes_about(surroundings.line_grid, box_of(std::array{axis[i], axis[i + 1]}).widened(reach_m))) {
+         boxes_about(surroundings.line_grid, box_of_segment(axis[i], axis[i + 1]).widened(reach_m))) {
       const MappedLine& line = surroundings.lines[n];
       if (!limits_strips(line) || line.element.osm == stretch.id.osm) continue;
       if (i + 2 < axis.size()) limit_at_bend(measured, line, axis[i], axis[i + 1], axis[i + 2]);

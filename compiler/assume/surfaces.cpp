@@ -1,5 +1,6 @@
 #include "compiler/assume/surfaces.h"
 
+#include "compiler/assume/beside.h"
 #include "compiler/assume/cut_way.h"
 #include "compiler/assume/pavements.h"
 
@@ -25,13 +26,15 @@ bool may_be_unpaved(const map::Track& track) {
   return false;
 }
 
-}  // namespace
-
+// Returns the class that surface=gravel gives a way of this class, if surfaces.inc says that it is unpaved in this land
+// use; else `way_class`.
 map::LandCoverClass assumed_surface(map::LandCoverClass way_class, LandUse land) {
   for (const UnpavedRow& row : kUnpavedRows)
     if (row.paved == way_class && row.land == land) return row.unpaved;
   return way_class;
 }
+
+}  // namespace
 
 std::vector<map::Track> assume_surfaces(const map::Features& features, Report& report) {
   const Surroundings surroundings = index_surroundings(features);

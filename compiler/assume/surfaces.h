@@ -5,15 +5,10 @@
 
 #include <vector>
 
-#include "compiler/assume/beside.h"
 #include "compiler/contract/report.h"
 #include "compiler/map/features.h"
 
 namespace citykiln::assume {
-
-/// Returns the class that surface=gravel gives a way of this class, if surfaces.inc says that it is unpaved in this
-/// land use; else `way_class`.
-map::LandCoverClass assumed_surface(map::LandCoverClass way_class, LandUse land);
 
 /// Returns the tracks with assumed surfaces, sorted by id. A way may change if it lies on the ground and outside of
 /// buildings, and Track::has_tagged_surface is false. Ways of more than kLongestWhole_m are cut as by

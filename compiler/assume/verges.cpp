@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/assume/beside.h"
 #include "compiler/assume/cut_way.h"
 #include "compiler/assume/pavements.h"
 
@@ -45,6 +46,13 @@ bool may_have_verge(const map::Track& track) {
   return pavement_alone_m(track, true) > 0 || pavement_alone_m(track, false) > 0;
 }
 
+// Returns the width of the verge that is assumed on a side of a stretch with a pavement of this width; 0 for none.
+double assumed_verge_m(const map::Track& stretch, const SideFacts& side, double pavement_m) {
+  const VergeRow* row = row_of(stretch);
+  if (row == nullptr || side.land != LandUse::kResidential || side.houses > row->most_houses) return 0;
+  return side.room_m >= std::max(kGardenRoom_m, pavement_m + row->width_m) ? row->width_m : 0;
+}
+
 bool add_verges(const Surroundings& surroundings, map::Track& stretch) {
   if (length_m(stretch.axis) > kLongestWhole_m) return false;
   const BothSides facts = facts_beside(surroundings, stretch);
@@ -63,12 +71,6 @@ bool add_verges(const Surroundings& surroundings, map::Track& stretch) {
 }
 
 }  // namespace
-
-double assumed_verge_m(const map::Track& stretch, const SideFacts& side, double pavement_m) {
-  const VergeRow* row = row_of(stretch);
-  if (row == nullptr || side.land != LandUse::kResidential || side.houses > row->most_houses) return 0;
-  return side.room_m >= std::max(kGardenRoom_m, pavement_m + row->width_m) ? row->width_m : 0;
-}
 
 std::vector<map::Track> assume_verges(const map::Features& features, const std::vector<map::Track>& mapped,
                                       Report& report) {

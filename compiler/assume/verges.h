@@ -8,15 +8,10 @@
 
 #include <vector>
 
-#include "compiler/assume/beside.h"
 #include "compiler/contract/report.h"
 #include "compiler/map/features.h"
 
 namespace citykiln::assume {
-
-/// Returns the width of the verge that is assumed on a side of a stretch that has a pavement; 0 for none.
-/// @param pavement_m  The width of the pavement.
-double assumed_verge_m(const map::Track& stretch, const SideFacts& side, double pavement_m);
 
 /// Returns the tracks with assumed verges, sorted by id. A verge is the same lane as verge=* and verge:left:width=*
 /// give; the pavement moves outwards by its width. A side of a street may change if the street lies on the ground, the

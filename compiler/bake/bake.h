@@ -19,8 +19,9 @@
 namespace citykiln::bake {
 
 /// Bakes a tile at a tolerance: a pure function of header, chunk and tolerance. Objects smaller than the tolerance are
-/// dropped in the accounts "bake/bridge", "bake/tunnel", "bake/building", "bake/tree", "bake/barrier", "bake/lamp"
-/// (mapped lamps) and "bake/derived lamp" (lamps along lit streets).
+/// dropped in the accounts "bake/bridge", "bake/tunnel", "bake/building", "bake/barrier", "bake/wires", "bake/thing",
+/// "bake/lamp" (mapped lamps) and "bake/derived lamp" (lamps along lit streets). The account "bake/tree" drops only
+/// mapped trees on roads, rails, buildings or water.
 ///
 /// @param tolerance_m  Largest deviation, > 0.
 /// @param prototypes   Shared meshes of plants, for all tiles of this header. Null: they are made for this call.
@@ -37,8 +38,8 @@ std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chu
                             std::span<const double> tolerances_m, int threads, Report& report,
                             std::shared_ptr<const PrototypeCache> prototypes = nullptr);
 
-/// The value of most_instances for no limit. `most_instances` is the number of instances (plants and lamps) above which
-/// a tile's plants become merged meshes (stands.h).
+/// The value of most_instances for no limit. `most_instances` is the number of instances (plants, lamps and things)
+/// above which a tile's plants become merged meshes (stands.h).
 inline constexpr std::size_t kAnyInstances = std::numeric_limits<std::size_t>::max();
 
 /// A tile whose levels can be baked one by one: the data that levels share, and the ground of each level that is not

@@ -11,8 +11,6 @@
 #include "compiler/contract/detail_tolerances.h"
 
 namespace citykiln::bake {
-namespace {}  // namespace
-
 InstancedMesh instances_of(const Baking& baking, const std::string& name, const std::vector<Placement>& placements,
                            double size_m) {
   InstancedMesh instanced{.name = name, .primitives = {}};
@@ -90,8 +88,10 @@ bool bake_lamp_kind(Baking& baking, const Lamps& lamps, const ground::GradedTerr
   return true;
 }
 
-// Plants are at most as wide as high (bounds.h), so no point is farther from the foot than this share of the height.
-constexpr double kReach = 1.225;
+// The distance from the foot to the rim of the widest crown, at the height of its top, as a share of the height. Leaves
+// of shipped plants other than blades are at most 1.15 heights away.
+constexpr double kReach = 1.25;
+static_assert(kReach * kReach == 1 + plants::kWidestCrown * plants::kWidestCrown / 4);
 constexpr double kHighestLeftOut_m = 2;
 
 void leave_out_low_plants(Placed& placed, double tolerance_m) {
@@ -169,7 +169,8 @@ void bake_trees(Baking& baking, const Placed& placed, const PrototypeCache& prot
 }
 
 Bounds bounds_of_pit(const props::TreePit& pit, const ground::GradedTerrain& graded) {
-  return bounds_of(Placement{at_height(pit.at, land_m(graded, pit.at)), 1, 0, pit.side_m, {}});
+  const double ground_m = land_m(graded, pit.at);
+  return {Box2{pit.at, pit.at}.widened(pit.side_m / 2), ground_m, ground_m + pit.side_m};
 }
 
 void bake_tree_pits(Baking& baking, const SharedByLevels& shared) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compiler/plants/species.h"
+
 namespace citykiln::bake {
 namespace {
 
@@ -64,7 +66,8 @@ Bounds bounds_of(const wires::WireSpan& span) {
 
 Bounds bounds_of(const Placement& placement) {
   const Vec2 at = in_plan(placement.at);
-  return {Box2{at, at}.widened(placement.scale / 2), placement.at.z, placement.at.z + placement.scale};
+  return {Box2{at, at}.widened(plants::kCrownReach * placement.scale), placement.at.z,
+          placement.at.z + placement.scale};
 }
 
 Bounds bounds_of(const Mesh& mesh) {

@@ -16,8 +16,9 @@
 
 namespace citykiln::bake {
 
-/// The largest difference in height between the terrain and the ground after roads and water have cut into it. Cuts and
-/// banks meet the terrain within this distance in plan, so the difference is hardly ever larger.
+/// The difference in height between the terrain and the ground after roads and water have cut into it that bounds allow
+/// for. An estimate, not a bound: cuts and banks meet the terrain within this distance in plan, so that only slopes of
+/// more than 45° exceed it.
 inline constexpr double kGraded_m = ground::kGrading_m;
 
 /// A closed box of the plane, and a closed interval of heights.
@@ -42,7 +43,8 @@ Bounds bounds_of(const structures::Span& span);
 Bounds bounds_of(const props::Barrier& barrier, const map::Heightfield& terrain);
 /// The bounds of the wires of a span.
 Bounds bounds_of(const wires::WireSpan& span);
-/// The bounds of a placed mesh, which is 1 m tall and at most 1 m wide before Placement::scale enlarges it.
+/// The bounds of a placed plant or lamp, a mesh that is 1 m tall before Placement::scale enlarges it:
+/// plants::kCrownReach heights around its foot in plan, and from its foot to its top.
 Bounds bounds_of(const Placement& placement);
 /// The bounds of a mesh's vertices.
 Bounds bounds_of(const Mesh& mesh);

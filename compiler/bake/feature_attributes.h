@@ -15,11 +15,12 @@ namespace citykiln::bake {
 /// The attributes of one feature. Texts are valid UTF-8.
 struct FeatureAttributes {
   std::string kind{};  ///< The class of a building ("Apartments"), road or land ("ResidentialRoad", "Park"), plant
-                       ///< ("oak"), prop ("Fence") or thing ("Bench"). Empty for the none feature.
+                       ///< ("oak"), prop ("Fence"), thing ("Bench") or wires ("PowerLine"). Empty for the none feature,
+                       ///< and for an element of which the chunk has only derived recipes, such as a yard's fence.
   std::string name{};  ///< Empty: none.
-  float height_m =
-      0;  ///< From foot to top of buildings, barriers, lamps, things and single plants; 0: none or unknown.
-  std::string tags{};                    ///< The map's tags as a JSON object; empty unless the scene keeps them.
+  float height_m = 0;  ///< From foot to top of buildings, barriers, lamps, things and single plants; of wires an upper
+                       ///< bound of their height above the ground. 0: none or unknown.
+  std::string tags{};  ///< The map's tags as a JSON object; empty unless the scene keeps them.
   Assumptions assumed = kNoAssumptions;  ///< The assumptions of all its recipes.
   bool operator==(const FeatureAttributes&) const = default;
 };
@@ -28,8 +29,8 @@ struct FeatureAttributes {
 using ThingClasses = std::map<std::string, std::string, std::less<>>;
 
 /// Returns the attributes of each feature. An element with several recipes has the greatest height, all their
-/// assumptions, and the class of the first one in this order: building, bridge or tunnel, road, watercourse, barrier,
-/// plant, lamp, thing, land. O(n log n) in the recipes.
+/// assumptions, and the class of the first one in this order: building, bridge, tunnel, road, watercourse, landform,
+/// barrier, plant, lamp, thing, wires, land. O(n log n) in the recipes.
 /// @param features  Sorted.
 /// @param classes   The classes of things by kind; a kind without one is its own class.
 std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::span<const OsmId> features,

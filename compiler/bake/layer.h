@@ -17,7 +17,8 @@ enum class Layer : std::uint8_t {
   kWater,       ///< Seas, lakes, rivers.
   kBuildings,   ///< Buildings.
   kStructures,  ///< Bridges with their roads, tunnels, stairs.
-  kProps,       ///< Walls, fences, street lamps, tree pits; at coarse tolerances hedges, as bands along their lines.
+  kProps,       ///< Walls, fences, street lamps, things, wires, tree pits; at coarse tolerances hedges, as bands along
+                ///< their lines.
   kPlants,      ///< Trees, grass, canopies of woods; at fine tolerances hedges, as single plants.
   kCount        ///< The number of layers.
 };

@@ -5,6 +5,7 @@
 #include <functional>
 #include <set>
 
+#include "compiler/bake/bake_instances.h"
 #include "compiler/bake/merge.h"
 
 namespace citykiln::bake {
@@ -18,7 +19,7 @@ std::set<OsmId> elements_to_take(const plants::PlacedPlants& placed, std::size_t
     for (const Placement& p : placements) ++plants_of[p.feature], ++left;
   std::vector<std::pair<std::size_t, OsmId>> largest;
   for (const auto& [element, count] : plants_of)
-    if (count > kFewestStandPlants) largest.emplace_back(count, element);
+    if (count > kMostLoosePlants) largest.emplace_back(count, element);
   std::ranges::sort(largest, std::greater());
   std::set<OsmId> taken;
   for (const auto& [count, element] : largest) {
@@ -59,8 +60,7 @@ Stands take_stands(plants::PlacedPlants& placed, double tolerance_m, std::size_t
   for (auto& [prototype, placements] : placed) {
     const auto is_kept = [&](const Placement& p) { return !taken.contains(p.feature); };
     const auto rest = std::stable_partition(placements.begin(), placements.end(), is_kept);
-    const int variants = plants::variants_at(stand_tolerance_m(table[prototype.species], tolerance_m));
-    const plants::Prototype alike{prototype.species, static_cast<std::uint8_t>(prototype.variant % variants)};
+    const plants::Prototype alike = merged_variant(prototype, stand_tolerance_m(table[prototype.species], tolerance_m));
     for (auto p = rest; p != placements.end(); ++p) stands[{p->feature, alike}].push_back(*p);
     placements.erase(rest, placements.end());
   }

@@ -16,8 +16,9 @@
 
 namespace citykiln::bake {
 
-/// Only elements with more plants than this become stands. Mapped single trees are elements of one plant and never do.
-inline constexpr std::size_t kFewestStandPlants = 16;
+/// Elements with up to this many plants do not become stands. Mapped single trees are elements of one plant and never
+/// do.
+inline constexpr std::size_t kMostLoosePlants = 16;
 /// The smallest tolerance of plants in stands, as a share of the tallest height of their species. A crown then consists
 /// of a few leaf cards (textured rectangles).
 inline constexpr double kStandTolerance = 1.0 / 16;
@@ -32,7 +33,7 @@ using Stands = std::map<std::pair<OsmId, plants::Prototype>, std::vector<Placeme
 double stand_tolerance_m(const plants::SpeciesValues& species, double tolerance_m);
 
 /// Moves plants out of `placed` into stands, all plants of one element at a time, the elements with the most plants
-/// first. Stops when at most `most` plants are left in `placed`, or no element with more than kFewestStandPlants.
+/// first. Stops when at most `most` plants are left in `placed`, or no element with more than kMostLoosePlants.
 /// @param placed       The plants of a tile by prototype.
 /// @param tolerance_m  The tile's tolerance. Variants that share a mesh at stand_tolerance_m() are in one stand.
 Stands take_stands(plants::PlacedPlants& placed, double tolerance_m, std::size_t most,

@@ -22,6 +22,13 @@ Bounds ground_bounds(const map::Heightfield& terrain, const Box2& box) {
   return bounds;
 }
 
+// The bounds of a thing or lamp before the ground below it is known.
+Bounds standing_bounds(const map::Heightfield& terrain, Vec2 at, double half_m, double height_m) {
+  Bounds bounds = ground_bounds(terrain, Box2{at, at}.widened(half_m));
+  bounds.high_m += height_m;
+  return bounds;
+}
+
 // The level of the cell at a place; kNoLevel outside the extent.
 int level_at(const ViewLevels& levels, Vec2 within) {
   const int column = static_cast<int>(std::floor((within.x - levels.extent.min.x) / map::kCell_m)),
@@ -63,6 +70,14 @@ int finest_needed(const View& view, const scene::Chunk& chunk, const Box2& box) 
   for (const auto& barrier : chunk.barriers) need(bounds_of(barrier, chunk.heights));
   for (const auto* spans : {&chunk.bridges, &chunk.tunnels})
     for (const structures::Span& span : *spans) need(bounds_of(span));
+  for (const wires::WireSpan& span : chunk.wire_spans) need(bounds_of(span));
+  for (const things::Thing& thing : chunk.things)
+    need(standing_bounds(chunk.heights, thing.at, length(Vec2{thing.form.width_m, thing.form.depth_m}) / 2,
+                         thing.form.height_m));
+  // low.high_m allows for others
+  for (const props::Lamp& lamp : chunk.lamps)
+    if (lamp.height_m > plants::kTallestPlant_m)
+      need(standing_bounds(chunk.heights, lamp.at, plants::kCrownReach * lamp.height_m, lamp.height_m));
   return finest;
 }
 

@@ -51,7 +51,7 @@ struct ViewZone {
 std::vector<ViewZone> zones_of(const ViewLevels& levels, const Box2& tile);
 
 /// Returns the levels of the parts in which a tile is baked, ascending: the levels of its cells, and one that is fine
-/// enough for every object of the tile.
+/// enough for every object of the tile. O(heights and objects of the chunk).
 std::vector<int> levels_of_parts(const ViewLevels& levels, const scene::Header& header, const scene::Chunk& chunk);
 
 /// Returns the index, among the levels of a tile's parts, of the coarsest level that is at most `level`; 0 if there is

@@ -12,7 +12,7 @@ struct BuildingMaterials {
   materials::Material wall{}, roof{};
 };
 
-/// The height above which buildings without a tagged material have glass facades.
+/// The height above which buildings without a tagged material have glass facades, except classes with walls of stone.
 inline constexpr double kGlassTower_m = 60;
 
 /// Returns the materials of a footprint: the tagged ones, else by class, height and roof form (building_materials.inc).

@@ -59,6 +59,6 @@ std::vector<LinePart> free_parts(std::size_t footprint, std::size_t edge, std::u
 /// point outside, and for a point inside and a wall that faces no street.
 inline constexpr double kFrontInside_m = 15, kFrontOutside_m = 1.5, kNearWall_m = 4;
 /// The least and the largest width of a front, and the width of wall that a building's own door takes.
-inline constexpr double kLeastFront_m = 2.5, kWidestFront_m = 12, kDoorTile_m = 2.5;
+inline constexpr double kLeastFront_m = 2.5, kWidestFront_m = 12, kDoorTile_m = 2 * kMinDoorToCorner_m;
 
 }  // namespace citykiln::buildings

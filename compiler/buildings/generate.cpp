@@ -196,9 +196,11 @@ void add_ruled(const Level& level, const RuledMass& ruled, GeneratedBuilding& ge
   generated.textured_faces = std::move(faces.textured_faces);
 }
 
-// Drops a building that, roof structures included, is lower than the tolerance: the ground is that near.
+// Drops a building on the ground that, roof structures included, is lower than the tolerance: the ground is that near.
+// Slabs above the ground stay: several of them, each thin, may carry a tower.
 GeneratedBuilding drop_if_low(const Level& level, GeneratedBuilding generated) {
   const Building& building = level.building;
+  if (!building.stands_on_ground && building.posts.empty()) return generated;
   const double foot_m = building.posts.empty() ? building.bottom_m : building.post_foot_m;
   if (level.context.is_for_blocks || building.top_m - foot_m >= level.tolerance_m) return generated;
   double top_m = building.top_m;

@@ -37,10 +37,11 @@ struct SceneContext {
 /// Generates a building at one tolerance.
 ///
 /// The rules of the building's style refine its mass model (mass_model.h) down to the tolerance. Without rules for the
-/// style the result is the mass model itself. A building lower than the tolerance, roof structures included, has no
-/// mesh, and its height is the error. Tints and random draws of rules depend on the seed and the id, not on `night`.
-/// Diagnoses: a flat roof in place of another (kRoofFallback), rule errors (kRuleErrors), rules that place models or
-/// lay out textures, since neither is drawn (kRuleWithoutEffect). tolerance_m > 0. Cost: that of the derivation.
+/// style the result is the mass model itself. A building on the ground that is lower than the tolerance, roof
+/// structures included, has no mesh, and its height is the error. Tints and random draws of rules depend on the seed
+/// and the id, not on `night`. Diagnoses: a flat roof in place of another (kRoofFallback), rule errors (kRuleErrors),
+/// rules that place models or lay out textures, since neither is drawn (kRuleWithoutEffect). tolerance_m > 0. Cost:
+/// that of the derivation.
 GeneratedBuilding generate(const Building& building, const Rulebook& rulebook, SceneContext context, double tolerance_m,
                            Report& report);
 

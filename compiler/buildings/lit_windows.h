@@ -43,7 +43,7 @@ double lit_window_share(Use use, WeekTime time);
 grammars::AnswerContextQuery lit_windows(const Building& building, WeekTime time, std::uint64_t seed);
 
 /// True if lamps are on behind a shop front: during its hours (as tagged, else of its kind), and up to half an hour
-/// before and three quarters after them; after closing until 23:30 in a share of the windows, by kind.
+/// before and three quarters after them. A share of the fronts, by kind, is lit from 15:00 to 23:30 on all days.
 /// @param front  Index into building.fronts.
 bool is_front_lit(const Building& building, std::uint32_t front, WeekTime time, std::uint64_t seed);
 

@@ -34,7 +34,8 @@ struct MassModel {
 MassModel mass_model_of(const Building& building, double tolerance_m, Report& report);
 
 /// Returns the start shape for the rules: walls (kSide, kInside), gables (kVertical), roof planes (kTop), rims and
-/// undersides of eaves (kBorder). The scope's x axis follows the longest wall that faces a street, z points up.
+/// undersides of eaves (kBorder). The scope's x axis follows the longest wall that faces a street, else
+/// the longest wall; y points up, and z is x cross y.
 grammars::Shape shape_of(const Building& building, const MassModel& mass);
 
 }  // namespace citykiln::buildings

@@ -1,7 +1,6 @@
 #include "compiler/buildings/party_walls.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <optional>
 #include <tuple>
@@ -64,7 +63,7 @@ std::optional<SharedWall> shared(const Edge& wall, const Edge& other) {
 std::vector<std::vector<SharedWall>> shared_walls(std::span<const map::Footprint> footprints) {
   const std::vector<Edge> edges = footprint_edges(footprints);
   std::vector<Box2> boxes;
-  for (const Edge& edge : edges) boxes.push_back(box_of(std::array{edge.from, edge.to}).widened(kTouching_m));
+  for (const Edge& edge : edges) boxes.push_back(box_of_segment(edge.from, edge.to).widened(kTouching_m));
   const BoxGrid grid = grid_of(boxes, kPartyWallBucket_m);
   std::vector<std::vector<SharedWall>> all(footprints.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {

@@ -20,10 +20,10 @@ namespace citykiln::buildings {
 /// along the walls that face a street (street_sides.h), or from the highest ground if no wall does; storeys are added
 /// below, down to the lowest ground. All parts of an outline (map/buildings/part_outlines.h) are measured from the
 /// outline's ground: from the lowest, if height=* is tagged for one of them. A building on the ground whose eaves are
-/// less than kMinWallAboveGround_m above its highest ground is raised (kHeightRaised). Walls extend kFoundation_m below
-/// the lowest ground. A roof without walls is a slab of 0.25 m, open below. It stands on posts (posts.h),
-/// as does a building that min_height lifts but nothing supports (vertical_support.h; kUnsupportedBuilding). The result
-/// does not depend on the order of the footprints. Accepts any footprints.
+/// less than 2 m above its highest ground is raised (kHeightRaised). Walls extend 3 m below the lowest ground. A roof
+/// without walls is a slab of 0.25 m, open below. It stands on posts (posts.h), as does a building that min_height
+/// lifts but nothing supports (vertical_support.h; kUnsupportedBuilding). The result does not depend on the order of
+/// the footprints. Accepts any footprints.
 std::vector<Building> plan(const map::Features& features, const ground::GradedTerrain& ground, Report& report);
 
 }  // namespace citykiln::buildings

@@ -24,7 +24,7 @@ void add_ways(const map::Track& track, PostObstacles& obstacles, std::vector<Box
   const double clear_m = std::max(offset_m, carriageway_m - offset_m) + raised_m + kBesideWay_m;
   for (std::size_t i = 0; i + 1 < track.axis.size(); ++i) {
     obstacles.ways.push_back({track.axis[i], track.axis[i + 1], clear_m});
-    boxes.push_back(box_of(std::array{track.axis[i], track.axis[i + 1]}).widened(clear_m));
+    boxes.push_back(box_of_segment(track.axis[i], track.axis[i + 1]).widened(clear_m));
   }
 }
 
@@ -74,11 +74,6 @@ bool is_at_wall(Vec2 p, std::size_t self, const PostObstacles& obstacles, double
   });
 }
 
-Vec2 on_map_grid(Vec2 p) {
-  const auto rounded = [](double x) { return std::floor(x / map::kMapStep_m + 0.5) * map::kMapStep_m; };
-  return {rounded(p.x), rounded(p.y)};
-}
-
 }  // namespace
 
 PostObstacles index_post_obstacles(std::span<const map::Track> tracks, std::span<const map::Footprint> footprints) {
@@ -102,7 +97,7 @@ std::vector<Vec2> plan_posts(std::size_t footprint, const PostObstacles& obstacl
   for (const Ring* ring : rings_of(polygon)) add_places(*ring, places);
   std::vector<Vec2> posts;
   for (const BorderPlace& place : places) {
-    const Vec2 p = on_map_grid(place.at + place.inward * width_m);
+    const Vec2 p = snapped_to(map::kMapStep_m, place.at + place.inward * width_m);
     if (!contains(polygon, p) || distance_to_border_m(polygon, p) < width_m / 2) continue;
     if (is_on_way(p, obstacles, width_m) || is_at_wall(p, footprint, obstacles, width_m)) continue;
     const auto touches = [&](Vec2 other) { return distance(p, other) < kLeastWidthsApart * width_m; };

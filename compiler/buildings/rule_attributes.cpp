@@ -1,15 +1,10 @@
 #include "compiler/buildings/rule_attributes.h"
 
-#include <fmt/format.h>
-
+#include "compiler/contract/hex_colour.h"
 #include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::buildings {
 namespace {
-
-std::string hex_of(const std::optional<map::Srgb>& colour) {
-  return colour ? fmt::format("#{:02x}{:02x}{:02x}", (*colour)[0], (*colour)[1], (*colour)[2]) : "";
-}
 
 // "RoofTile" becomes "roof_tile".
 std::string snake_case(std::string_view camel) {
@@ -41,9 +36,9 @@ std::map<std::string, grammars::Value> rule_attributes_of(const Building& buildi
           {"shop", building.has_shop && building.stands_on_ground},
           {"attached", !building.party_walls.empty()},
           {"year", static_cast<double>(building.year)},
-          {"wall_colour", hex_of(building.wall_colour)},
+          {"wall_colour", hex_colour(building.wall_colour)},
           {"wall_material", material_name(building.wall)},
-          {"roof_colour", hex_of(building.roof_colour)},
+          {"roof_colour", hex_colour(building.roof_colour)},
           {"roof_material", material_name(building.roof)},
           {"roof", std::string(roofs::name_of(roof))},
           {"lifted", !building.stands_on_ground},

@@ -1,7 +1,6 @@
 #include "compiler/buildings/street_sides.h"
 
 #include <algorithm>
-#include <array>
 
 #include "compiler/geometry/segment.h"
 
@@ -38,7 +37,7 @@ Streets index_streets(std::span<const map::Track> tracks) {
     const double half_m = std::min(kMaxStreet_m, map::carriageway_width_m(track.section)) / 2;
     for (std::size_t i = 0; i + 1 < track.axis.size(); ++i) {
       streets.segments.push_back({track.axis[i], track.axis[i + 1], half_m});
-      boxes.push_back(box_of(std::array{track.axis[i], track.axis[i + 1]}));
+      boxes.push_back(box_of_segment(track.axis[i], track.axis[i + 1]));
     }
   }
   streets.grid = grid_of(boxes, kStreetBucket_m);

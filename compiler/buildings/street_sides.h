@@ -22,8 +22,8 @@ struct Streets {
 /// Returns the streets of a map.
 Streets index_streets(std::span<const map::Track> tracks);
 
-/// Returns true for each edge of the outer ring that faces a street: a kerb lies within 14 m (pavement and front
-/// garden) and within 45 degrees of the edge's outward normal. O(segments near).
+/// Returns true for each edge of the outer ring, at least 1.5 m long, that faces a street: a kerb lies within 14 m
+/// (pavement and front garden) and within 45 degrees of the edge's outward normal. O(segments near).
 std::vector<bool> street_sides(const Polygon& footprint, const Streets& streets);
 
 }  // namespace citykiln::buildings

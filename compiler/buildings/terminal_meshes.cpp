@@ -101,7 +101,7 @@ void add_triangulated(const Face& face, Mesh& mesh) {
 // Returns false for a face without area. The vector area of the outer ring is computed once for size and normal.
 bool add_face_with_normal(const Face& face, Vec3 twice_outer_m2, Vec3 normal, Mesh& mesh) {
   const bool has_holes = !face.holes.empty();
-  const double area = length(has_holes ? area_vector_m2(face) : twice_outer_m2) / 2;
+  const double area = length(has_holes ? double_area_vector_m2(face) : twice_outer_m2) / 2;
   if (area < kMinFaceArea_m2) return false;
   const std::optional<std::uint32_t> hub = has_holes ? std::nullopt : hub_of(face.outer, normal);
   if (hub)
@@ -112,7 +112,7 @@ bool add_face_with_normal(const Face& face, Vec3 twice_outer_m2, Vec3 normal, Me
 }
 
 void add_material_face(const Face& face, bool has_uvs, MaterialMesh& mesh) {
-  const Vec3 twice_m2 = area_vector_m2(face.outer), normal = unit(twice_m2);
+  const Vec3 twice_m2 = double_area_vector_m2(face.outer), normal = unit(twice_m2);
   if (add_face_with_normal(face, twice_m2, normal, mesh.mesh) && has_uvs) add_uvs(face, normal, mesh);
 }
 
@@ -139,7 +139,7 @@ void reserve_points(const grammars::Derivation& derivation, std::span<const Targ
 }  // namespace
 
 void add_face(const Face& face, Mesh& mesh) {
-  const Vec3 twice_m2 = area_vector_m2(face.outer);
+  const Vec3 twice_m2 = double_area_vector_m2(face.outer);
   add_face_with_normal(face, twice_m2, unit(twice_m2), mesh);
 }
 

@@ -12,9 +12,10 @@ namespace citykiln::buildings {
 
 /// Returns true for each footprint that is supported.
 ///
-/// Supported are footprints on the ground; footprints above another one that reaches up to them within one storey, at 2
-/// % or more of 16 by 16 sample points; bays (under 150 m²) that share a wall with a footprint of their height, and
-/// bridges that share walls with two. Outlines with parts support nothing. O(n) for footprints that do not overlap.
+/// Supported are footprints on the ground; footprints above others that reach up to them within 3.5 m (a storey), at
+/// more than 2 % of 16 by 16 sample points, or above the middle of one of these, which may be a column; bays (under 150
+/// m²) that share a wall with a footprint of their height, and bridges that share walls with two. Outlines with parts
+/// support nothing. O(n) for footprints that do not overlap.
 /// @param shared  The result of shared_walls(footprints).
 std::vector<bool> find_supported(std::span<const map::Footprint> footprints,
                                  std::span<const std::vector<SharedWall>> shared);

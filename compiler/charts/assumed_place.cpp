@@ -80,8 +80,8 @@ std::string name_of_file(const std::string& path) {
   return name.substr(0, name.find('.'));
 }
 
-}  // namespace
-
+// Returns the extract without the tags of a kind, at the elements that are out. A street lamp without tags is none.
+// O(tags).
 OsmData without_tags(OsmData osm, LeftOut kind, const IsOut& is_out) {
   TagRemover remover{osm, left_out_strings(osm, kind)};
   for (source::Node& node : osm.nodes) {
@@ -97,6 +97,8 @@ OsmData without_tags(OsmData osm, LeftOut kind, const IsOut& is_out) {
     if (is_out({OsmType::kRelation, relation.id})) remover.remove(relation.tags);
   return osm;
 }
+
+}  // namespace
 
 Result<Place> read_place(const std::string& path, int threads) {
   Report ignored;

@@ -24,10 +24,6 @@ enum class LeftOut : std::uint8_t {
 /// True for elements whose tags are left out.
 using IsOut = std::function<bool(OsmId)>;
 
-/// Returns the extract without the tags of a kind, at the elements that are out. A street lamp without tags is none.
-/// O(tags).
-source::OsmData without_tags(source::OsmData osm, LeftOut kind, const IsOut& is_out);
-
 /// A map whose tags are known.
 struct Place {
   std::string name;  ///< The name of the file, without endings.

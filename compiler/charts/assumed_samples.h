@@ -36,8 +36,9 @@ inline constexpr double kBlock_m = 256;
 /// The colour of a place on the checkerboard of blocks, 0 or 1.
 int block_colour(Vec2 at);
 
-/// Sets Sample::constant: for numbers the median, else the majority, of the samples of the class in all other places;
-/// of a single place, of its own. Classes with fewer than 5 samples have the constant of all classes.
+/// Sets Sample::constant: for numbers the median, else the share of yes, of the samples of the class in all other
+/// places; of a single place, of its own. Classes with fewer than 5 samples have the constant of all classes. A share
+/// of 0.5 and more counts as yes (score_of()).
 void set_constants(std::span<std::vector<Sample>> places, bool is_yes_or_no);
 
 /// Sets Sample::mean: of the eight nearest samples of the other colour.

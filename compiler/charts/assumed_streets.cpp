@@ -1,6 +1,5 @@
 // Pavements, light and widths of streets, as tagged and as built.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -78,7 +77,7 @@ PathSegments path_segments(const map::Features& features) {
       continue;
     for (std::size_t i = 0; i + 1 < track.axis.size(); ++i) {
       paths.segments.emplace_back(track.axis[i], track.axis[i + 1]);
-      boxes.push_back(box_of(std::array{track.axis[i], track.axis[i + 1]}));
+      boxes.push_back(box_of_segment(track.axis[i], track.axis[i + 1]));
     }
   }
   if (!boxes.empty()) paths.grid = grid_of(boxes, kPathBucket_m);

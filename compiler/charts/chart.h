@@ -46,10 +46,11 @@ struct ChartRequest {
   source::LonLatBox bbox;  ///< The area of the terrain chart, if has_bbox; else all of the heightmap.
   bool has_bbox = false;
   std::vector<source::RasterSpec> rasters;  ///< Heightmaps. The terrain chart uses only the first.
-  std::vector<std::string> maps;            ///< The maps of all charts except plane, terrain, plant and lsystem.
-  std::optional<Vec3> eye;                  ///< The viewer of the view chart; empty: 100 m above the middle of the map.
-  double lat_deg = 42.5;                    ///< The latitude of the plane chart's origin.
-  double cell_m = 1024;                     ///< The side of the terrain chart's cells.
+  /// The maps of all charts except plane, terrain, plant, lsystem, lights, sky, linelights and cloud.
+  std::vector<std::string> maps;
+  std::optional<Vec3> eye;  ///< The viewer of the view chart; empty: 100 m above the middle of the map.
+  double lat_deg = 42.5;    ///< The latitude of the plane chart's origin.
+  double cell_m = 1024;     ///< The side of the terrain chart's cells.
   int threads = 0;
 };
 

@@ -78,7 +78,7 @@ struct FileCost {
 
 /// The file of a tile, written and read on one thread.
 Result<FileCost> cost_of(const bake::BakedTile& tile, const scene::Header& header, Compression compression) {
-  const exporters::GlbOptions options{.target = Target::kThree, .split = Split::kTile, .compression = compression};
+  const exporters::GlbOptions options{.target = Target::kThree, .split = NodeSplit::kTile, .compression = compression};
   FileCost cost;
   for (int run = 0; run < kEncodingRuns; ++run) {
     const double begin_s = processor_s();
@@ -95,7 +95,7 @@ Result<FileCost> cost_of(const bake::BakedTile& tile, const scene::Header& heade
 /// The bytes of a file that are not meshes.
 double other_bytes(bake::BakedTile tile, const scene::Header& header) {
   tile.primitives.clear();
-  return static_cast<double>(exporters::encode_glb(tile, header, {.split = Split::kTile}).size());
+  return static_cast<double>(exporters::encode_glb(tile, header, {.split = NodeSplit::kTile}).size());
 }
 
 struct Measured {

@@ -95,7 +95,7 @@ ProfileMeasure measure_at(const ProfileInputs& inputs, double scale) {
                             inputs.waters.surfaces, inputs.heights, ignored, scale);
   ProfileMeasure measure;
   for (const roads::Road& road : profiles.roads) {
-    if (road.profile.empty() || !ground::is_graded(road.surface)) continue;
+    if (road.profile.empty() || !ground::has_profile(road.surface)) continue;
     add_earth(road, inputs.heights, measure);
     add_grades(road, scale, measure);
   }

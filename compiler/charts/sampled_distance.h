@@ -9,7 +9,8 @@
 
 namespace citykiln::charts {
 
-/// Returns the triangles of all primitives, and of the copies of instanced meshes that are not rotated.
+/// Returns the triangles of all primitives, and of all instances, moved and scaled but not rotated. In the tile's
+/// frame.
 std::vector<simplify::Corners> triangles_in(const bake::BakedTile& tile);
 
 /// Returns the largest distance from samples of `from` to `to`. The samples are all corners, and points spread evenly

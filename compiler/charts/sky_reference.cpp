@@ -154,7 +154,7 @@ Vec3 about(Vec3 axis, double cosine, double turn) {
 // The cosine of scattering: uniform for half of the molecules' share, since their phase is nearly so.
 double draw_cosine(bool is_aerosol, double chance) {
   if (!is_aerosol) return 2 * chance - 1;
-  constexpr double g = sky::kForward;
+  constexpr double g = sky::kAsymmetry;
   const double t = (1 - g * g) / (1 - g + 2 * g * chance);
   return std::clamp((1 + g * g - t * t) / (2 * g), -1.0, 1.0);
 }

@@ -116,7 +116,7 @@ ClimateMix climate_mix_at(double lon_deg, double lat_deg) {
   std::size_t count = 0;
   for (const int right : {0, 1})
     for (const int down : {0, 1}) {
-      const int column = (static_cast<int>(left) + right + 2 * kCellColumns) % kCellColumns;
+      const int column = static_cast<int>(left + right - kCellColumns * std::floor((left + right) / kCellColumns));
       const int row = std::clamp(static_cast<int>(top) + down, 0, kCellRows - 1);
       const double share = (right ? x - left : 1 - (x - left)) * (down ? y - top : 1 - (y - top));
       const std::optional<ClimateClass> own = class_of({column, row});

@@ -13,7 +13,8 @@ namespace citykiln::climate {
 ClimateClass climate_at(double lon_deg, double lat_deg);
 
 /// Returns the classes of the four half degrees about a place, weighted bilinearly by the distances of their centres,
-/// so that shares change gradually. Half degrees of sea do not count; climate_at() alone where all four are sea.
+/// so that shares change gradually. Half degrees of sea do not count; where all four are sea, the result is the class
+/// of climate_at(). Total, as climate_at() is.
 ClimateMix climate_mix_at(double lon_deg, double lat_deg);
 
 }  // namespace citykiln::climate

@@ -45,7 +45,7 @@ ClimateClass climate_named(std::string_view name) {
 
 bool has_cold_winters(ClimateClass climate) { return name_of(climate)[0] == 'D' || name_of(climate)[0] == 'E'; }
 
-std::uint8_t month_by_leaves(ClimateClass climate, LocalMonth month) {
+std::uint8_t equivalent_month(ClimateClass climate, LocalMonth month) {
   return static_cast<std::uint8_t>(kMonths.find(row_of(climate).leaves[index_of(month)]) + 1);
 }
 

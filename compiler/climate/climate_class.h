@@ -27,8 +27,9 @@ ClimateClass climate_named(std::string_view name);
 /// True for classes with cold winters (D and E), which species of high mountains grow in at any altitude.
 bool has_cold_winters(ClimateClass climate);
 
-/// The month of central Europe, 1 to 12, whose leaves and fields look like those of a month here; 6 in the tropics.
-std::uint8_t month_by_leaves(ClimateClass climate, LocalMonth month);
+/// Returns the month, 1 to 12, in which leaves and fields of central Europe look like those of this class in `month`;
+/// 6 in the tropics.
+std::uint8_t equivalent_month(ClimateClass climate, LocalMonth month);
 
 /// The share of grass without irrigation that is straw in a month, within 0 … 1.
 double straw_share(ClimateClass climate, LocalMonth month);

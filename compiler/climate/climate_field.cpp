@@ -44,24 +44,24 @@ Along along_nodes(double v, std::int32_t first, std::int32_t count) {
 
 }  // namespace
 
-ClimateField make_climate_field(const Box2& extent, const std::function<Degrees(Vec2)>& degrees_of) {
+ClimateField make_climate_field(const Box2& extent, const std::function<LonLatDegrees(Vec2)>& degrees_of) {
   const Box2 wide = extent.widened(kMargin_m);
-  const Degrees origin = degrees_of({0, 0});
-  ClimateField field{.own = climate_at(origin.lon, origin.lat),
+  const LonLatDegrees origin = degrees_of({0, 0});
+  ClimateField field{.origin_class = climate_at(origin.lon, origin.lat),
                      .first_column = index_below(wide.min.x),
                      .first_row = index_below(wide.min.y),
                      .columns = index_below(wide.max.x) + 2 - index_below(wide.min.x),
                      .nodes = {}};
   for (std::int32_t row = field.first_row; row <= index_below(wide.max.y) + 1; ++row)
     for (std::int32_t column = field.first_column; column < field.first_column + field.columns; ++column) {
-      const Degrees at = degrees_of({column * kNodeSpacing_m, row * kNodeSpacing_m});
+      const LonLatDegrees at = degrees_of({column * kNodeSpacing_m, row * kNodeSpacing_m});
       field.nodes.push_back(node_of(climate_mix_at(at.lon, at.lat)));
     }
   return field;
 }
 
 ClimateField uniform_climate(ClimateClass climate) {
-  return {.own = climate, .columns = 1, .nodes = {node_of(ClimateMix(climate))}};
+  return {.origin_class = climate, .columns = 1, .nodes = {node_of(ClimateMix(climate))}};
 }
 
 bool is_sound(const ClimateField& field) {
@@ -70,8 +70,8 @@ bool is_sound(const ClimateField& field) {
     return std::accumulate(node.shares.begin(), node.shares.end(), 0) == kUnits &&
            std::ranges::all_of(node.classes, [](ClimateClass each) { return each < ClimateClass::kCount; });
   };
-  return field.own < ClimateClass::kCount && field.columns > 0 && field.columns <= kMost && !field.nodes.empty() &&
-         std::abs(field.first_column) <= kMost && std::abs(field.first_row) <= kMost &&
+  return field.origin_class < ClimateClass::kCount && field.columns > 0 && field.columns <= kMost &&
+         !field.nodes.empty() && std::abs(field.first_column) <= kMost && std::abs(field.first_row) <= kMost &&
          field.nodes.size() % static_cast<std::size_t>(field.columns) == 0 &&
          field.nodes.size() / static_cast<std::size_t>(field.columns) <= kMost &&
          std::ranges::all_of(field.nodes, is_node);

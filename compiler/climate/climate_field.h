@@ -12,7 +12,8 @@
 
 namespace citykiln::climate {
 
-/// The spacing of the grid, in metres: less than a third of half a degree, over which classes change.
+/// The spacing of the grid in metres. A cell of the table is half a degree, 55 km from north to south, so three nodes
+/// cross it.
 inline constexpr double kNodeSpacing_m = 16384;
 
 /// Up to four classes of a node, in units of 1/255, which add up to 255. Unused entries have share 0.
@@ -24,25 +25,27 @@ struct ClimateNode {
 
 /// The classes of an extent. A node's classes depend on its place alone.
 struct ClimateField {
-  ClimateClass own{};                            ///< The class of the plane's origin, which decides the season.
+  ClimateClass origin_class{};  ///< The class at the plane's origin. Season, snow and leaf colours follow it.
   std::int32_t first_column = 0, first_row = 0;  ///< The first node is at these multiples of kNodeSpacing_m.
   std::int32_t columns = 0;
   std::vector<ClimateNode> nodes;  ///< Rows of `columns` nodes from south to north.
   bool operator==(const ClimateField&) const = default;
 };
 
-struct Degrees {
+/// A place on Earth.
+struct LonLatDegrees {
   double lon = 0, lat = 0;
 };
 
-/// Returns the climate of an extent.
+/// Returns the climate of an extent widened by 1024 m, in metres of the plane. Cost: one climate_mix_at() a node.
 /// @param degrees_of  The longitude and latitude of a point of the plane.
-ClimateField make_climate_field(const Box2& extent, const std::function<Degrees(Vec2)>& degrees_of);
+ClimateField make_climate_field(const Box2& extent, const std::function<LonLatDegrees(Vec2)>& degrees_of);
 
 /// Returns a field that is one class everywhere.
 ClimateField uniform_climate(ClimateClass climate);
 
-/// True if a field is one that make_climate_field() can return: for fields read from a file.
+/// True if climate_mix_at() can read the field: known classes, shares that add up to 255, complete rows, and at most
+/// 1024 rows and columns. For fields read from a file.
 bool is_sound(const ClimateField& field);
 
 /// Returns the classes at a point of the plane, by bilinear interpolation; beyond the grid those of its edge.

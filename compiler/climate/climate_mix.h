@@ -15,13 +15,13 @@ struct ClimateShare {
   double share = 0;
 };
 
-/// A few classes, each once, with shares that add up to 1.
+/// Climate classes with shares, each class once. The caller makes the shares add up to 1; a new mix is empty.
 class ClimateMix {
  public:
   ClimateMix() = default;
   explicit ClimateMix(ClimateClass climate) { add(climate, 1); }
 
-  /// Adds to the share of a class.
+  /// Adds to the share of a class. At most 16 different classes.
   void add(ClimateClass climate, double share) {
     std::uint8_t i = 0;
     while (i < count_ && all_[i].climate != climate) ++i;

@@ -21,6 +21,7 @@
 #include "compiler/outputs/run_report.h"
 #include "compiler/outputs/tile_lights.h"
 #include "compiler/outputs/write_outputs.h"
+#include "compiler/settings.h"
 #include "compiler/verify/heights_json.h"
 #include "exporters/file.h"
 #include "exporters/gltf/write/encode_tile.h"
@@ -166,7 +167,7 @@ Result<Done> fits_manifest(const CompileSpec& spec, const scene::Header& header)
                              cylinder->radius_m)};
   CompileSpec inside = spec;
   inside.world = World::kCylinder, inside.cylinder = *cylinder;
-  return fits_world(inside);
+  return check_world(inside);
 }
 
 Result<Exit> bake_to_folder(const BakeRequest& request, const Console& console) {
@@ -213,8 +214,8 @@ Result<Done> output_fits(const BakeRequest& request) {
   if (request.spec.world == World::kCylinder)
     return Error{"--world",
                  "a manifest knows its cylinder; compile the map with --world cylinder:R, and leave it out here"};
-  if (const Result<Done> fits = fits_world(request.spec); !fits) return fits.error();
-  return fits_target(request.spec.outputs);
+  if (const Result<Done> fits = check_world(request.spec); !fits) return fits.error();
+  return check_target(request.spec.outputs);
 }
 
 Result<Exit> run_bake(const BakeRequest& asked, const Console& console) {

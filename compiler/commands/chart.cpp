@@ -10,8 +10,8 @@
 
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view/view_options.h"
+#include "compiler/parse_values.h"
 #include "compiler/source/read_raster.h"
-#include "compiler/spec.h"
 
 namespace citykiln::commands {
 namespace {
@@ -93,7 +93,8 @@ Verb chart_verb() {
   Verb verb{"chart", "measures speed and accuracy on this machine and draws charts (CSV and SVG)", {}, {}};
   verb.options = {
       {"names", "NAME...", known_names(), true, append_text(request->names)},
-      {"--map", "FILE...", "maps for all charts except plane, terrain, plant and lsystem", true,
+      {"--map", "FILE...",
+       "maps for all charts except plane, terrain, plant, lsystem, lights, sky, linelights and cloud", true,
        append_text(request->maps)},
       {"--dem", "FILE[,key=value...]", "heightmap for terrain, ground, view, profile, facade and lod", true,
        [request = request.get()](const std::string& t) { return parse_raster(t, *request); }},

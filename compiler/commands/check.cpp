@@ -115,6 +115,9 @@ Result<verify::CheckResults> check_tiles(const verify::LoadedRun& loaded, int th
 // The USD outputs, tile by tile.
 Result<Done> check_usd(const verify::LoadedRun& loaded, int threads, verify::CheckResults& results) {
   if (loaded.record.usd.empty()) return Done{};
+  const Result<verify::CheckResults> scene = verify::check_usd_scene(loaded);
+  if (!scene) return scene.error();
+  add(results, *scene);
   const std::vector<std::vector<outputs::WrittenTile>> tiles = by_tile(loaded.record.usd);
   const auto checked = for_each_slot<std::optional<Result<verify::CheckResults>>>(
       tiles.size(), threads, [&](std::size_t i) { return std::optional(verify::check_usd_tile(loaded, tiles[i])); });
@@ -122,9 +125,6 @@ Result<Done> check_usd(const verify::LoadedRun& loaded, int threads, verify::Che
     if (!*tile) return tile->error();
     add(results, **tile);
   }
-  const Result<verify::CheckResults> scene = verify::check_usd_scene(loaded);
-  if (!scene) return scene.error();
-  add(results, *scene);
   return Done{};
 }
 

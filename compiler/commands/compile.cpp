@@ -26,7 +26,7 @@ Verb compile_verb() {
     if (!request->plan.empty()) return compile_region(request->plan, request->region, request->compile, console);
     const Result<CompileSpec> spec = spec_of(request->compile);
     if (!spec) return spec.error();
-    if (const Result<Done> complete = is_complete(*spec); !complete) return complete.error();
+    if (const Result<Done> complete = check_complete(*spec); !complete) return complete.error();
     const Result<Compiled> compiled = compile_to_folder(
         *spec, [&](const OnProgress& progress) { return compile(*spec, progress); }, console);
     return compiled ? Result<Exit>(compiled->exit) : compiled.error();

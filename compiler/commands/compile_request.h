@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compiler/commands/verb.h"
-#include "compiler/spec.h"
+#include "compiler/settings.h"
 
 namespace citykiln::commands {
 

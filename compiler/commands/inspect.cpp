@@ -98,7 +98,7 @@ OrderedJson describe(const scene::Scene& scene) {
       {"seed", header.seed},
       {"resampling_error_m", header.resampling_error_m},
       {"time", header.sky.time},
-      {"climate", climate::name_of(header.climate.own)},
+      {"climate", climate::name_of(header.climate.origin_class)},
       {"sources", header.sources},
       {"attribution", header.attributions},
       {"assumed", assumed_json(assumed_in(scene))}};

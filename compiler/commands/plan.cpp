@@ -198,7 +198,7 @@ Result<Exit> plan_zones(const PlanRequest& request, const CompileSpec& spec, con
 Result<Exit> plan_map(const PlanRequest& request, const Console& console) {
   const Result<CompileSpec> spec = spec_of(request.compile);
   if (!spec) return spec.error();
-  if (const Result<Done> complete = is_complete(*spec); !complete) return complete.error();
+  if (const Result<Done> complete = check_complete(*spec); !complete) return complete.error();
   if (const Result<Done> can = can_be_planned(*spec); !can) return can.error();
   Report report;
   const Result<source::LonLatBox> extent = extent_of(*spec, report);

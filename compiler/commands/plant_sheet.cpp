@@ -16,6 +16,7 @@
 #include "compiler/sky/plan.h"
 #include "exporters/file.h"
 #include "lsystems/plant_file.h"
+#include "preview/picture/denoise.h"
 #include "preview/render.h"
 
 namespace citykiln::commands {
@@ -26,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr std::array kPlantTolerances_m = {0.1, 0.5, 1.2, 2.5, 12.5};
 // Plants below this height are drawn at a tenth of these tolerances.
 constexpr double kLow_m = 8, kLowShare = 0.1;
-constexpr int kPlantPixels = 240, kPlantSamples = 24;
+constexpr int kPlantPixels = 240, kPlantSamples = 6;
 constexpr double kEye_m = 1.7;
 
 // The species to draw, and their texts.
@@ -125,7 +126,7 @@ void draw_plant(plants::Species species, int row, const bake::PrototypeCache& pr
                 const Console& console, preview::Image& sheet) {
   const plants::SpeciesValues& values = prototypes.species()[species];
   preview::Options options;
-  options.width = options.height = kPlantPixels, options.samples = kPlantSamples;
+  options.width = options.height = kPlantPixels, options.samples = kPlantSamples, options.has_guides = true;
   const std::string name(values.file);
   for (std::size_t k = 0; k < kPlantTolerances_m.size(); ++k) {
     const double tolerance_m = kPlantTolerances_m[k] * (values.height_m < kLow_m ? kLowShare : 1);
@@ -135,8 +136,10 @@ void draw_plant(plants::Species species, int row, const bake::PrototypeCache& pr
                                    values.height_m, tolerance_m, triangles_in(shape),
                                    shape.error_per_m * values.height_m));
     const bake::BakedTile tile = tile_of_plant(shape, name, values.height_m, tolerance_m);
-    put_picture(preview::render(std::span(&tile, 1), sky, plant_camera(values.height_m, values.crown_share), options),
-                kPlantPixels * static_cast<int>(k), kPlantPixels * row, sheet);
+    const preview::Image noisy =
+        preview::render(std::span(&tile, 1), sky, plant_camera(values.height_m, values.crown_share), options);
+    put_picture(preview::denoise(noisy, options.threads), kPlantPixels * static_cast<int>(k), kPlantPixels * row,
+                sheet);
   }
 }
 

@@ -9,7 +9,7 @@
 
 #include "compiler/commands/console.h"
 #include "compiler/contract/result.h"
-#include "compiler/spec.h"
+#include "compiler/parse_values.h"
 
 namespace citykiln::commands {
 

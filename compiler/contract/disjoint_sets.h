@@ -10,7 +10,7 @@
 namespace citykiln {
 
 /// Sets of the numbers below size(). The lowest number of a set represents it, so results do not depend on the order of
-/// joining. Nearly O(1) amortised.
+/// joining. find() and join(): O(log size()) amortised, since sets are not joined by size.
 class DisjointSets {
  public:
   /// @param size  The count of numbers; at first each is a set of its own.

@@ -1,4 +1,4 @@
-// Parses texts: splits them at separators, and reads numbers.
+// Parses texts: splits them at separators, trims them, and reads numbers.
 #pragma once
 
 #include <algorithm>
@@ -34,6 +34,14 @@ inline std::vector<std::string_view> words_in(std::string_view line) {
     words.push_back(line.substr(0, end));
     line.remove_prefix(end);
   }
+}
+
+/// Returns a text without the blanks, tabs and carriage returns at its ends.
+inline std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
 /// Returns the finite number that a text consists of; empty if the text is anything else.

@@ -61,9 +61,9 @@ struct Account {
 
 /// The diagnoses and the ledger of a run. Parallel loops fill one Report per slot and append them in order.
 ///
-/// A report can be limited to a set of objects (limit_to). It then ignores diagnoses of all other objects. A plan in
-/// regions uses this: each region reports the objects that it owns, and the reports of all regions add up to the report
-/// of a single run.
+/// A report can be limited to a set of objects (limit_to). It then ignores diagnoses and drops of all other objects and
+/// what is assumed of them, and diagnoses without an object (add_at). A plan in regions uses this: each region reports
+/// the objects that it owns, and the reports of all regions add up to the report of a single run.
 class Report {
  public:
   void add(const Diagnosis& diagnosis) {
@@ -80,7 +80,9 @@ class Report {
   /// Adds a diagnosis of a place (x, y in the plane) that belongs to no single object.
   void add_at(Code code, std::array<double, 2> at_m, double size) { add({code, {}, size, at_m}); }
 
-  /// Limits later diagnoses and counts to these objects, sorted by id. Earlier diagnoses are kept.
+  /// Limits later diagnoses, drops and calls of count_assumed() to these objects, sorted by id. Diagnoses without an
+  /// object are ignored. account(), append() and add_assumed() are not limited: callers ask counts(). Earlier diagnoses
+  /// are kept.
   void limit_to(std::vector<OsmId> objects) { limit_ = std::move(objects); }
   /// Ends the limit.
   void lift_limit() { limit_.reset(); }

@@ -38,4 +38,9 @@ inline Box2 box_of(std::span<const Vec2> points) {
   return box;
 }
 
+/// The box of the segment from a to b.
+inline Box2 box_of_segment(Vec2 a, Vec2 b) {
+  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+}
+
 }  // namespace citykiln

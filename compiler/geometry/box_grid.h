@@ -33,4 +33,17 @@ std::vector<std::uint32_t> boxes_about(const BoxGrid& grid, const Box2& box);
 /// True if boxes_about() is not empty. O(rows of buckets).
 bool is_any_about(const BoxGrid& grid, const Box2& box);
 
+/// Calls visit(index) for every box that touches `box`, and for some near it; perhaps several times for one box. Ends
+/// after the first call that returns true, and then returns true. Allocates nothing.
+template <typename Visit>
+bool any_about(const BoxGrid& grid, const Box2& box, Visit visit) {
+  if (grid.box.is_empty() || !grid.box.touches(box)) return false;
+  const BucketRange range = grid.buckets.range(box);
+  for (int row = range.first_row; row <= range.last_row; ++row)
+    for (int column = range.first_column; column <= range.last_column; ++column)
+      for (const std::uint32_t i : grid.numbers.in(grid.buckets.index(column, row)))
+        if (visit(i)) return true;
+  return false;
+}
+
 }  // namespace citykiln

@@ -10,8 +10,8 @@ namespace citykiln {
 
 /// Returns the area where the winding numbers of the rings add up to more than zero, as valid polygons.
 ///
-/// Guarantees: rings are simple and touch each other at vertices only; no vertex is farther than 2^-10 m from the
-/// rings. Accepts any rings. Cost: O(edges²).
+/// Guarantees: rings are simple and touch each other at vertices only; no vertex is farther than 2^-10 m from rings on
+/// the plane's grid, or 2^-9 m from others. Accepts any rings. Cost: O(edges²).
 std::vector<Polygon> united(std::span<const Ring> rings);
 
 /// Returns the part of united(rings) in a box. Edges on the box's border have a vertex at each whole multiple of 128 m,

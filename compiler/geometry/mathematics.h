@@ -3,10 +3,13 @@
 
 namespace citykiln {
 
-/// The functions of this file use + - * / and the square root only, so that every CPU gives the same bits. Errors are
-/// below 1e-14, relative for power and exponential, absolute for the others. Angles are in degrees, as in CGA and
-/// L-systems. Outside of a function's domain (logarithm(-1), arcsine_deg(2)) the nearest argument inside is used;
-/// overflow gives the largest double. Cost: about 50 operations.
+/// The functions of this file use + - * / and the square root only, so that every CPU gives the same bits. Angles are
+/// in degrees, as in CGA and L-systems. Outside of a function's domain (logarithm(-1), arcsine_deg(2)) the nearest
+/// argument inside is used; overflow gives the largest double. Cost: about 50 operations.
+///
+/// Errors, as tested against libm: sine and cosine 1e-14 up to two turns, arctangent2 1e-13 degrees, arcsine and
+/// arccosine 1e-12 degrees, logarithm 1e-14 for 0.01 to 100; exponential and power 1e-13, relative. The tangent has no
+/// absolute bound near 90 degrees.
 
 double sine(double angle_deg);
 double cosine(double angle_deg);

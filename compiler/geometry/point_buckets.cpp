@@ -71,7 +71,7 @@ void remove_point(PointBuckets& buckets, std::uint32_t index, GridPoint place) {
   --buckets.ends[bucket];
 }
 
-std::uint32_t nearest_point(const PointBuckets& buckets, std::span<const GridPoint> points, GridPoint p) {
+std::uint32_t nearest_point_index(const PointBuckets& buckets, std::span<const GridPoint> points, GridPoint p) {
   assert(!buckets.members.empty());
   Nearest nearest;
   const std::int64_t rings = std::max(buckets.columns, buckets.rows);

@@ -50,7 +50,7 @@ void remove_point(PointBuckets& buckets, std::uint32_t index, GridPoint place);
 
 /// Returns the index of the point nearest to p; on a tie the first by (x, y). There must be at least one point. O(1)
 /// expected for evenly spread points.
-std::uint32_t nearest_point(const PointBuckets& buckets, std::span<const GridPoint> points, GridPoint p);
+std::uint32_t nearest_point_index(const PointBuckets& buckets, std::span<const GridPoint> points, GridPoint p);
 
 /// An interval of x in grid steps; empty if low > high.
 struct XInterval {

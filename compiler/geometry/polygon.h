@@ -30,7 +30,7 @@ double area_m2(const Polygon& polygon);
 double length_m(std::span<const Vec2> polyline);
 
 /// Returns the winding number of the ring about p, positive if counter-clockwise. A point on the ring may count as
-/// inside or outside. Sign tests are exact for points on the plane's grid. O(n).
+/// inside or outside. Sign tests are exact for points on the plane's grid within 64 km of each other. O(n).
 int winding_number(std::span<const Vec2> ring, Vec2 p);
 /// True if p is inside an odd number of rings.
 bool contains(const Polygon& polygon, Vec2 p);

@@ -10,7 +10,8 @@
 
 namespace citykiln {
 
-/// A point in units of 2^-30 m, fine enough for any double in plane metres, so that tests are exact.
+/// A point in units of 2^-30 m (1 nm). Grid points convert exactly, other places are rounded; tests on fine points are
+/// exact.
 struct FinePoint {
   std::int64_t x = 0, y = 0;
   bool operator==(const FinePoint&) const = default;

@@ -40,7 +40,7 @@ struct PreparedCell {
 };
 
 /// Prepares a cell: the more expensive half of generate_cell(). Levels with the same land cover and graded terrain
-/// share it. Parameters as in generate_cell(). The result refers to `graded`.
+/// share it. Parameters as in generate_cell(). The result refers to `graded`, which must outlive it.
 PreparedCell prepare_cell(std::span<const LandCoverPolygon> surfaces, const GradedTerrain& graded, const Box2& cell);
 
 /// Generates the ground of one cell.
@@ -67,7 +67,7 @@ GroundMesh generate_cell(const PreparedCell& prepared, GradedNormals& normals, d
                          const SideTolerances& sides_m, Report& report);
 
 /// Returns the reference against which generate_cell() measures its error: the cell's graded terrain, linear on the
-/// faces of one triangulation.
+/// faces of one triangulation. It refers to `graded`, which must outlive it.
 Reference reference_of_cell(std::span<const LandCoverPolygon> surfaces, const GradedTerrain& graded, const Box2& cell);
 
 }  // namespace citykiln::ground

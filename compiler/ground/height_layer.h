@@ -1,6 +1,6 @@
 // Height layers: the ground has several heights at each place of the map, each a function of the place. Each kind of
-// land cover follows one of these functions. Where faces of two layers meet at
-// different heights, a vertical face joins them: a kerb, a quay, a retaining wall.
+// land cover follows one of these functions. Where faces of two layers meet at different heights, a vertical face joins
+// them: a kerb, a quay, a retaining wall.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@ namespace citykiln::ground {
 
 /// The height functions.
 enum class HeightLayer : std::uint8_t {
-  kLand,         ///< The terrain, cut and filled beside roads and water.
-  kRoad,         ///< The height of kerbs' tops: pavements, verges, islands, roads without kerbs.
-  kCarriageway,  ///< The height between kerbs, below their tops.
+  kLand,         ///< The terrain, changed by landforms, cut and filled beside roads and water.
+  kRoad,         ///< The height of kerbs' tops: pavements, cycle tracks, verges, islands.
+  kCarriageway,  ///< The height between kerbs, below their tops; of a road or rail without kerbs that of kRoad.
   kWater,        ///< The surface of rivers, lakes and the sea.
   kCount         ///< The number of layers.
 };

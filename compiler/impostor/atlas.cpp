@@ -6,7 +6,6 @@
 #include <map>
 #include <numeric>
 
-#include "compiler/materials/material.h"
 #include "compiler/materials/paint.h"
 
 namespace citykiln::impostor {
@@ -61,12 +60,6 @@ Shelves shelve_pictures(std::span<const Picture> pictures) {
 bool fits(const Shelves& shelves, std::uint64_t budget) {
   return std::max(shelves.columns, shelves.rows) <= materials::kMaxImageSide_px &&
          std::uint64_t{shelves.columns} * shelves.rows <= budget;
-}
-
-TextureImage::Texel srgb_of(const std::array<std::uint16_t, 3>& linear) {
-  TextureImage::Texel srgb{};
-  for (std::size_t c = 0; c < srgb.size(); ++c) srgb[c] = materials::srgb_of_linear(linear[c] / 65535.0);
-  return srgb;
 }
 
 // The unit normal of a slope: components along rows, up columns and outwards.

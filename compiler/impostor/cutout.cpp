@@ -5,7 +5,6 @@
 
 #include "compiler/impostor/atlas.h"
 #include "compiler/impostor/pack_boxes.h"
-#include "compiler/materials/material.h"
 #include "compiler/materials/paint.h"
 
 namespace citykiln::impostor {
@@ -56,21 +55,15 @@ Cell cell_at(BoxPlace at, const Picture& picture) {
   return {at, size, (size.columns - picture.columns) / 2, (size.rows - picture.rows) / 2};
 }
 
-TextureImage::Texel colour_of(const Texel& texel) {
-  TextureImage::Texel srgb{};
-  for (std::size_t c = 0; c < srgb.size(); ++c) srgb[c] = materials::srgb_of_linear(texel.light[c] / 65535.0);
-  return srgb;
-}
-
 void draw_colours(const Picture& picture, const Cell& cell, TextureImage& image) {
-  const TextureImage::Texel all = colour_of(mean(picture));
+  const TextureImage::Texel all = srgb_of(mean(picture).light);
   for (std::uint32_t y = 0; y < cell.size.rows; ++y)
     for (std::uint32_t x = 0; x < cell.size.columns; ++x) {
       const std::uint32_t column = x - cell.left, row = y - cell.top;  // wraps around to large values
       const bool is_inside = column < picture.columns && row < picture.rows;
       const Texel texel = is_inside ? picture.texels[std::size_t{row} * picture.columns + column] : Texel{};
       image.texels[std::size_t{cell.at.row + y} * image.columns + cell.at.column + x] =
-          texel.shown > 0 ? colour_of(texel) : all;
+          texel.shown > 0 ? srgb_of(texel.light) : all;
     }
 }
 
@@ -99,7 +92,7 @@ CutoutLayout lay_out_cutout(std::vector<Picture> pictures, double texel_m) {
   assert(texel_m > 0 && std::ranges::none_of(pictures, [](const Picture& p) { return p.texels.empty(); }));
   if (pictures.empty()) return {};
   const PackedBoxes packed = packed_within_budget(pictures, texel_m);
-  const TextureImage::Texel unused = colour_of(mean(pictures.front()));
+  const TextureImage::Texel unused = srgb_of(mean(pictures.front()).light);
   CutoutLayout out{{materials::blank_image(texel_m, packed.columns, packed.rows, unused), {}, {}}, {}};
   // what is left over takes part in the coarsest levels: it must not draw pictures beside it below the cutoff
   out.cutout.opacity.resize(out.cutout.colour.texels.size(), kAlphaCutoff - 1);

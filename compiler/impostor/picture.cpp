@@ -4,7 +4,16 @@
 #include <cassert>
 #include <cstdlib>
 
+#include "compiler/materials/material.h"
+
 namespace citykiln::impostor {
+
+materials::TextureImage::Texel srgb_of(const std::array<std::uint16_t, 3>& linear) {
+  materials::TextureImage::Texel srgb{};
+  for (std::size_t c = 0; c < srgb.size(); ++c) srgb[c] = materials::srgb_of_linear(linear[c] / 65535.0);
+  return srgb;
+}
+
 void TexelSum::add(const Texel& texel) {
   const std::uint64_t weight = texel.shown;
   for (std::size_t c = 0; c < light_.size(); ++c)

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "compiler/materials/texture_image.h"
+
 namespace citykiln::impostor {
 
 /// The number of samples per texel: along each side, and in all.
@@ -23,6 +25,9 @@ struct Texel {
   auto operator<=>(const Texel&) const = default;
 };
 
+/// Returns a linear colour of a texel as sRGB.
+materials::TextureImage::Texel srgb_of(const std::array<std::uint16_t, 3>& linear);
+
 /// True if the texel emits light.
 inline bool emits(const Texel& texel) { return texel.emission != std::array<std::uint16_t, 3>{}; }
 
@@ -38,7 +43,8 @@ class TexelSum {
   /// Adds a texel.
   void add(const Texel& texel);
   /// Returns the mean, rounded once; Texel{} if nothing is covered.
-  /// @param texels  The number of texels added: `shown` is the mean over them, rounded up.
+  /// @param texels  > 0. Texel::shown is the sum of that of all added texels, divided by this number and rounded up: 4
+  ///                for a texel of half the resolution, even where fewer were added.
   Texel mean(std::uint64_t texels) const;
 
  private:

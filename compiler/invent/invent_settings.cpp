@@ -40,7 +40,7 @@ void name_country(CountrySettings& c, std::vector<NamedSetting>& all) {
                          {kSection, "hedges", &c.hedge_share, 0, 1},
                          {kSection, "orchards", &c.orchard_share, 0, 1},
                          {kSection, "tree_rows", &c.tree_row_share, 0, 1},
-                         {kSection, "tracks", &c.tracks_per_km, 0, 20}});
+                         {kSection, "tracks", &c.tracks_per_km2, 0, 20}});
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ InventSettings usual_settings(WorldKind kind) {
     settings.country.wood_share = 0.55;
     settings.country.has_fields = false;
     settings.country.heath_share = 0.25;
-    settings.country.tracks_per_km = 3;
+    settings.country.tracks_per_km2 = 3;
   }
   return settings;
 }

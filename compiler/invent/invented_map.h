@@ -30,7 +30,7 @@ struct InventedArea {
 };
 
 /// All that is written to map.osm.pbf. The frame is local: x east, y north, in metres from the middle of the world.
-/// Coordinates lie on a grid of 1 cm (see writing), and equal positions become one node: lines meet where they share
+/// write_map() rounds positions to 1e-7 degrees, about 1 cm, and makes equal ones one node: lines meet where they share
 /// a point of their axes. Tags of points on a line, such as crossings, are those of its node.
 struct InventedMap {
   std::vector<InventedPoint> points;

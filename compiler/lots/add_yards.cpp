@@ -58,19 +58,19 @@ bool wants_entrance(const Lot& lot, const map::Footprint& main) {
 
 struct YardMaker {
   const map::Features& features;
-  const YardSite& site;
+  const LotInputs& inputs;
   const MapLand land;
   const std::vector<Lot> lots;
   const MappedThings mapped;
   std::vector<std::optional<YardRule>> rules{};
 
   RandomSequence draw_of(const Lot& lot) const {
-    return {site.seed, stable_id(features.footprints[lot.main].id), "yard"};
+    return {inputs.seed, stable_id(features.footprints[lot.main].id), "yard"};
   }
 
   std::vector<Yard> yards() {
     for (const Lot& lot : lots) rules.push_back(rule_for(lot, draw_of(lot)));
-    auto yards = for_each_slot<Yard>(lots.size(), site.threads, [&](std::size_t i) {
+    auto yards = for_each_slot<Yard>(lots.size(), inputs.threads, [&](std::size_t i) {
       return rules[i] ? Yard{.ground = lay_yard(features, lots[i], *rules[i], mapped)} : Yard{};
     });
     std::vector<Capsule> openings;
@@ -78,10 +78,10 @@ struct YardMaker {
       openings.insert(openings.end(), yard.ground.openings.begin(), yard.ground.openings.end());
     const BorderObstacles obstacles{mapped, index_capsules(std::move(openings)), street_fronts(land.land.lines)};
     const SharedEdges edges = index_edges(lots);
-    for_each_index(lots.size(), site.threads, [&](std::size_t i) {
+    for_each_index(lots.size(), inputs.threads, [&](std::size_t i) {
       if (!rules[i]) return;
       yards[i].barriers = barriers_of(static_cast<std::uint32_t>(i), lots, rules, edges, obstacles);
-      yards[i].plants = plants_of(lots[i], *rules[i], yards[i].ground, obstacles, draw_of(lots[i]));
+      yards[i].plants = plants_of(lots[i], *rules[i], yards[i].barriers, obstacles, draw_of(lots[i]));
     });
     return yards;
   }
@@ -129,18 +129,18 @@ struct YardAdder {
 void add_bays(const MappedThings& mapped, map::Features& features, Report& report) {
   for (const map::AreaFeature& area : features.areas) {
     if (area.surface != map::LandCoverClass::kParking || area.id.part >= map::kDerivedPart) continue;
-    if (reaches_into(mapped.roads, area.polygon) || reaches_into(mapped.drives, area.polygon)) continue;
+    if (axis_enters(mapped.roads, area.polygon) || axis_enters(mapped.drives, area.polygon)) continue;
     features.sports_areas.push_back({area.id, kBays});
     report.count_assumed(Assumption::kYards, area.id.osm);
   }
 }
 
-MapLand land_of_site(const map::Features& features, const YardSite& site) {
-  return land_of(features, site.roads, site.private_ways);
+MapLand land_with(const map::Features& features, const LotInputs& inputs) {
+  return land_of(features, inputs.roads, inputs.private_ways);
 }
 
-std::vector<Lot> lots_on(const map::Features& features, const MapLand& land, const YardSite& site) {
-  return plan_lots(features, land, parcels::divide(land.land, site.threads), site.climate_at, site.threads);
+std::vector<Lot> lots_on(const map::Features& features, const MapLand& land, const LotInputs& inputs) {
+  return plan_lots(features, land, parcels::divide(land.land, inputs.threads), inputs.climate_at, inputs.threads);
 }
 
 // Yards belong to the extent by their building's centroid, as buildings do.
@@ -150,15 +150,15 @@ bool is_in_extent(const map::Features& features, const Lot& lot) {
 
 }  // namespace
 
-std::vector<Lot> lots_of_map(const map::Features& features, const YardSite& site) {
-  return lots_on(features, land_of_site(features, site), site);
+std::vector<Lot> lots_of_map(const map::Features& features, const LotInputs& inputs) {
+  return lots_on(features, land_with(features, inputs), inputs);
 }
 
-map::Features with_yards(map::Features features, const YardSite& site, Report& report) {
-  MapLand land = land_of_site(features, site);
-  std::vector<Lot> lots = lots_on(features, land, site);
-  YardMaker maker{features, site, std::move(land), std::move(lots),
-                  mapped_things(features, site.roads, site.junctions, site.private_ways)};
+map::Features with_yards(map::Features features, const LotInputs& inputs, Report& report) {
+  MapLand land = land_with(features, inputs);
+  std::vector<Lot> lots = lots_on(features, land, inputs);
+  YardMaker maker{features, inputs, std::move(land), std::move(lots),
+                  mapped_things(features, inputs.roads, inputs.junctions, inputs.private_ways)};
   const std::vector<Yard> yards = maker.yards();
   YardAdder adder{features};
   for (std::size_t i = 0; i < yards.size(); ++i) {

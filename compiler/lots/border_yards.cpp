@@ -88,7 +88,7 @@ struct BorderDrawer {
   void add_edge(Vec2 a, Vec2 b, std::vector<BorderPiece>& pieces) const {
     if (is_on_street(a, b)) return pieces.push_back({a, b, BorderPart::kStreet, kUnderPavement_m + kInsidePavement_m});
     if (is_of_neighbour(a, b) || is_of_needle(a, b)) return pieces.push_back({a, b, BorderPart::kNone, 0});
-    const double ya = lot.frame.local(a).y - lot.house_m, yb = lot.frame.local(b).y - lot.house_m;
+    const double ya = lot.frame.local(a).y - lot.setback_m, yb = lot.frame.local(b).y - lot.setback_m;
     const auto part_at = [](double y) { return y <= 0 ? BorderPart::kStreet : BorderPart::kSides; };
     if ((ya < 0) == (yb < 0) || std::abs(ya - yb) < kBorderStep_m) return pieces.push_back({a, b, part_at(ya + yb), 0});
     const Vec2 cut = a + (b - a) * (ya / (ya - yb));
@@ -132,7 +132,7 @@ struct BorderDrawer {
            clearance_m(mapped.drives, p, kToPath_m) >= kToPath_m &&
            clearance_m(mapped.barriers, p, kMappedBarrier_m) >= kMappedBarrier_m &&
            clearance_m(mapped.trees, p, kToWall_m) >= kToWall_m &&
-           (!is_along_street || clearance_m(mapped.crossings, p, 0.25) > 0) && is_off_houses(p);
+           (!is_along_street || clearance_m(mapped.junction_zones, p, 0.25) > 0) && is_off_houses(p);
   }
 
   // On an edge between two houses a barrier would stand in their walls.
@@ -198,7 +198,7 @@ std::vector<YardBarrier> barriers_of(std::uint32_t lot, std::span<const Lot> lot
   if (!rules[lot]) return barriers;
   const BorderDrawer drawer{lot, lots, rules, edges, obstacles};
   const std::vector<BorderPiece> pieces = drawer.pieces();
-  const bool has_mapped = reaches_into(obstacles.mapped.barriers, lots[lot].parcel.polygon);
+  const bool has_mapped = axis_enters(obstacles.mapped.barriers, lots[lot].parcel.polygon);
   for (std::size_t i = 0; i < pieces.size();) {
     std::size_t end = i + 1;
     while (end < pieces.size() && pieces[end].continues(pieces[end - 1])) ++end;

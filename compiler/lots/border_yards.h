@@ -38,15 +38,19 @@ SharedEdges index_edges(std::span<const Lot> lots);
 struct BorderObstacles {
   const MappedThings& mapped;
   Capsules openings;       ///< Paths and drives of all yards.
-  Capsules street_fronts;  ///< The edges of the strips of streets.
+  Capsules street_fronts;  ///< Strips of streets. A place with clearance 0 lies on the edge of one.
 };
 
-/// Returns the barriers that a lot has: along streets as its rule for the street says, and inside the lot by the width
-/// of half of it; beside the house and behind it as its rule for the sides says. The border between two neighbours is
-/// that of the one with the lower id. There are none
+/// Returns the barriers of one lot; none if rules[lot] is empty.
 ///
-/// - at paths, drives, mapped ways, pavements, walls of buildings, and crossings (kSight_m);
-/// - where a barrier is mapped within 1.5 m; along the street also if one is mapped in the lot.
+/// The rule's `street` applies along streets and at the sides of the front yard, `sides` everywhere else. Barriers
+/// along a street stand 0.625 m inside the lot, the others on its border. The common edge of two neighbours with rules
+/// belongs to the one whose parcel has the lower id. No barrier stands
+///
+/// - at paths, drives, roads, trees and walls of buildings, or within 1.5 m of a mapped barrier;
+/// - under the rule `street`, at junctions (MappedThings::junction_zones), or if a barrier is mapped in the lot.
+/// @param lot    An index of lots.
+/// @param rules  One for each lot.
 std::vector<YardBarrier> barriers_of(std::uint32_t lot, std::span<const Lot> lots,
                                      std::span<const std::optional<YardRule>> rules, const SharedEdges& edges,
                                      const BorderObstacles& obstacles);

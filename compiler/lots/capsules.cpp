@@ -1,11 +1,9 @@
 #include "compiler/lots/capsules.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "compiler/geometry/segment.h"
-#include "compiler/parcels/box_index.h"
 
 namespace citykiln::lots {
 
@@ -13,22 +11,22 @@ Capsules index_capsules(std::vector<Capsule> all) {
   constexpr double kBucket_m = 32;
   Capsules capsules{std::move(all), {}};
   std::vector<Box2> boxes;
-  for (const Capsule& c : capsules.all) boxes.push_back(box_of(std::array{c.a, c.b}).widened(c.half_m));
+  for (const Capsule& c : capsules.all) boxes.push_back(box_of_segment(c.a, c.b).widened(c.radius_m));
   if (!boxes.empty()) capsules.grid = grid_of(boxes, kBucket_m);
   return capsules;
 }
 
 double clearance_m(const Capsules& capsules, Vec2 p, double search_m) {
   double least_m = search_m;
-  parcels::any_about(capsules.grid, Box2{p, p}.widened(search_m), [&](std::uint32_t i) {
+  any_about(capsules.grid, Box2{p, p}.widened(search_m), [&](std::uint32_t i) {
     const Capsule& c = capsules.all[i];
-    least_m = std::min(least_m, distance_to_segment(c.a, c.b, p) - c.half_m);
+    least_m = std::min(least_m, distance_to_segment(c.a, c.b, p) - c.radius_m);
     return false;
   });
   return least_m;
 }
 
-bool reaches_into(const Capsules& capsules, const Polygon& polygon) {
+bool axis_enters(const Capsules& capsules, const Polygon& polygon) {
   if (capsules.all.empty() || polygon.outer.empty()) return false;
   for (const std::uint32_t i : boxes_about(capsules.grid, box_of(polygon.outer))) {
     const Capsule& c = capsules.all[i];

@@ -10,10 +10,10 @@
 
 namespace citykiln::lots {
 
-/// The places within half_m of the segment from a to b.
+/// The places within radius_m of the segment from a to b, its axis.
 struct Capsule {
   Vec2 a, b;
-  double half_m = 0;
+  double radius_m = 0;
 };
 
 /// Capsules with a spatial index.
@@ -29,7 +29,8 @@ Capsules index_capsules(std::vector<Capsule> all);
 /// O(capsules near).
 double clearance_m(const Capsules& capsules, Vec2 p, double search_m);
 
-/// True if one of five places along the segment of a capsule, its ends included, lies in the polygon. O(capsules near).
-bool reaches_into(const Capsules& capsules, const Polygon& polygon);
+/// True if the axis of a capsule enters the polygon, tested at five places, its ends included. The radius does not
+/// count. O(capsules near).
+bool axis_enters(const Capsules& capsules, const Polygon& polygon);
 
 }  // namespace citykiln::lots

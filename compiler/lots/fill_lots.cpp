@@ -15,6 +15,7 @@
 #include "compiler/lots/land_use.h"
 #include "compiler/lots/mapped_things.h"
 #include "compiler/map/buildings/building_classes.h"
+#include "compiler/parcels/divide.h"
 #include "grammars/derivation/derive.h"
 
 namespace citykiln::lots {
@@ -117,10 +118,10 @@ std::optional<Body> body_of(const grammars::Terminal& terminal) {
 struct LotFiller {
   const map::Features& features;
   const MapLand& land;
-  const YardSite& site;
+  const LotInputs& inputs;
   const HouseRules& rules;
   LandUse uses = index_land_use(features);
-  MappedThings mapped = mapped_things(features, site.roads, site.junctions, site.private_ways);
+  MappedThings mapped = mapped_things(features, inputs.roads, inputs.junctions, inputs.private_ways);
 
   bool is_free(Vec2 p) const {
     if (is_inside_any(mapped.buildings, p) || is_inside_any(mapped.pools, p)) return false;
@@ -141,12 +142,12 @@ struct LotFiller {
   }
 
   std::vector<Body> bodies_on(const Polygon& rectangle, const parcels::Lot& lot, const HouseRow& row) const {
-    const RandomSequence draw(site.seed, lot.id, "house");
+    const RandomSequence draw(inputs.seed, lot.id, "house");
     const std::uint32_t levels = row.least_levels + draw.below(row.most_levels - row.least_levels + 1, 0);
     grammars::DeriveOptions options;
     options.start = "Lot";
     options.attributes = {{"levels", static_cast<double>(levels)}};
-    options.seed = site.seed;
+    options.seed = inputs.seed;
     options.limits = kLimits;
     const grammars::Derivation derived =
         grammars::derive(rules.at(row.rules), grammars::lot(rectangle, 0, 0, lot.id, {0}), options);
@@ -156,7 +157,7 @@ struct LotFiller {
     return bodies;
   }
 
-  const roads::Road& road_of(const parcels::Lot& lot) const { return site.roads[land.roads[lot.front.line]]; }
+  const roads::Road& road_of(const parcels::Lot& lot) const { return inputs.roads[land.roads[lot.front.line]]; }
 
   // By the land use, or by the street where none is mapped.
   bool is_residential(const parcels::Lot& lot, Vec2 middle) const {
@@ -172,7 +173,8 @@ struct LotFiller {
     const std::optional<Frame> frame = frame_of(lot.front, line, middle);
     if (!frame) return {};
     const CountryGroup country = road_of(lot).country;
-    const HouseRow& row = row_for(country, {site.seed, line.id, "houses"}, static_cast<std::uint32_t>(lot.front.side));
+    const HouseRow& row =
+        row_for(country, {inputs.seed, line.id, "houses"}, static_cast<std::uint32_t>(lot.front.side));
     const std::optional<Box2> room = room_for_house(lot.polygon, *frame, row.room);
     if (!room || !is_free(*frame, *room)) return {};
     return footprints_of(bodies_on(plane_rectangle(*frame, *room), lot, row), lot, country);
@@ -210,14 +212,14 @@ Result<HouseRules> read_house_rules(const grammars::Loader& load) {
   return rules;
 }
 
-map::Features with_houses(map::Features features, const YardSite& site, const HouseRules& rules, Assumptions assumed,
+map::Features with_houses(map::Features features, const LotInputs& inputs, const HouseRules& rules, Assumptions assumed,
                           Report& report) {
-  MapLand land = land_of(features, site.roads, site.private_ways);
+  MapLand land = land_of(features, inputs.roads, inputs.private_ways);
   land.land.split_empty = true;
-  const parcels::Parcels parcels = parcels::divide(land.land, site.threads);
-  const LotFiller filler{features, land, site, rules};
+  const parcels::Parcels parcels = parcels::divide(land.land, inputs.threads);
+  const LotFiller filler{features, land, inputs, rules};
   const auto houses = for_each_slot<std::vector<map::Footprint>>(
-      parcels.lots.size(), site.threads, [&](std::size_t i) { return filler.houses_on(parcels.lots[i]); });
+      parcels.lots.size(), inputs.threads, [&](std::size_t i) { return filler.houses_on(parcels.lots[i]); });
   map::Features made;
   made.extent = features.extent;
   for (const std::vector<map::Footprint>& of_lot : houses)
@@ -228,7 +230,7 @@ map::Features with_houses(map::Features features, const YardSite& site, const Ho
     }
   std::ranges::sort(made.footprints, {}, &map::Footprint::id);
   const Assumptions of_houses = assumed & (bit_of(Assumption::kRoofs) | bit_of(Assumption::kStyles));
-  made = assume::assume(std::move(made), {of_houses, site.seed}, report);
+  made = assume::assume(std::move(made), {of_houses, inputs.seed}, report);
   features.footprints.insert(features.footprints.end(), made.footprints.begin(), made.footprints.end());
   std::ranges::stable_sort(features.footprints, {}, &map::Footprint::id);
   return features;

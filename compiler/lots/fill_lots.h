@@ -12,17 +12,20 @@
 #include <map>
 #include <string>
 
+#include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
-#include "compiler/lots/add_yards.h"
+#include "compiler/lots/lot_inputs.h"
+#include "compiler/map/features.h"
 #include "grammars/language/read_rules.h"
 
 namespace citykiln::lots {
 
 /// The rules of houses by their files, such as "lots/detached.cga".
 ///
-/// They begin with the rectangle as a lot with its first edge along the street, and with the attribute `levels`. Each
-/// terminal with a bottom face on the ground becomes a building of its height. Its name says which: House, Flats, Shop
-/// or Garage; other names are left out. A lot has at most 2,000 shapes.
+/// A derivation starts from the shape Lot: the rectangle of room_for_house(), its first edge on the street. Its
+/// attribute `levels` is the number of storeys. Each terminal with a bottom face on the ground becomes a building of
+/// its height. Its name says which: House, Flats, Shop or Garage; other names are left out. A lot has at most 2,000
+/// shapes.
 using HouseRules = std::map<std::string, grammars::Program, std::less<>>;
 
 /// Reads the rules that houses.inc names. Errors: those of read_rules().
@@ -35,7 +38,8 @@ Result<HouseRules> read_house_rules(const grammars::Loader& load);
 /// None stands on anything that is mapped, and none where the lot has no room for one. Roofs and styles are assumed if
 /// `assumed` says so. A house depends on what lies within parcels::kInfluenceRadius_m. The result does not depend on
 /// the order of features.
-map::Features with_houses(map::Features features, const YardSite& site, const HouseRules& rules, Assumptions assumed,
+/// @param rules  The result of read_house_rules().
+map::Features with_houses(map::Features features, const LotInputs& inputs, const HouseRules& rules, Assumptions assumed,
                           Report& report);
 
 }  // namespace citykiln::lots

@@ -18,15 +18,16 @@ namespace citykiln::lots {
 /// The sizes of the room for a house, in metres.
 struct RoomSizes {
   double front_m = 0;   ///< From the pavement to the house.
-  double beside_m = 0;  ///< From the house to the lot's sides; to the rear it is at least kLeastRear_m.
+  double beside_m = 0;  ///< From the house to the lot's sides.
   double most_width_m = 0, most_depth_m = 0;
 };
 
-/// The smallest house, and its distance to the rear of the lot.
+/// The shortest side of a house, and its least distance to the rear of the lot, measured on the line x = 0.
 inline constexpr double kLeastHouse_m = 5, kLeastRear_m = 3;
 
-/// Returns the largest rectangle of a lot in its frame, at steps of 0.5 m of depth; nothing if a side would be shorter
-/// than kLeastHouse_m. It lies in the lot. O(vertices · depth).
+/// Returns the largest of the rectangles that begin at front_m and grow by steps of 0.5 m of depth, each in the middle
+/// of the width that is free at all its depths, in the frame of the lot; nothing if a side would be shorter than
+/// kLeastHouse_m. It lies in the lot. O(vertices · depth).
 std::optional<Box2> room_for_house(const Polygon& lot, const Frame& frame, const RoomSizes& sizes);
 
 /// Returns a rectangle of the frame in the plane: counter-clockwise, the first edge along the street, snapped.

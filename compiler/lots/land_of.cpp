@@ -1,7 +1,6 @@
 #include "compiler/lots/land_of.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "compiler/geometry/box_grid.h"
@@ -84,7 +83,7 @@ StreetSegments street_segments(std::span<const Road> roads) {
     const double half_m = std::min(kWidestHalf_m, std::max(roads::left_m(road), roads::right_m(road)));
     for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
       streets.all.push_back({road.axis[i], road.axis[i + 1], half_m});
-      boxes.push_back(box_of(std::array{road.axis[i], road.axis[i + 1]}).widened(half_m + kBesideStreet_m));
+      boxes.push_back(box_of_segment(road.axis[i], road.axis[i + 1]).widened(half_m + kBesideStreet_m));
     }
   }
   if (!boxes.empty()) streets.grid = grid_of(boxes, kLandBucket_m);
@@ -164,7 +163,7 @@ MapLand land_of(const map::Features& features, std::span<const Road> roads, std:
                             .left_m = river.width_m / 2,
                             .right_m = river.width_m / 2,
                             .kind = LineKind::kBarrier});
-  made.roads.resize(land.lines.size(), parcels::kNone);
+  made.roads.resize(land.lines.size(), parcels::kNoIndex);
   for (const map::AreaFeature& area : features.areas)
     if (is_taken(area)) land.taken.push_back(area.polygon);
   for (std::uint32_t f = 0; f < features.footprints.size(); ++f) {

@@ -14,17 +14,17 @@ namespace citykiln::lots {
 /// A lot begins this far inside the pavement, which lies on top of it: no gap is seen between the two.
 inline constexpr double kUnderPavement_m = 0.25;
 
-/// The land of a map.
+/// The input of parcels::divide() for a map, and the elements that its footprints and lines come from.
 struct MapLand {
   parcels::Land land;
   std::vector<std::uint32_t> footprints;  ///< By land.footprints: indices into Features::footprints.
-  std::vector<std::uint32_t> roads;       ///< By land.lines: indices of roads; parcels::kNone for others.
+  std::vector<std::uint32_t> roads;       ///< By land.lines: indices of roads; parcels::kNoIndex for others.
 };
 
 /// Returns the land of a map.
 ///
-/// - streets: roads on the ground without motorways and runways, as wide as carriageway and raised lanes; a path that
-///   runs along a street is one too, since it is the street's pavement
+/// - streets: roads on the ground without motorways and runways, as wide as carriageway and raised lanes, less
+///   kUnderPavement_m on each side; a path that runs along a street is one too, since it is the street's pavement
 /// - barriers: motorways, runways, railways without tramways, rivers
 /// - taken: all mapped land but residential, commercial, retail and industrial land and pools
 /// - footprints: outlines of buildings with walls that stand on the ground

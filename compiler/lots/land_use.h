@@ -19,7 +19,8 @@ struct LandUse {
 /// Returns the index of a map, which must outlive it. O(n).
 LandUse index_land_use(const map::Features& features);
 
-/// Returns the class of the smallest area at a place; kUnknown without one. O(areas near).
+/// Returns the class of the smallest residential, commercial, retail or industrial area at p; kUnknown if there is
+/// none. O(areas near).
 map::LandCoverClass land_use_at(const LandUse& uses, Vec2 p);
 
 }  // namespace citykiln::lots

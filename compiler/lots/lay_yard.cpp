@@ -94,7 +94,7 @@ struct YardLayer {
   // True if a capsule lies partly in the lot or touches its border.
   bool touches_lot(const Capsules& capsules) const {
     if (capsules.all.empty()) return false;
-    if (reaches_into(capsules, lot.parcel.polygon)) return true;
+    if (axis_enters(capsules, lot.parcel.polygon)) return true;
     return std::ranges::any_of(lot.parcel.polygon.outer,
                                [&](Vec2 p) { return clearance_m(capsules, p, kTouchesLot_m) < kTouchesLot_m; });
   }
@@ -124,14 +124,14 @@ struct YardLayer {
 
   bool has_bays() const {
     const bool has_customers = lot.kind == LotKind::kShop || lot.kind == LotKind::kWorks;
-    return has_customers && lot.house_m >= kBaysDepth_m && !touches_lot(mapped.parking);
+    return has_customers && lot.setback_m >= kBaysDepth_m && !touches_lot(mapped.parking);
   }
 
   void lay_surfaces() {
     add(rule.rear, lot.parcel.polygon);
     const bool is_with_bays = has_bays();
-    if ((rule.front == rule.rear && !is_with_bays) || lot.house_m < kLeastSeen_m) return;
-    for (Polygon& part : part_below(lot.parcel.polygon, lot.frame, lot.house_m + kBehindFront_m)) {
+    if ((rule.front == rule.rear && !is_with_bays) || lot.setback_m < kLeastSeen_m) return;
+    for (Polygon& part : part_below(lot.parcel.polygon, lot.frame, lot.setback_m + kBehindFront_m)) {
       if (area_m2(part) < 1) continue;
       add(rule.front, std::move(part));
       ground.areas.back().has_bays = is_with_bays;
@@ -203,11 +203,11 @@ struct YardLayer {
     }
     Box2 house;
     for (const Vec2 p : features.footprints[lot.main].polygon.outer) house.grow(lot.frame.local(p));
-    const double past_m = lot.house_m + std::min(kPastFront_m, house.height());
+    const double past_m = lot.setback_m + std::min(kPastFront_m, house.height());
     std::optional<double> at = drive_place(past_m, house.centre());
     double end_m = past_m;
-    if (!at && lot.house_m >= kCarLength_m) {
-      end_m = lot.house_m - kBesideDrive_m;
+    if (!at && lot.setback_m >= kCarLength_m) {
+      end_m = lot.setback_m - kBesideDrive_m;
       at = drive_place(end_m, lot.door ? lot.frame.local(lot.door->at) : house.centre());
     }
     if (!at) return;

@@ -29,7 +29,7 @@ void add_road(const Road& road, std::vector<Capsule>& capsules) {
   }
 }
 
-Capsules crossings_of(std::span<const Road> roads, std::span<const roads::Junction> junctions) {
+Capsules zones_of(std::span<const Road> roads, std::span<const roads::Junction> junctions) {
   const auto arms = roads::arms_of(junctions, roads);
   std::vector<Capsule> nodes;
   for (std::size_t j = 0; j < junctions.size(); ++j) {
@@ -96,7 +96,7 @@ MappedThings mapped_things(const map::Features& features, std::span<const Road> 
           .barriers = index_capsules(std::move(barriers)),
           .trees = index_capsules(std::move(trees)),
           .wires = index_capsules(std::move(wires)),
-          .crossings = crossings_of(roads, junctions),
+          .junction_zones = zones_of(roads, junctions),
           .parking = index_capsules(std::move(parking)),
           .pools = index_polygons(std::move(pools))};
 }

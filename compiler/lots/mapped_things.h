@@ -18,8 +18,6 @@ struct PolygonIndex {
   BoxGrid grid;
 };
 
-/// Returns the index of polygons, which must outlive it.
-PolygonIndex index_polygons(std::vector<const Polygon*> all);
 /// True if a polygon contains p. O(vertices near).
 bool is_inside_any(const PolygonIndex& polygons, Vec2 p);
 
@@ -31,10 +29,10 @@ struct MappedThings {
   Capsules paths;          ///< Paths.
   Capsules drives;         ///< Private ways.
   Capsules barriers;
-  Capsules trees;      ///< Trees and tree rows.
-  Capsules wires;      ///< Power lines, as wide as trees keep clear of them.
-  Capsules crossings;  ///< Nodes and outlines of junctions: hedges and trees there would hide traffic.
-  Capsules parking;    ///< Borders of car parks.
+  Capsules trees;           ///< Trees and tree rows.
+  Capsules wires;           ///< Power lines, as wide as trees keep clear of them.
+  Capsules junction_zones;  ///< Nodes and outlines of junctions: hedges and trees there would hide traffic.
+  Capsules parking;         ///< Borders of car parks.
   PolygonIndex pools;
 };
 

@@ -56,7 +56,7 @@ Walls walls_of_map(const map::Features& features, const std::vector<std::uint32_
     const Ring& ring = features.footprints[f].polygon.outer;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       walls.all.push_back({ring[i], ring[(i + 1) % ring.size()], f});
-      boxes.push_back(box_of(std::array{ring[i], ring[(i + 1) % ring.size()]}).widened(1));
+      boxes.push_back(box_of_segment(ring[i], ring[(i + 1) % ring.size()]).widened(1));
     }
   }
   if (!boxes.empty()) walls.grid = grid_of(boxes, kLotBucket_m);
@@ -219,9 +219,9 @@ struct LotPlanner {
     lot.kind = kind_of_lot(main, land_use_at(uses, middle), is_attached);
     lot.country = main.country;
     lot.climate = climate_at(middle);
-    lot.house_m = std::numeric_limits<double>::infinity();
-    for (const Vec2 p : ring) lot.house_m = std::min(lot.house_m, frame->local(p).y);
-    lot.house_m = std::max(0.0, lot.house_m);
+    lot.setback_m = std::numeric_limits<double>::infinity();
+    for (const Vec2 p : ring) lot.setback_m = std::min(lot.setback_m, frame->local(p).y);
+    lot.setback_m = std::max(0.0, lot.setback_m);
     lot.door = mapped_door(ring, *frame, doors);
     if (!lot.door) lot.door = door_to_front(lot.main, ring, *frame, walls);
     return lot;

@@ -1,9 +1,9 @@
-// Plans lots: divides the land of a map (parcels/divide.h) and says what each lot is: its kind, its front, its door.
+// Describes lots with buildings: the kind, front, frame and door of each lot that parcels/divide.h made.
 //
-//        rear            y ▲      x runs along the street, y away from it, from the pavement's outer edge
+//        rear            y ▲      x runs along the street, y away from it, from kUnderPavement_m inside the pavement
 //     ┌─────────┐          │
 //     │  ┌───┐  │          │
-//     │  │   │  │ house_m ─┤
+//     │  │   │  │ setback_m ┤
 //     │  └─D─┘  │          │      D the door: a mapped entrance, else the middle of the wall nearest to the street
 //     │  front  │          └────► x
 //    ═╧═════════╧═ street
@@ -40,20 +40,25 @@ enum class LotKind : std::uint8_t {
 /// The name of a kind, such as "detached".
 std::string_view name_of(LotKind kind);
 
-/// The frame of a lot: see the picture above.
+/// The frame of a lot: see the picture above. Its x axis has the direction of the line's axis, so that the frame is
+/// left-handed for lots on the right side of the line. The origin is the point of the front that is nearest to the
+/// centroid of the main building.
 struct Frame {
-  Vec2 origin, along, inward;  ///< Plane metres; unit vectors.
+  Vec2 origin;         ///< In metres of the plane.
+  Vec2 along, inward;  ///< The directions of x and y, unit vectors.
   Vec2 local(Vec2 p) const { return {dot(p - origin, along), dot(p - origin, inward)}; }
   Vec2 plane(Vec2 p) const { return origin + along * p.x + inward * p.y; }
 };
 
-/// Returns the frame at the place of a front that is nearest to a point; nothing for a front without length.
-/// @param line  The line of the front.
+/// Returns the frame at the place of a front that is nearest to the point `to`; nothing if no segment of the line has a
+/// length.
+/// @param line  The line that the front lies along.
 std::optional<Frame> frame_of(const parcels::Front& front, const parcels::Line& line, Vec2 to);
 
 /// The door from which the path to the street begins.
 struct Door {
-  Vec2 at, outward;        ///< On the wall; a unit vector.
+  Vec2 at;                 ///< On the wall.
+  Vec2 outward;            ///< Away from the wall, a unit vector.
   bool is_mapped = false;  ///< True for a mapped entrance or house number.
 };
 
@@ -66,7 +71,7 @@ struct Lot {
   std::uint32_t main = 0;                   ///< The main building: an index into Features::footprints.
   std::vector<std::uint32_t> footprints{};  ///< All buildings, as such indices.
   Frame frame{};
-  double house_m = 0;  ///< The y of the main building's point nearest to the street, at least 0.
+  double setback_m = 0;  ///< The y of the main building's point nearest to the street, at least 0.
   std::optional<Door> door{};
 };
 

@@ -20,11 +20,11 @@ constexpr std::uint32_t kDraws = 4, kFirstDraw = 16;
 struct Planter {
   const Lot& lot;
   const YardRule& rule;
-  const YardGround& ground;
+  std::span<const YardBarrier> barriers;
   const BorderObstacles& obstacles;
 
   map::LandCoverClass surface_at(Vec2 p) const {
-    const bool is_front = rule.front != rule.rear && lot.frame.local(p).y <= lot.house_m;
+    const bool is_front = rule.front != rule.rear && lot.frame.local(p).y <= lot.setback_m;
     return is_front ? rule.front : rule.rear;
   }
 
@@ -35,15 +35,22 @@ struct Planter {
     return true;
   }
 
+  bool is_off_barriers(Vec2 p) const {
+    return clearance_m(obstacles.mapped.barriers, p, kToBorder_m) >= kToBorder_m &&
+           std::ranges::none_of(barriers, [&](const YardBarrier& barrier) {
+             return distance_to_polyline(barrier.axis, p) < kToBorder_m;
+           });
+  }
+
   bool is_place(Vec2 p, bool is_shrub) const {
     const MappedThings& mapped = obstacles.mapped;
     const double to_wall_m = is_shrub ? kShrubToWall_m : kTreeToWall_m;
     return contains(lot.parcel.polygon, p) && is_soft(surface_at(p)) &&
            distance_to_ring(lot.parcel.polygon.outer, p) >= kToBorder_m &&
            clearance_m(mapped.walls, p, to_wall_m) >= to_wall_m && !is_inside_any(mapped.buildings, p) &&
-           !is_inside_any(mapped.pools, p) && is_off_ways(p) &&
-           clearance_m(mapped.barriers, p, kToBorder_m) >= kToBorder_m && clearance_m(mapped.wires, p, 0.25) > 0 &&
-           clearance_m(mapped.crossings, p, 0.25) > 0 && clearance_m(mapped.trees, p, kToTree_m) >= kToTree_m;
+           !is_inside_any(mapped.pools, p) && is_off_ways(p) && is_off_barriers(p) &&
+           clearance_m(mapped.wires, p, 0.25) > 0 && clearance_m(mapped.junction_zones, p, 0.25) > 0 &&
+           clearance_m(mapped.trees, p, kToTree_m) >= kToTree_m;
   }
 
   bool has_mapped_tree() const {
@@ -63,12 +70,12 @@ std::uint32_t draw_index(std::int64_t column, std::int64_t row) {
 
 }  // namespace
 
-std::vector<YardPlant> plants_of(const Lot& lot, const YardRule& rule, const YardGround& ground,
+std::vector<YardPlant> plants_of(const Lot& lot, const YardRule& rule, std::span<const YardBarrier> barriers,
                                  const BorderObstacles& obstacles, const RandomSequence& draw) {
   std::vector<YardPlant> plants;
   const double per_square = (rule.trees + rule.shrubs) * kSquare_m * kSquare_m / 100;
   if (per_square <= 0) return plants;
-  const Planter planter{lot, rule, ground, obstacles};
+  const Planter planter{lot, rule, barriers, obstacles};
   const bool has_tree = planter.has_mapped_tree();
   const Box2 box = box_of(lot.parcel.polygon.outer);
   const auto first = [](double v) { return static_cast<std::int64_t>(std::floor(v / kSquare_m)); };

@@ -28,7 +28,8 @@ struct Sea {
 /// Guarantees: outer rings counter-clockwise, islands as clockwise holes; a coast that enters and leaves the box is
 /// closed along its sides with water on the right; without a coast that touches the box there is no sea. The order of
 /// ways does not matter. Points on the box's sides are snapped. Coasts that cross each other or have water on the left
-/// give a wrong sea. O(n log n).
+/// give a wrong sea. O(n log n + p² + islands · vertices of the sea), n: ways, p: parts of coasts between sides of the
+/// box.
 Sea close_sea(std::vector<CoastWay> ways, const Box2& box);
 
 }  // namespace citykiln::map

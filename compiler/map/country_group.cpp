@@ -36,8 +36,10 @@ std::string_view name_of(CountryGroup group) {
 }
 
 CountryGroup country_group_at(LonLat place) {
+  // rings cover -180 to 180; the antimeridian is their western border
+  const double lon_deg = place.lon_deg < 180 ? place.lon_deg : place.lon_deg - 360;
   for (const GroupBorder& border : group_borders())
-    if (winding_number(border.ring, {place.lon_deg, place.lat_deg}) != 0) return border.group;
+    if (winding_number(border.ring, {lon_deg, place.lat_deg}) != 0) return border.group;
   return CountryGroup::kCentralEurope;
 }
 

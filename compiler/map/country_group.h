@@ -32,7 +32,8 @@ std::string_view name_of(CountryGroup group);
 
 /// Returns the group by the rings of country_groups.inc; central Europe outside of all rings. Land borders are accurate
 /// to about 30 km; at sea they lie anywhere between the coasts. France is divided at 45 degrees north, where roofs of
-/// low round tiles begin; South Tyrol and Ticino build as central Europe does. O(rings).
+/// low round tiles begin; South Tyrol and Ticino build as central Europe does. Longitudes of 180 and more are taken
+/// minus 360. O(rings).
 CountryGroup country_group_at(LonLat place);
 
 }  // namespace citykiln::map

@@ -24,6 +24,9 @@ double carriageway_width_m(const CrossSection& section) {
   return sum;
 }
 
+double left_kerb_m(const CrossSection& section) { return section.axis_offset_m; }
+double right_kerb_m(const CrossSection& section) { return carriageway_width_m(section) - section.axis_offset_m; }
+
 double total_width_m(const CrossSection& section) {
   double sum = 0;
   for (const Lane& lane : section.lanes) sum += lane.width_m;

@@ -72,6 +72,11 @@ double carriageway_width_m(const CrossSection& section);
 /// The width of all lanes.
 double total_width_m(const CrossSection& section);
 
+/// Returns the distances from the axis to the left and the right kerb, where axis_drift is not 0 at the way's first
+/// point. Parking lanes lie between the kerbs.
+double left_kerb_m(const CrossSection& section);
+double right_kerb_m(const CrossSection& section);
+
 /// Returns a road's pavement.
 /// @param width_m  > 0; rounded to 2^-10 m.
 Lane pavement_lane(double width_m);

@@ -6,9 +6,9 @@
 
 namespace citykiln::map {
 
-/// Returns the side by the rings of driving_side.inc; right outside of all rings, also for invalid places. Land borders
-/// are accurate to 10 km, and to 1 km near the towns of its test; at sea they lie anywhere between the coasts.
-/// O(rings).
+/// Returns the side by the rings of driving_side.inc; right outside of all rings, also for invalid places. Longitudes
+/// of 180 and more are taken minus 360. Land borders are accurate to 10 km, and to 1 km near the towns of its test; at
+/// sea they lie anywhere between the coasts. O(rings).
 ///
 /// Source: borders of Natural Earth 4.1, 1:10 million (public domain), simplified.
 DrivingSide driving_side_at(LonLat place);

@@ -112,9 +112,9 @@ struct Footprint {
   double levels = 0;                ///< Storeys below the roof, counted from the ground; 0: unknown.
   double min_levels = 0;            ///< Storeys below min_height_m where no tag states metres; 0: none.
   double storey_m = 0;              ///< Height of a storey, by its building's tags or class; 0: the class's.
-  bool is_height_assumed = false;   ///< True if neither height nor levels are tagged.
+  bool has_default_height = false;  ///< True if height_m is the class's default; false once storeys are assumed.
   bool is_open = false;             ///< True for a roof without walls.
-  bool has_roof_shape = false;      ///< True if roof:shape is tagged.
+  bool has_roof_shape = false;      ///< True if roof.form is tagged or assumed.
   roofs::RoofShape roof;            ///< The tagged values, levels as height; no overhang.
   std::optional<Srgb> wall_colour, roof_colour;
   std::optional<materials::Material> wall_material, roof_material;
@@ -238,7 +238,8 @@ struct ThingWay {
 
 /// Parts of ids from this one on belong to objects that are derived from a feature of another kind: goals of a sports
 /// field, cars in a parking lane, the areas, barriers and trees of a building's yard. Properties of the id are those of
-/// this feature.
+/// this feature. Parts of footprints are another count: those of 2^16 and more are pieces and treads (kPieceStride in
+/// buildings/uncovered_pieces.h).
 inline constexpr std::uint32_t kDerivedPart = 0x4000;
 
 /// A thing, by a row of the table of things (things/thing_table.h): a point, or a part of a line or an area.
@@ -294,7 +295,7 @@ struct PowerLine {
   double voltage_kv = 0;                 ///< The highest of voltage=*; 0: untagged.
 };
 
-/// All features, each vector sorted by id, all coordinates snapped to kMapStep_m.
+/// All features, each vector sorted by id. Mapped coordinates are multiples of kMapStep_m, computed ones of kQuantum_m.
 struct Features {
   Box2 extent;  ///< The extent of the compile: the cells of 128 m that contain the requested box.
   std::vector<Track> tracks;

@@ -92,12 +92,6 @@ std::optional<Opening> opening_of(std::string_view text) {
   return all;
 }
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
 }  // namespace
 
 const FrontValues& values_of(FrontKind kind) { return kFrontKinds[static_cast<std::size_t>(kind)]; }

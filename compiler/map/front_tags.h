@@ -55,8 +55,8 @@ struct FrontTags {
 std::optional<FrontTags> read_front_tags(const source::OsmData& osm, source::Range tags);
 
 /// Returns the hours in a text such as "24/7", "Mo-Fr 08:00-18:00; Sa 10:00-16:00" or "Mo-Su 11:00-15:00,18:00-23:00",
-/// of which the first opening and the last closing count. Nothing for a text of another form, with months, weeks or
-/// comments for instance.
+/// of which the first opening and the last closing count. Wednesday stands for the weekdays. Nothing for a text of
+/// another form, with months, weeks or comments for instance.
 std::optional<FrontHours> front_hours_of(std::string_view text);
 
 }  // namespace citykiln::map

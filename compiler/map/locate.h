@@ -34,8 +34,9 @@ Box2 extent_of(const Plane& plane, const source::LonLatBox& box);
 /// Puts every element into the plane and reads its tags by the tables of the .inc files.
 ///
 /// Elements without a row in a table, outside the extent, or without length or area are dropped and diagnosed. Ledger
-/// "map/track", "map/footprint", "map/area", "map/coastline", "map/waterway", "map/barrier", "map/point",
-/// "map/thing", "map/tree row", "map/power". Cannot fail. O(n) in nodes, O(n log n) in coastlines.
+/// "map/track", "map/footprint", "map/area", "map/coastline", "map/waterway", "map/barrier", "map/landform",
+/// "map/point", "map/thing", "map/tree row", "map/power", "map/aerialway", "map/unread". Cannot fail. O(n log n) in
+/// nodes; coastlines: close_sea().
 Features locate(const source::OsmData& osm, const Plane& plane, const source::LonLatBox& box, const Options& options,
                 Report& report);
 

@@ -22,7 +22,7 @@ namespace {
 void diagnose_heights(std::span<const Footprint> footprints, Report& report) {
   std::set<OsmId> found;
   for (const Footprint& f : footprints)
-    if (f.is_height_assumed && !f.has_parts && found.insert(f.id.osm).second)
+    if (f.has_default_height && !f.has_parts && found.insert(f.id.osm).second)
       report.add(Code::kNoBuildingHeight, f.id.osm);
 }
 

@@ -75,9 +75,7 @@ struct Sides {
   double left_m, right_m;
 };
 
-Sides kerbs_of(const CrossSection& section) {
-  return {section.axis_offset_m, carriageway_width_m(section) - section.axis_offset_m};
-}
+Sides kerbs_of(const CrossSection& section) { return {left_kerb_m(section), right_kerb_m(section)}; }
 
 // With pavements and cycle tracks, without verges outside them.
 Sides edges_of(const CrossSection& section) {

@@ -17,7 +17,8 @@ enum class PlantKind : std::uint8_t {
 #include "lsystems/species/species.inc"
 };
 
-/// The first kind of species of one's own (plants/species_folder.h): 1 plus the number of the species.
+/// The first kind of species of one's own (plants/species_folder.h). Like all kinds, these are 1 plus the number of the
+/// species, which is 64 and more (plants/species.h); they have no enumerators.
 inline constexpr std::uint8_t kFirstOwnKind = 65;
 
 /// The words of tags that name a species of one's own.

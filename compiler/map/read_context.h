@@ -30,7 +30,8 @@ struct LocatedLine {
   std::vector<std::int64_t> node_ids;   ///< The OSM node of each point.
   std::vector<std::uint32_t> vertices;  ///< Index of the point of each node of the way.
 };
-/// Returns the way in the plane.
+/// Returns the way in the plane. Nodes more than 65,536 m outside the extent are moved to that distance, in x and y. A
+/// way whose nodes lie at one place has one point.
 LocatedLine located(const ReadContext& context, const source::Way& way);
 
 /// One polygon of an area, with its number: snapped, without repeated points, oriented, and trimmed to the surroundings

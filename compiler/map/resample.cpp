@@ -29,8 +29,11 @@ double step_below(double spacing_m) {
 
 Vec2 step_for(std::span<const Raster> rasters) {
   Vec2 finest_m{kCoarsestStep_m, kCoarsestStep_m};
-  for (const Raster& raster : rasters)
+  for (const Raster& raster : rasters) {
+    // a heightmap outside of the window has no spacing
+    if (raster.heights_m.empty()) continue;
     finest_m = {std::min(finest_m.x, raster.spacing_m.x), std::min(finest_m.y, raster.spacing_m.y)};
+  }
   return {step_below(finest_m.x), step_below(finest_m.y)};
 }
 

@@ -1,6 +1,6 @@
 // Decides from the tags of an element whether the object exists, and whether it is on the ground, below or above it, or
 // inside a building. Only this file reads lifecycle words (such as "razed"), level, location, indoor, layer and
-// underground storeys for this.
+// underground storeys for this, except that tracks also read level and indoor by themselves (Track::is_indoor).
 #pragma once
 
 #include <cstdint>

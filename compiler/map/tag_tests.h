@@ -11,7 +11,8 @@
 
 namespace citykiln::map {
 
-/// A comparison of a tag with a value; "*" stands for every value except "no".
+/// A comparison of a tag with a value. "*" stands for every value except "no", "begin*", "*end" and "*part*" for values
+/// with this part. One of several values, separated by ";", is enough.
 struct TagTest {
   std::string key, value;
   bool is_equal = true;
@@ -20,11 +21,11 @@ struct TagTest {
 /// Alternatives, joined by | in a table; each is a list of comparisons, joined by &.
 using TagTests = std::vector<std::vector<TagTest>>;
 
-/// Reads the column of tags: `key=value`, `key!=value`, `key=*` or `key=begin*`, joined by & and |. Error: without a
-/// place.
+/// Reads the column of tags: tests `key=value` and `key!=value`, joined by & and |. Each alternative begins with an =
+/// test. Errors: a test that cannot be read; Error::where stays empty.
 Result<TagTests> read_tag_tests(std::string_view text);
 
-/// Returns the value of the first tag that is tested; nothing if no alternative fits.
+/// Returns the whole value of the first tag of the first alternative that fits; nothing if none does.
 /// @param value_of  Returns the value of a key, "" if it is not tagged.
 std::optional<std::string_view> fitting_value(const TagTests& tests,
                                               const std::function<std::string_view(std::string_view)>& value_of);

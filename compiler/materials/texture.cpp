@@ -149,13 +149,6 @@ Texture texture_of(Material material, double tolerance_m, std::uint64_t seed) {
   return texture;
 }
 
-std::vector<Texture> textures_of(std::span<const Material> materials, double tolerance_m, std::uint64_t seed) {
-  std::vector<Texture> textures;
-  for (const Material material : materials)
-    if (has_texture(material, tolerance_m)) textures.push_back(texture_of(material, tolerance_m, seed));
-  return textures;
-}
-
 std::array<double, 3> colour_factor(const Texture& texture) {
   const auto& base = values_of(texture.material).base_colour;
   Rgb factor = {base[0], base[1], base[2]}, mean{};

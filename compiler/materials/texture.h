@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "compiler/materials/material.h"
@@ -56,10 +55,6 @@ bool is_bark(Material material);
 /// (water has more, since steps would be visible in reflections); the mean colour times colour_factor() is the
 /// material's colour. O(texels): about 40 ms for 512 × 512.
 Texture texture_of(Material material, double tolerance_m, std::uint64_t seed);
-
-/// Returns the textures of all materials in a list that have one, in order.
-/// @param materials  Sorted, unique.
-std::vector<Texture> textures_of(std::span<const Material> materials, double tolerance_m, std::uint64_t seed);
 
 /// Returns the factor by which the texture's colours are multiplied so that their mean, in linear light, is the
 /// material's colour: 0 … 1, near 1. For a texture without colours, returns the material's colour.

@@ -14,11 +14,12 @@ namespace citykiln::outputs {
 /// name.
 Code known_code(const std::string& name);
 
-/// Returns a JSON object with a member per account: in, split, out, merged, and the dropped objects by code.
+/// Returns a JSON object with a member per account: in, split, out, merged, without_body, and the dropped
+/// objects by code.
 nlohmann::ordered_json ledger_json(const Report& report);
 
-/// Adds the output of ledger_json() to the accounts of a report. Throws an exception of the JSON library if it is
-/// malformed.
+/// Adds the output of ledger_json() to the accounts of a report; without_body may be missing, as in older reports.
+/// Throws an exception of the JSON library if it is malformed.
 void add_ledger(const nlohmann::ordered_json& json, Report& report);
 
 }  // namespace citykiln::outputs

@@ -150,7 +150,7 @@ RunRecord record_of(const OrderedJson& report) {
   if (report.contains("usd"))
     for (const OrderedJson& tile : report.at("usd")) record.usd.push_back(parse_written_tile(tile));
   if (const auto target = target_named(report.at("target").get<std::string>()); target) record.target = *target;
-  if (const auto split = split_named(report.at("split").get<std::string>()); split) record.split = *split;
+  if (const auto split = node_split_named(report.at("split").get<std::string>()); split) record.split = *split;
   // reports of older versions have no such key
   if (const auto layout = layout_named(report.value("layout", "embedded")); layout) record.layout = *layout;
   record.lights = report.value("lights", std::size_t{0});

@@ -67,7 +67,7 @@ bool is_violated(const Strictness& strict, const Report& report);
 struct RunRecord {
   std::vector<WrittenTile> tiles, usd;        ///< WrittenFiles::tiles and usd of the run.
   Target target = Target::kGeneric;           ///< The program for which the files were written.
-  Split split = Split::kLayer;                ///< The division of a tile into meshes.
+  NodeSplit split = NodeSplit::kLayer;        ///< The division of a tile into meshes.
   Compression compress = Compression::kNone;  ///< The compression of the meshes.
   Layout layout = Layout::kEmbedded;          ///< The place of shared meshes and images: in each tile or in files.
   std::size_t lights = 0;                     ///< The largest number of lamps of a tile that are lights.

@@ -14,26 +14,43 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 OrderedJson json_of(const Diagnosis& d) {
-  OrderedJson json = {name_of(d.code), static_cast<int>(d.object.type), d.object.id, d.size};
-  if (d.at_m) json.push_back(*d.at_m);
-  return json;
+  const OrderedJson at = d.at_m ? OrderedJson(*d.at_m) : OrderedJson();
+  return {name_of(d.code),
+          static_cast<int>(d.object.type),
+          d.object.id,
+          d.size,
+          at,
+          static_cast<int>(d.other.type),
+          d.other.id,
+          d.tag};
 }
 
 OrderedJson json_of(const Account& account) {
   OrderedJson dropped = OrderedJson::object();
   for (const auto& [code, count] : account.dropped) dropped[std::string(name_of(code))] = count;
-  return {account.in, account.split, account.out, account.merged, dropped};
+  return {account.in, account.split, account.out, account.merged, account.without_body, dropped};
 }
 
 Account account_of(const OrderedJson& json) {
-  Account account{.in = json.at(0), .split = json.at(1), .out = json.at(2), .merged = json.at(3), .dropped = {}};
-  for (const auto& [code, count] : json.at(4).items()) account.dropped[known_code(code)] = count;
+  Account account{.in = json.at(0),
+                  .split = json.at(1),
+                  .out = json.at(2),
+                  .merged = json.at(3),
+                  .without_body = json.at(4),
+                  .dropped = {}};
+  for (const auto& [code, count] : json.at(5).items()) account.dropped[known_code(code)] = count;
   return account;
 }
 
+// The id of the element whose type is at an index and its number at the next.
+OsmId element_at(const OrderedJson& d, std::size_t index) {
+  return {static_cast<OsmType>(d.at(index).get<int>()), d.at(index + 1)};
+}
+
 Diagnosis diagnosis_of(const OrderedJson& d) {
-  Diagnosis diagnosis{known_code(d.at(0)), {static_cast<OsmType>(d.at(1).get<int>()), d.at(2)}, d.at(3)};
-  if (d.size() > 4) diagnosis.at_m = d.at(4).get<std::array<double, 2>>();
+  Diagnosis diagnosis{.code = known_code(d.at(0)), .object = element_at(d, 1), .size = d.at(3)};
+  if (!d.at(4).is_null()) diagnosis.at_m = d.at(4).get<std::array<double, 2>>();
+  diagnosis.other = element_at(d, 5), diagnosis.tag = d.at(7);
   return diagnosis;
 }
 

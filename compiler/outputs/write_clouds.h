@@ -15,9 +15,9 @@ namespace citykiln::outputs {
 /// Writes the clouds over the scene's extent (sky::clouds_over) once for all tiles: glb/clouds.glb for .glb,
 /// usd/clouds.usdc and usd/clouds.vdb for USD. Writes nothing for a clear sky.
 ///
-/// The cells of the surface are kCellsOfTolerance times the coarsest tolerance, at least kFinestCell_m, and larger if
-/// the surface would have more than about kMostTriangles. Voxels are as large, or larger if there would be more than
-/// kMostVoxels. Particles are as small as cells.
+/// The cells of the surface are 4 times the coarsest tolerance, within 40 to 400 m, and larger if the surface would
+/// have more than some 400,000 triangles. Voxels are cells rounded to whole metres, doubled until there are at most
+/// some 4 million. The smallest particles have a radius of half a cell.
 /// @param notes  Gets a line if the module that writes .vdb is missing; USD then has only the particles.
 Result<Done> write_clouds(const scene::Scene& scene, const Outputs& outputs, int threads,
                           exporters::OutputFolder& folder, std::vector<WrittenFile>& files,

@@ -334,13 +334,13 @@ std::vector<std::string> notes_of(const std::string& folder, const WrittenOutput
   if (written.taken_over > 0)
     notes.push_back(fmt::format("note: {} of {} tile files were whole from an earlier run and not baked again",
                                 written.taken_over, written.files.tiles.size()));
-  const std::vector<std::string> strange = exporters::strange_files(folder, files);
-  if (strange.empty()) return notes;
+  const std::vector<std::string> unlisted = exporters::unlisted_files(folder, files);
+  if (unlisted.empty()) return notes;
   constexpr std::size_t kNamed = 5;
-  const auto end = strange.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, strange.size()));
-  const std::string more = end != strange.end() ? fmt::format(" and {} more", strange.end() - end) : "";
+  const auto end = unlisted.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, unlisted.size()));
+  const std::string more = end != unlisted.end() ? fmt::format(" and {} more", unlisted.end() - end) : "";
   notes.push_back(fmt::format("note: {} holds files that citykiln did not write; they stay: {}{}", folder,
-                              fmt::join(strange.begin(), end, ", "), more));
+                              fmt::join(unlisted.begin(), end, ", "), more));
   return notes;
 }
 

@@ -26,9 +26,13 @@ struct WrittenOutputs {
   std::size_t taken_over = 0;        ///< Tiles of an earlier run that were reused instead of baked.
 };
 
-/// Bakes tiles one at a time and writes scene.kiln, glb/<x>_<y>_L<n>.glb and usd/… as the outputs ask. Complete tiles
-/// of an earlier run with equal keys (bake_keys.h) are reused; records, report and findings are the same as if they
-/// were baked.
+/// Bakes the tiles of a scene and writes the forms that the outputs ask for: scene.kiln, glb/<x>_<y>_L<n>.glb, usd/…,
+/// 3dtiles/…, the page, clouds and surroundings. Tiles are baked in parallel and written in order; with max_bytes or
+/// max_triangles, one at a time.
+///
+/// Complete .glb tiles of an earlier run with equal keys (bake_keys.h) are reused, but not with USD, Layout::kShared,
+/// max_bytes or max_triangles; records, report and findings are the same as if they were baked. Each tile is counted
+/// in `report` once, however many forms are written.
 Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads,
                                      exporters::OutputFolder& folder, Report& report, const OnProgress& on_progress);
 

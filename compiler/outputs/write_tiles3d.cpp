@@ -370,8 +370,8 @@ Result<std::vector<WrittenFile>> write_tiles3d(const scene::Scene& scene, const 
 
   const ContentMaker maker(scene.header, outputs, *geoid, threads);
   TreeWriter writer(scene, outputs, maker, threads, folder);
-  Report repeated;
-  Result<TilesetTile> root = writer.write(outputs.glb ? repeated : report, on_progress);
+  Report repeated;  // what the tiles of .glb and USD count again
+  Result<TilesetTile> root = writer.write(outputs.glb || outputs.usd ? repeated : report, on_progress);
   if (!root) return root.error();
   if (outputs.surroundings)
     if (const Result<Done> done = add_surroundings(scene, maker, folder, *root, writer.files); !done)

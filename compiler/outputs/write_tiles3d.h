@@ -24,11 +24,13 @@ namespace citykiln::outputs {
 ///   that it is joined from its children, without objects near the terrain. The other quarter of the tolerance is spent
 ///   on decimating the terrain (bake/tiles/simplify_tile.h), unless the tile is very wide for its tolerance, as above
 ///   levels of 2.5 m.
-/// - error_m of each tile is the error of its content, and larger than the errors of its children.
+/// - error_m of each tile is at least the error of its content, and larger than the errors of its children.
 /// - Outputs::lights are lights of all levels of a tile.
-/// - With Outputs::surroundings the root has no content and two children: the tree and the land around it.
+/// - With Outputs::surroundings, where the land around is known, the root has no content and two children: the tree and
+///   that land.
 ///
-/// Adds to `report` kNoGeoidHeight and the objects that levels drop, unless .glb files are written too and count these.
+/// Adds to `report` kNoGeoidHeight, if no geoid is given and the world is no cylinder; and what baking reports, unless
+/// .glb or USD files are written too, whose tiles are counted instead.
 /// Memory: bake_scene(), and the coarse levels of tiles and nodes whose parents are not complete yet.
 Result<std::vector<WrittenFile>> write_tiles3d(const scene::Scene& scene, const Outputs& outputs, int threads,
                                                exporters::OutputFolder& folder, Report& report,

@@ -10,6 +10,7 @@
 #include "compiler/parcels/fronts.h"
 #include "compiler/parcels/lot_borders.h"
 #include "compiler/parcels/lots_of_faces.h"
+#include "compiler/parcels/sections.h"
 
 namespace citykiln::parcels {
 namespace {
@@ -108,7 +109,7 @@ Splits splits_of(const LabelledParcels& labelled, const std::vector<LotSize>& se
   std::uint32_t next = first_label;
   for (const SplitTree& tree : splits.trees) {
     splits.first_leaf.push_back(next);
-    next += leaf_count(tree);
+    next += leaf_limit(tree);
   }
   return splits;
 }

@@ -8,6 +8,7 @@
 // | 4 | lot_borders | lines along which that changes |
 // | 5 | faces | all lines are snap-rounded into faces, each with a label |
 // | 6 | lots_of_faces | connected faces of a label become lots; blocks are connected land |
+// | 7 | sections, empty_lots | if asked for: land without buildings is split, then steps 5 and 6 run again |
 #pragma once
 
 #include "compiler/parcels/parcels.h"
@@ -23,7 +24,7 @@ namespace citykiln::parcels {
 /// obstacles on the way to these (64). Whether a building is hidden follows from streets within kDepth_m of all its
 /// sides; this adds its length, up to 128. The sum is 448. Sections without buildings lie in cells of 128 m and go on
 /// for up to two usual fronts (181 + 128 + 64 + 64 = 437); cells of faces have a diagonal of 181 m (64 + 181 + 64).
-/// Beyond buildings of 128 m the distance grows by what they are longer.
+/// The largest sum is rounded up to a multiple of 128. A building longer than 128 m adds what it is longer.
 inline constexpr double kInfluenceRadius_m = 512;
 
 /// Divides the land within an extent.

@@ -14,38 +14,6 @@ constexpr double kLeastShare = 0.4;
 // Lots within this factor of the usual area are not split.
 constexpr double kNearUsual = 1.25;
 
-// Appends the distances along a → b at which a coordinate passes a multiple of kSection_m.
-void add_crossings(double a, double b, double length_m, std::vector<double>& places) {
-  const auto [low, high] = std::minmax(a, b);
-  for (double at = std::ceil(low / kSection_m) * kSection_m; at < high; at += kSection_m)
-    if (at > low) places.push_back(length_m * (at - a) / (b - a));
-}
-
-// Cuts free spans where a frontage leaves a cell, except near a corner or a building's land.
-void cut_spans(const Strips& strips, std::uint32_t f, double front_m, std::vector<Span>& spans) {
-  const Frontage& frontage = strips.frontages[f];
-  const double length = frontage.length_m();
-  std::vector<double> places;
-  add_crossings(frontage.a.x, frontage.b.x, length, places);
-  add_crossings(frontage.a.y, frontage.b.y, length, places);
-  std::ranges::sort(places);
-  const bool goes_on = frontage.next != kNone && !frontage.is_corner;
-  const bool comes_from = frontage.previous != kNone && !strips.frontages[frontage.previous].is_corner;
-  std::vector<Span> cut;
-  for (Span span : spans) {
-    const double first = span.from_m > 0 || !comes_from ? span.from_m + front_m : 0;
-    const double last = span.to_m < length || !goes_on ? span.to_m - front_m : length;
-    for (const double at : places) {
-      if (span.label != kRest || at <= std::max(first, span.from_m) || at >= last) continue;
-      Span part = span;
-      part.to_m = span.from_m = at;
-      cut.push_back(part);
-    }
-    cut.push_back(span);
-  }
-  spans = std::move(cut);
-}
-
 // A part of a lot while it is split: its outline, which may touch itself, and its fronts.
 struct Part {
   Ring ring;
@@ -104,7 +72,7 @@ class Splitter {
   Splitter(const LotSize& size, SplitTree& tree) : size_(size), tree_(tree) {}
 
   std::uint32_t split(const Part& part, int depth) {
-    if (depth == 0 || part.ring.size() < 3 || signed_area_m2(part.ring) <= size_.area_m2 * kNearUsual) return kNone;
+    if (depth == 0 || part.ring.size() < 3 || signed_area_m2(part.ring) <= size_.area_m2 * kNearUsual) return kNoIndex;
     const TightBox box = tight_box(part.ring);
     for (const Vec2 axis : {box.along, left_of(box.along)}) {
       const Vec2 along = left_of(axis);
@@ -117,7 +85,7 @@ class Splitter {
       tree_.nodes[node].left = l, tree_.nodes[node].right = r;
       return node;
     }
-    return kNone;
+    return kNoIndex;
   }
 
  private:
@@ -140,42 +108,6 @@ class Splitter {
 
 }  // namespace
 
-std::vector<LotSize> label_sections(const Strips& strips, const std::vector<LotSize>& sizes, std::uint32_t first_label,
-                                    Fronts& fronts) {
-  const auto size_at = [&](std::uint32_t f) {
-    return sizes[std::min<std::size_t>(strips.frontages[f].size, sizes.size() - 1)];
-  };
-  for (std::uint32_t f = 0; f < fronts.size(); ++f) cut_spans(strips, f, size_at(f).front_m, fronts[f]);
-  std::vector<LotSize> of_labels;
-  const auto may_join = [&](std::uint32_t f, std::uint32_t next) {
-    return next != kNone && !strips.frontages[f].is_corner;
-  };
-  // labels run on along the street: begin where a section begins, then at what is left, which are loops
-  for (const bool is_loop : {false, true})
-    for (std::uint32_t f = 0; f < fronts.size(); ++f)
-      for (std::size_t i = 0; i < fronts[f].size(); ++i) {
-        if (fronts[f][i].label != kRest) continue;
-        const std::uint32_t before = strips.frontages[f].previous;
-        if (!is_loop && i == 0 && before != kNone && may_join(before, f) &&
-            (fronts[before].empty() || fronts[before].back().label == kRest))
-          continue;
-        const auto label = static_cast<std::uint32_t>(first_label + of_labels.size());
-        of_labels.push_back(size_at(f));
-        std::uint32_t at = f;
-        for (std::size_t k = i;;) {
-          if (!fronts[at].empty()) {
-            if (fronts[at][k].label != kRest) break;
-            fronts[at][k].label = label;
-            if (k + 1 < fronts[at].size()) break;
-          }
-          const std::uint32_t next = strips.frontages[at].next;
-          if (!may_join(at, next) || next == f) break;
-          at = next, k = 0;
-        }
-      }
-  return of_labels;
-}
-
 SplitTree split(const Ring& lot, const std::vector<FrontEdge>& fronts, const LotSize& size) {
   SplitTree tree;
   // 2^12 parts: more than a section can have
@@ -189,7 +121,7 @@ std::uint32_t leaf_at(const SplitTree& tree, Vec2 p) {
     const SplitTree::Node& node = tree.nodes[i];
     const bool is_left = cross(node.along, p - node.at) >= 0;
     const std::uint32_t next = is_left ? node.left : node.right;
-    if (next == kNone) return 2 * i + (is_left ? 0 : 1);
+    if (next == kNoIndex) return 2 * i + (is_left ? 0 : 1);
     i = next;
   }
 }

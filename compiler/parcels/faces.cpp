@@ -6,9 +6,9 @@
 
 #include "compiler/contract/disjoint_sets.h"
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/delaunay.h"
 #include "compiler/geometry/polygon.h"
-#include "compiler/parcels/box_index.h"
 #include "compiler/parcels/fronts.h"
 
 namespace citykiln::parcels {
@@ -89,7 +89,7 @@ CellParts parts_of(const Layout& layout, const Indexes& indexes, const Box2& cel
 
 std::uint32_t label_at_place(const Layout& layout, Vec2 p) {
   const std::uint32_t piece = nearest_piece(*layout.field, p);
-  const std::uint32_t label = piece == kNone ? kRest : layout.field->pieces[piece].label;
+  const std::uint32_t label = piece == kNoIndex ? kRest : layout.field->pieces[piece].label;
   return layout.splits ? split_label(*layout.splits, label, p) : label;
 }
 
@@ -103,7 +103,7 @@ Face face_at(const Layout& layout, const CellParts& parts, Vec2 p) {
     return winding != 0;
   };
   for (const std::uint32_t i : parts.footprints)
-    if (face.footprint == kNone && is_around(layout.footprints[i].ring)) face.footprint = i;
+    if (face.footprint == kNoIndex && is_around(layout.footprints[i].ring)) face.footprint = i;
   if (!layout.extent.contains(p))
     face.kind = FaceKind::kOutside;
   else if (std::ranges::any_of(parts.strips, is_strip))
@@ -165,9 +165,9 @@ std::vector<std::uint32_t> joined_triangles(const std::vector<DelaunayFace>& tri
 // The kind of each set of triangles, at its lowest one, by the centre of its largest one.
 std::vector<Face> faces_at(const Layout& layout, const CellParts& parts, const CellMesh& mesh,
                            const std::vector<std::uint32_t>& roots) {
-  std::vector<std::uint32_t> largest(roots.size(), kNone);
+  std::vector<std::uint32_t> largest(roots.size(), kNoIndex);
   for (std::uint32_t i = 0; i < roots.size(); ++i)
-    if (largest[roots[i]] == kNone || mesh.area_m2(i) > mesh.area_m2(largest[roots[i]])) largest[roots[i]] = i;
+    if (largest[roots[i]] == kNoIndex || mesh.area_m2(i) > mesh.area_m2(largest[roots[i]])) largest[roots[i]] = i;
   std::vector<Face> faces(roots.size());
   for (std::uint32_t i = 0; i < roots.size(); ++i)
     if (roots[i] == i) faces[i] = face_at(layout, parts, mesh.centre(largest[i]));
@@ -218,7 +218,7 @@ Faces faces_of_cell(const Layout& layout, const Indexes& indexes, const Box2& ce
       const DelaunayFace& t = mesh.triangles[i];
       if (!t.is_constrained[k] && t.neighbours[k] != kNoFace && number[t.neighbours[k]] == number[i]) continue;
       const std::uint32_t a = t.vertices[(k + 1) % 3], b = t.vertices[(k + 2) % 3];
-      faces.edges.push_back({mesh.arrangement.vertices[a], mesh.arrangement.vertices[b], number[i], kNone,
+      faces.edges.push_back({mesh.arrangement.vertices[a], mesh.arrangement.vertices[b], number[i], kNoIndex,
                              border_of(mesh.arrangement, parts.owners, a, b)});
     }
   return faces;

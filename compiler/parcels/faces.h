@@ -23,8 +23,8 @@ enum class FaceKind : std::uint8_t { kOutside, kLine, kTaken, kLand };
 
 struct Face {
   FaceKind kind = FaceKind::kLand;
-  std::uint32_t label = 0;          ///< By the field (fronts.h).
-  std::uint32_t footprint = kNone;  ///< The footprint that it lies in, the first of several.
+  std::uint32_t label = 0;             ///< By the field (fronts.h).
+  std::uint32_t footprint = kNoIndex;  ///< The footprint that it lies in, the first of several.
   double area_m2 = 0;
 };
 
@@ -32,8 +32,8 @@ struct Face {
 struct FaceEdge {
   GridPoint from, to;
   std::uint32_t face = 0;
-  std::uint32_t beyond = kNone;  ///< The face on the other side; kNone at the outermost cells.
-  Border border;                 ///< The border along it, kInner for borders of lots and cells.
+  std::uint32_t beyond = kNoIndex;  ///< The face on the other side; kNoIndex at the outermost cells.
+  Border border;                    ///< The border along it, kInner for borders of lots and cells.
 };
 
 struct Faces {

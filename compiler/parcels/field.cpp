@@ -3,31 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/parcels/box_index.h"
+#include "compiler/geometry/box_grid.h"
 
 namespace citykiln::parcels {
 namespace {
 
 // Small enough that a bucket has few pieces in dense towns.
 constexpr double kPieceBucket_m = 32;
-constexpr double kObstacleBucket_m = 32;
 // A wedge's distance is too small by at most 1 - cos(15°), 3.4 %.
 constexpr double kWedgeCosine = 0.866;
 
-bool cross_within(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  const double s = twice_area(a, b, c), t = twice_area(a, b, d);
-  if ((s > 0) == (t > 0)) return false;
-  const double u = twice_area(c, d, a), v = twice_area(c, d, b);
-  return (u > 0) != (v > 0);
-}
-
 Vec2 foot_of(const Piece& piece, Vec2 p) { return piece.foot + piece.along * dot(p - piece.foot, piece.along); }
-
-bool is_seen(const Obstacles& obstacles, Vec2 a, Vec2 b) {
-  return !any_about(obstacles.grid, box_of_segment(a, b), [&](std::uint32_t i) {
-    return cross_within(a, b, obstacles.segments[i].first, obstacles.segments[i].second);
-  });
-}
 
 // Tries candidates in the order of distance until one is seen.
 template <typename IsIn>
@@ -37,7 +23,7 @@ std::uint32_t nearest_seen(const Field& field, Vec2 p, double most_m, IsIn is_in
   const auto candidates = boxes_about(field.grid, p);
   for (;;) {
     double least = most_m;
-    std::uint32_t best = kNone;
+    std::uint32_t best = kNoIndex;
     for (const std::uint32_t i : candidates) {
       const Piece& piece = field.pieces[i];
       const double d = distance_m(piece, p);
@@ -45,7 +31,7 @@ std::uint32_t nearest_seen(const Field& field, Vec2 p, double most_m, IsIn is_in
       if (!is_in(piece) || !is_in_convex(piece.land, p)) continue;
       least = d, best = i;
     }
-    if (best == kNone || is_seen(*field.obstacles, p, foot_of(field.pieces[best], p))) return best;
+    if (best == kNoIndex || is_seen(*field.obstacles, p, foot_of(field.pieces[best], p))) return best;
     after = least, after_index = best;
   }
 }
@@ -64,32 +50,6 @@ void add_wedge(std::vector<Piece>& pieces, Vec2 tip, Vec2 from, Vec2 to, double 
 }
 
 }  // namespace
-
-Obstacles obstacles_of(const std::vector<Line>& lines, const std::vector<Polygon>& taken) {
-  Obstacles obstacles;
-  for (const Line& line : lines)
-    for (std::size_t i = 0; line.kind != LineKind::kNone && i + 1 < line.axis.size(); ++i)
-      obstacles.segments.emplace_back(line.axis[i], line.axis[i + 1]);
-  for (const Polygon& polygon : taken)
-    for (const Ring* ring : rings_of(polygon))
-      for (std::size_t i = 0, j = ring->size() - 1; i < ring->size(); j = i++)
-        obstacles.segments.emplace_back((*ring)[j], (*ring)[i]);
-  std::vector<Box2> boxes;
-  for (const auto& [a, b] : obstacles.segments) boxes.push_back(box_of_segment(a, b));
-  obstacles.grid = grid_of(boxes, kObstacleBucket_m);
-  return obstacles;
-}
-
-double distance_to_obstacle(const Obstacles& obstacles, Vec2 p, Vec2 towards, double most_m) {
-  double least = most_m;
-  const Vec2 end = p + towards * most_m;
-  any_about(obstacles.grid, box_of_segment(p, end), [&](std::uint32_t i) {
-    const auto& [c, d] = obstacles.segments[i];
-    if (cross_within(p, end, c, d)) least = std::min(least, cross(c - p, d - c) / cross(towards, d - c));
-    return false;
-  });
-  return least;
-}
 
 Field field_of(std::vector<Piece> pieces, const Obstacles& obstacles) {
   Field field{std::move(pieces), {}, &obstacles};
@@ -111,7 +71,7 @@ void add_piece(std::vector<Piece>& pieces, const Strips& strips, std::uint32_t f
 void add_wedges(std::vector<Piece>& pieces, const Strips& strips, std::uint32_t frontage, double depth_m,
                 std::uint32_t label) {
   const Frontage& f = strips.frontages[frontage];
-  if (!f.turns_outward || f.next == kNone || depth_m <= 0) return;
+  if (!f.turns_outward || f.next == kNoIndex || depth_m <= 0) return;
   add_wedge(pieces, f.b, f.normal, strips.frontages[f.next].normal, depth_m, frontage, label);
 }
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/centroid.h"
 #include "compiler/geometry/segment.h"
-#include "compiler/parcels/box_index.h"
 
 namespace citykiln::parcels {
 namespace {
@@ -65,13 +65,13 @@ Buildings buildings_of(const std::vector<Footprint>& footprints) {
 }
 
 struct Hit {
-  std::uint32_t footprint = kNone;
+  std::uint32_t footprint = kNoIndex;
   double distance_m = 0;
 };
 
 // The first building that a ray meets, sheds or fronts only.
 Hit first_hit(const Buildings& buildings, Vec2 p, Vec2 towards, double most_m, bool sheds) {
-  Hit hit{kNone, most_m};
+  Hit hit{kNoIndex, most_m};
   const auto meet = [&](std::uint32_t i, double at_m) {
     if (at_m < hit.distance_m || (at_m == hit.distance_m && i < hit.footprint)) hit = {i, at_m};
   };
@@ -105,7 +105,7 @@ struct View {
 // False if another street that the building faces is nearer.
 bool belongs_here(const View& view, std::uint32_t frontage, Vec2 at, double distance_m) {
   const std::uint32_t other = nearest_other(view.field, at, frontage, distance_m - 0.01);
-  if (other == kNone) return true;
+  if (other == kNoIndex) return true;
   const double facing = dot(view.field.pieces[other].normal, view.strips.frontages[frontage].normal);
   return distance_m <= kCorner_m && facing > -0.3;
 }
@@ -113,7 +113,8 @@ bool belongs_here(const View& view, std::uint32_t frontage, Vec2 at, double dist
 std::optional<std::uint32_t> seen_from(const View& view, std::uint32_t frontage, Vec2 p, Vec2 towards) {
   const double most_m = distance_to_obstacle(view.obstacles, p, towards, kDepth_m);
   const Hit hit = first_hit(view.buildings, p, towards, most_m, false);
-  if (hit.footprint == kNone || !belongs_here(view, frontage, p + towards * hit.distance_m, hit.distance_m)) return {};
+  if (hit.footprint == kNoIndex || !belongs_here(view, frontage, p + towards * hit.distance_m, hit.distance_m))
+    return {};
   return hit.footprint;
 }
 
@@ -185,7 +186,7 @@ struct Stretch {
 struct Gap {
   std::vector<Stretch> stretches;
   double length_m = 0;
-  std::uint32_t next_frontage = kNone, next_run = 0;  // kNone: none within reach
+  std::uint32_t next_frontage = kNoIndex, next_run = 0;  // kNoIndex: none within reach
 };
 
 class Divider {
@@ -235,7 +236,7 @@ class Divider {
         return gap;
       }
       f = frontage(f).next;
-      if (f == kNone || f == first) return gap;
+      if (f == kNoIndex || f == first) return gap;
       r = 0, from = 0;
     }
   }
@@ -244,7 +245,7 @@ class Divider {
     const double margin = size(f).front_m;
     const Gap gap = gap_after(f, r, 2 * margin);
     const std::uint32_t own = runs_[f][r].footprint;
-    if (gap.next_frontage == kNone) {
+    if (gap.next_frontage == kNoIndex) {
       give(gap, 0, margin, own);
       return;
     }
@@ -288,7 +289,7 @@ class Divider {
       if (place_m <= at + length) {
         const Frontage& f = frontage(s.frontage);
         const Vec2 p = f.a + unit(f.b - f.a) * (s.from_m + place_m - at);
-        return first_hit(view_.buildings, p, f.normal, kDepth_m / 2, true).footprint == kNone;
+        return first_hit(view_.buildings, p, f.normal, kDepth_m / 2, true).footprint == kNoIndex;
       }
       at += length;
     }
@@ -309,7 +310,7 @@ class Divider {
       put(f, start, to, own);
       if (left <= 0 || from > 0) return;
       f = frontage(f).previous;
-      if (f == kNone || f == first) return;
+      if (f == kNoIndex || f == first) return;
       to = frontage(f).length_m();
     }
   }
@@ -358,7 +359,7 @@ std::vector<std::vector<Claim>> claims_of(const View& view, const Fronts& fronts
     if (has_front[i]) continue;
     const Vec2 centre = centroid({footprints[i].ring, {}});
     const std::uint32_t piece = nearest_piece(field, centre);
-    if (piece == kNone || field.pieces[piece].label != kRest) continue;
+    if (piece == kNoIndex || field.pieces[piece].label != kRest) continue;
     const std::uint32_t f = field.pieces[piece].frontage;
     const Shadow shadow = shadow_of(view.strips.frontages[f], footprints[i].ring);
     claims[f].push_back(

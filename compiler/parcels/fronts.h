@@ -13,7 +13,8 @@
 
 namespace citykiln::parcels {
 
-/// Labels of pieces and faces: land outside of blocks, land without an owner, then buildings and empty lots.
+/// A label says whom land belongs to. kOff: not in a block. kRest: land without an owner. kFirstBuilding + i: footprint
+/// i. Labels after the last footprint belong to sections without buildings (sections.h).
 inline constexpr std::uint32_t kOff = 0, kRest = 1, kFirstBuilding = 2;
 inline std::uint32_t label_of_building(std::uint32_t footprint) { return kFirstBuilding + footprint; }
 

@@ -58,7 +58,7 @@ std::optional<Cut> bisector_of(const Piece& p, const Piece& q) {
 
 std::uint32_t label_at(const Field& field, Vec2 p) {
   const std::uint32_t piece = nearest_piece(field, p);
-  return piece == kNone ? kRest : field.pieces[piece].label;
+  return piece == kNoIndex ? kRest : field.pieces[piece].label;
 }
 
 // The shares of a → b at which the nearest piece may change.

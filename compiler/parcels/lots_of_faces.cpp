@@ -23,7 +23,7 @@ constexpr double kLeastEmpty_m2 = 20;
 using Labels = std::vector<std::uint32_t>;
 
 bool is_land(const Faces& faces, std::uint32_t face) {
-  return face != kNone && faces.faces[face].kind == FaceKind::kLand;
+  return face != kNoIndex && faces.faces[face].kind == FaceKind::kLand;
 }
 
 // Joins neighbouring faces for which is_same(face, face) is true.
@@ -31,7 +31,7 @@ template <typename IsSame>
 Labels components_of(const Faces& faces, IsSame is_same) {
   DisjointSets sets(faces.faces.size());
   for (const FaceEdge& edge : faces.edges)
-    if (edge.beyond != kNone && is_same(edge.face, edge.beyond)) sets.join(edge.face, edge.beyond);
+    if (edge.beyond != kNoIndex && is_same(edge.face, edge.beyond)) sets.join(edge.face, edge.beyond);
   return sets.lowest();
 }
 
@@ -45,9 +45,9 @@ void drop_small_blocks(Faces& faces) {
       faces.faces[i].kind = FaceKind::kLine, faces.faces[i].label = kOff;
 }
 
-// The key of the largest area; the lowest of equal ones. kNone if there is none.
+// The key of the largest area; the lowest of equal ones. kNoIndex if there is none.
 std::uint32_t largest_of(const std::map<std::uint32_t, double>& areas) {
-  std::uint32_t best = kNone;
+  std::uint32_t best = kNoIndex;
   double most = 0;
   for (const auto& [key, area] : areas)
     if (area > most) best = key, most = area;
@@ -60,7 +60,7 @@ using Shares = std::vector<std::map<std::uint32_t, double>>;
 Shares shares_of(const Faces& faces, std::size_t footprint_count, const Labels& keys) {
   Shares shares(footprint_count);
   for (std::uint32_t i = 0; i < faces.faces.size(); ++i)
-    if (faces.faces[i].footprint != kNone && keys[i] != kNone)
+    if (faces.faces[i].footprint != kNoIndex && keys[i] != kNoIndex)
       shares[faces.faces[i].footprint][keys[i]] += faces.faces[i].area_m2;
   return shares;
 }
@@ -76,19 +76,19 @@ Labels labels_of(const Faces& faces, std::size_t footprint_count) {
   }
   Labels keys(labels);
   for (std::uint32_t& key : keys)
-    if (key <= kRest) key = kNone;
+    if (key <= kRest) key = kNoIndex;
   const Shares shares = shares_of(faces, footprint_count, keys);
   for (std::uint32_t i = 0; i < labels.size(); ++i) {
     const std::uint32_t footprint = faces.faces[i].footprint;
-    if (!is_land(faces, i) || footprint == kNone) continue;
+    if (!is_land(faces, i) || footprint == kNoIndex) continue;
     const std::uint32_t best = has_label[footprint] ? label_of_building(footprint) : largest_of(shares[footprint]);
-    if (best != kNone) labels[i] = best;
+    if (best != kNoIndex) labels[i] = best;
   }
   return labels;
 }
 
 bool is_front(const Faces& faces, const std::vector<Line>& lines, const FaceEdge& edge) {
-  return edge.beyond != kNone && faces.faces[edge.beyond].kind == FaceKind::kLine &&
+  return edge.beyond != kNoIndex && faces.faces[edge.beyond].kind == FaceKind::kLine &&
          edge.border.kind == BorderKind::kLine && lines[edge.border.line].kind == LineKind::kStreet;
 }
 
@@ -112,7 +112,7 @@ Components measured(const Faces& faces, const std::vector<Line>& lines, const La
   for (std::uint32_t i = 0; i < labels.size(); ++i) {
     Component& c = all.at[all.roots[i]];
     c.area_m2 += faces.faces[i].area_m2;
-    c.has_footprint = c.has_footprint || faces.faces[i].footprint != kNone;
+    c.has_footprint = c.has_footprint || faces.faces[i].footprint != kNoIndex;
   }
   for (const FaceEdge& edge : faces.edges)
     if (labels[edge.face] > kRest && is_front(faces, lines, edge))
@@ -137,7 +137,7 @@ void mend_landlocked(const Faces& faces, const std::vector<Line>& lines, Labels&
 // Numbers the components that is_kept accepts, and returns the number of each face.
 template <typename IsKept>
 std::pair<Labels, std::uint32_t> numbered(const Labels& roots, IsKept is_kept) {
-  Labels numbers(roots.size(), kNone);
+  Labels numbers(roots.size(), kNoIndex);
   std::uint32_t count = 0;
   for (std::uint32_t i = 0; i < roots.size(); ++i)
     if (is_kept(i)) numbers[i] = roots[i] == i ? count++ : numbers[roots[i]];
@@ -236,18 +236,18 @@ Cause cause_of(const std::array<double, 5>& areas) {
 }
 
 struct Homes {
-  Labels lot_of;  // by footprint; kNone: none
+  Labels lot_of;  // by footprint; kNoIndex: none
   std::vector<Failure> failures;
 };
 
 // The lot of each footprint, or why it has none.
 Homes homes_of(const Faces& faces, const Labels& lots, std::size_t footprint_count,
                const std::vector<Footprint>& footprints) {
-  Homes homes{Labels(footprint_count, kNone), {}};
+  Homes homes{Labels(footprint_count, kNoIndex), {}};
   const Shares shares = shares_of(faces, footprint_count, lots);
   std::vector<std::array<double, 5>> areas(footprint_count);  // outside, on lines, on taken land, far, landlocked
   for (const Face& face : faces.faces)
-    if (face.footprint != kNone) {
+    if (face.footprint != kNoIndex) {
       const std::size_t kind = face.kind != FaceKind::kLand ? static_cast<std::size_t>(face.kind)
                                : face.label <= kRest        ? 3
                                                             : 4;
@@ -255,7 +255,7 @@ Homes homes_of(const Faces& faces, const Labels& lots, std::size_t footprint_cou
     }
   for (std::uint32_t f = 0; f < footprint_count; ++f) {
     const std::uint32_t lot = largest_of(shares[f]);
-    const double in_lot = lot == kNone ? 0 : shares[f].at(lot);
+    const double in_lot = lot == kNoIndex ? 0 : shares[f].at(lot);
     const double on_lots = areas[f][3] + areas[f][4];
     // buildings mostly on streets or taken land have no lot, even if a corner of them lies in one
     if (in_lot > 0 && in_lot >= areas[f][0] && in_lot >= areas[f][1] && in_lot >= areas[f][2] && 4 * in_lot >= on_lots)
@@ -285,9 +285,9 @@ LabelledParcels lots_of_faces(const Faces& given, const std::vector<Line>& lines
   const auto [lots, lot_count] = numbered(lot_roots, [&](auto i) { return labels[i] > kRest && is_land(faces, i); });
   const auto [rests, rest_count] = numbered(lot_roots, [&](auto i) { return labels[i] == kRest && is_land(faces, i); });
 
-  std::vector<std::uint32_t> regions(lots.size(), kNone);
+  std::vector<std::uint32_t> regions(lots.size(), kNoIndex);
   for (std::uint32_t i = 0; i < regions.size(); ++i)
-    if (is_land(faces, i)) regions[i] = lots[i] != kNone ? lots[i] : lot_count + rests[i];
+    if (is_land(faces, i)) regions[i] = lots[i] != kNoIndex ? lots[i] : lot_count + rests[i];
   const std::vector<GridPoint> dropped = straight_points(faces, regions);
 
   LabelledParcels labelled;
@@ -301,7 +301,7 @@ LabelledParcels lots_of_faces(const Faces& given, const std::vector<Line>& lines
   Labels block_of(lot_count, 0);
   labelled.labels.resize(lot_count);
   for (std::uint32_t i = 0; i < lots.size(); ++i)
-    if (lots[i] != kNone) block_of[lots[i]] = blocks[i], labelled.labels[lots[i]] = labels[i];
+    if (lots[i] != kNoIndex) block_of[lots[i]] = blocks[i], labelled.labels[lots[i]] = labels[i];
   const auto lot_rings = trace_rings(faces, lots, lot_count, dropped);
   for (std::uint32_t i = 0; i < lot_count; ++i) {
     Lot lot{.id = {},
@@ -317,7 +317,7 @@ LabelledParcels lots_of_faces(const Faces& given, const std::vector<Line>& lines
     parcels.rest.push_back(polygon_of(rings).first);
   Homes homes = homes_of(faces, lots, footprints.size(), footprints);
   for (std::uint32_t f = 0; f < footprints.size(); ++f)
-    if (homes.lot_of[f] != kNone) parcels.lots[homes.lot_of[f]].footprints.push_back(f);
+    if (homes.lot_of[f] != kNoIndex) parcels.lots[homes.lot_of[f]].footprints.push_back(f);
   parcels.failures = std::move(homes.failures);
   return labelled;
 }

@@ -40,7 +40,7 @@ struct Footprint {
 
 /// The usual size of lots of one kind. Lengths are limited to kDepth_m.
 struct LotSize {
-  double area_m2 = 600;  ///< Land without buildings is split until lots have at most this area.
+  double area_m2 = 600;  ///< Land without buildings is split until lots have at most 1.25 times this area.
   double front_m = 18;   ///< Land beside a building belongs to it up to this distance along the street.
   double depth_m = 40;   ///< Distance of the rear border from the street; more where the building is deeper.
 };
@@ -55,9 +55,14 @@ struct Land {
   bool split_empty = false;  ///< True if land along streets without buildings is divided into lots too.
 };
 
-enum class BorderKind : std::uint8_t { kLine, kTaken, kExtent, kInner };
+enum class BorderKind : std::uint8_t {
+  kLine,    ///< The strip of a line.
+  kTaken,   ///< Taken land.
+  kExtent,  ///< The border of the extent.
+  kInner    ///< A lot or block on both sides.
+};
 
-/// The thing beyond an edge.
+/// The thing beyond an edge. Side, line and segment are set for kLine only.
 struct Border {
   BorderKind kind = BorderKind::kInner;
   Side side = Side::kLeft;    ///< The side of the line.

@@ -16,7 +16,7 @@ constexpr std::int64_t kStraightSteps = static_cast<std::int64_t>(kStraight_m / 
 // A point of borders. Its neighbours are known if it has exactly two, along the same thing.
 struct BorderPoint {
   GridPoint at;
-  std::array<std::uint32_t, 2> neighbours = {kNone, kNone};
+  std::array<std::uint32_t, 2> neighbours = {kNoIndex, kNoIndex};
   bool is_plain = false;
   bool is_dropped = false;
 };
@@ -26,7 +26,7 @@ class Straightener {
   Straightener(const Faces& faces, const std::vector<std::uint32_t>& regions) {
     std::vector<const FaceEdge*> borders;
     for (const FaceEdge& edge : faces.edges)
-      if (edge.beyond == kNone || regions[edge.face] != regions[edge.beyond]) borders.push_back(&edge);
+      if (edge.beyond == kNoIndex || regions[edge.face] != regions[edge.beyond]) borders.push_back(&edge);
     for (const FaceEdge* edge : borders)
       if (places_.empty() || places_.back() != edge->from) places_.push_back(edge->from);
     points_.resize(places_.size());
@@ -34,10 +34,10 @@ class Straightener {
     for (std::size_t first = 0, i = 0; first < borders.size(); ++i) {
       std::size_t last = first;
       while (last < borders.size() && borders[last]->from == borders[first]->from) ++last;
-      if (last - first == 2 && borders[first]->beyond != kNone && borders[first + 1]->beyond != kNone &&
+      if (last - first == 2 && borders[first]->beyond != kNoIndex && borders[first + 1]->beyond != kNoIndex &&
           borders[first]->border == borders[first + 1]->border)
         points_[i].neighbours = {index_of_point(borders[first]->to), index_of_point(borders[first + 1]->to)};
-      points_[i].is_plain = points_[i].neighbours[0] != kNone && points_[i].neighbours[1] != kNone;
+      points_[i].is_plain = points_[i].neighbours[0] != kNoIndex && points_[i].neighbours[1] != kNoIndex;
       first = last;
     }
     for (const FaceEdge* edge : borders) edges_.emplace_back(edge->from, edge->to);
@@ -61,7 +61,7 @@ class Straightener {
  private:
   std::uint32_t index_of_point(GridPoint p) const {
     const auto at = std::ranges::lower_bound(places_, p);
-    return at != places_.end() && *at == p ? static_cast<std::uint32_t>(at - places_.begin()) : kNone;
+    return at != places_.end() && *at == p ? static_cast<std::uint32_t>(at - places_.begin()) : kNoIndex;
   }
 
   bool is_straight(const BorderPoint& v) const {

@@ -13,9 +13,10 @@ namespace citykiln::parcels {
 /// Returns points that borders between regions can do without, sorted.
 ///
 /// @param regions  The region of each face. Borders lie between faces of different regions.
-/// Guarantees: a point is the end of two border edges along the same thing, and at most kStraight_m beside the line
-/// between the points that remain next to it, for each of kStraightRounds; borders do not cross without it. It depends
-/// on points within kStraightRounds edges. O(n log n).
+/// Guarantees: each point has exactly two border edges, both along the same line, taken land or lot, and lies at most
+/// kStraight_m from the straight line between its neighbours. kStraightRounds rounds may together move a border by that
+/// many times kStraight_m. Borders without these points do not cross. A point depends on points within kStraightRounds
+/// edges. O(n log n).
 std::vector<GridPoint> straight_points(const Faces& faces, const std::vector<std::uint32_t>& regions);
 
 /// Twice the step of the grid: points are rounded by up to half of it in each direction.

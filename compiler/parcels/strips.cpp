@@ -32,8 +32,8 @@ struct Edge {
 struct Segment {
   std::uint32_t line = 0, index = 0;
   Vec2 from, to, along;
-  std::array<Edge, 2> edges;                               // left, right; the land is to the left of a → b
-  std::array<std::uint32_t, 2> frontage = {kNone, kNone};  // by side
+  std::array<Edge, 2> edges;                                     // left, right; the land is to the left of a → b
+  std::array<std::uint32_t, 2> frontage = {kNoIndex, kNoIndex};  // by side
 };
 
 double width_of(const Line& line, Side side) {
@@ -138,7 +138,7 @@ class Linker {
   }
 
   void connect(std::uint32_t from, std::uint32_t to) {
-    if (from == kNone || to == kNone) return;
+    if (from == kNoIndex || to == kNoIndex) return;
     strips_.frontages[from].next = to;
     strips_.frontages[to].previous = from;
   }
@@ -161,11 +161,11 @@ class Linker {
     const Vec2 u = unit(edges[0].b - edges[0].a), v = unit(edges[1].b - edges[1].a);
     if (turn_left > 0.02)
       if (const auto x = crossing_of_lines(edges[0].a, u, edges[1].a, v)) {
-        if (ids[0] != kNone) cut_end(strips_.frontages[ids[0]], *x);
-        if (ids[1] != kNone) cut_start(strips_.frontages[ids[1]], *x);
+        if (ids[0] != kNoIndex) cut_end(strips_.frontages[ids[0]], *x);
+        if (ids[1] != kNoIndex) cut_start(strips_.frontages[ids[1]], *x);
       }
     connect(ids[0], ids[1]);
-    if (ids[0] != kNone) strips_.frontages[ids[0]].is_corner = ahead < 0.766;
+    if (ids[0] != kNoIndex) strips_.frontages[ids[0]].is_corner = ahead < 0.766;
   }
 
   static void cut_end(Frontage& f, Vec2 x) {
@@ -198,7 +198,7 @@ class Linker {
     for (std::size_t i = 1; i < points.size(); ++i) {
       if (points[i - 1] == points[i]) continue;
       strips_.pieces.push_back({{node, points[i], points[i - 1]}, {border, border, border}});
-      if (ids[0] == kNone) continue;
+      if (ids[0] == kNoIndex) continue;
       const std::uint32_t next = add(arriving, side, {points[i - 1], points[i]});
       connect_outward(ids[0], next);
       ids[0] = next;
@@ -208,8 +208,8 @@ class Linker {
 
   void add_mitre(const Ring& joint, std::array<std::uint32_t, 2> ids, const Border& border) {
     strips_.pieces.push_back({joint, {border, border, border, border}});
-    if (ids[0] != kNone) strips_.frontages[ids[0]].b = joint[2];
-    if (ids[1] != kNone) strips_.frontages[ids[1]].a = joint[2];
+    if (ids[0] != kNoIndex) strips_.frontages[ids[0]].b = joint[2];
+    if (ids[1] != kNoIndex) strips_.frontages[ids[1]].a = joint[2];
     connect_outward(ids[0], ids[1]);
   }
 
@@ -228,7 +228,7 @@ class Linker {
 
   void connect_outward(std::uint32_t from, std::uint32_t to) {
     connect(from, to);
-    if (from != kNone) strips_.frontages[from].turns_outward = true;
+    if (from != kNoIndex) strips_.frontages[from].turns_outward = true;
   }
 
   const std::vector<Line>& lines_;

@@ -13,16 +13,18 @@
 
 namespace citykiln::parcels {
 
-inline constexpr std::uint32_t kNone = 0xffffffffu;
+/// No index.
+inline constexpr std::uint32_t kNoIndex = 0xffffffffu;
 
 /// An edge of a street's strip, directed so that the land lies to its left.
 struct Frontage {
   std::uint32_t line = 0, segment = 0;
   Side side = Side::kLeft;
-  Vec2 a, b;                   ///< Cut where the next strip begins, so it may have no length.
-  Vec2 normal;                 ///< Towards the land, length 1.
-  std::uint32_t next = kNone;  ///< The street's edge that continues this one about the same land.
-  std::uint32_t previous = kNone;
+  Vec2 a, b;    ///< Cut where the next strip begins, so it may have no length.
+  Vec2 normal;  ///< Towards the land, length 1.
+  std::uint32_t next =
+      kNoIndex;  ///< The edge that follows this one along the same land, around a corner or dead end too.
+  std::uint32_t previous = kNoIndex;
   bool turns_outward = false;  ///< True if the next one turns away from the land, as at a dead end.
   bool is_corner = false;      ///< True if the next one turns towards the land by more than 40°.
   std::uint8_t size = 0;       ///< Index into Land::sizes.
@@ -36,12 +38,12 @@ struct StripPiece {
 };
 
 struct Strips {
-  std::vector<Frontage> frontages;  ///< Edges of streets, in the order of lines.
+  std::vector<Frontage> frontages;  ///< First those of axis segments in the order of lines, then those of round ends.
   std::vector<StripPiece> pieces;
 };
 
 /// Returns the strips of lines. Widths are limited from below by kLeastStrip_m.
-/// @param lines  Sorted by id. Lines of kNone and axes of fewer than two different points have no strip.
+/// @param lines  Sorted by id. Lines of LineKind::kNone and axes of fewer than two different points have no strip.
 /// Cost: O(n log n).
 Strips strips_of(const std::vector<Line>& lines);
 

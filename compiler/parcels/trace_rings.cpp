@@ -111,7 +111,7 @@ std::vector<std::vector<TracedRing>> trace_rings(const Faces& faces, const std::
   std::vector<RegionEdge> edges;
   for (const FaceEdge& edge : faces.edges) {
     const std::uint32_t region = regions[edge.face];
-    if (region != kNone && (edge.beyond == kNone || regions[edge.beyond] != region))
+    if (region != kNoIndex && (edge.beyond == kNoIndex || regions[edge.beyond] != region))
       edges.push_back({region, edge.from, edge.to, edge.border});
   }
   std::ranges::sort(edges, region_edge_before);

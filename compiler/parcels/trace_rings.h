@@ -16,13 +16,13 @@ struct TracedRing {
 
 /// Returns the rings of each region, which touch themselves and each other at vertices only: counter-clockwise outside,
 /// clockwise holes.
-/// @param regions  The region of each face, or kNone.
+/// @param regions  The region of each face, or kNoIndex.
+/// @param dropped  Points to leave out of all rings, sorted (straight_points.h).
 /// Guarantees: the result does not depend on numbers of faces. O(n log n).
-/// @param dropped  Points that are left out, sorted.
 std::vector<std::vector<TracedRing>> trace_rings(const Faces& faces, const std::vector<std::uint32_t>& regions,
                                                  std::uint32_t region_count, const std::vector<GridPoint>& dropped);
 
-/// Returns twice the signed area in grid steps. Exact.
+/// Returns twice the signed area in grid steps. Exact. The ring has at least one point.
 std::int64_t twice_area(const TracedRing& ring);
 
 }  // namespace citykiln::parcels

@@ -16,12 +16,6 @@ constexpr double kSagitta_m = 0.004;
 // Sections of arcs are at most this long, and turn by at most this angle.
 constexpr double kSection_m = 4, kSection_deg = 30;
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
 // A command of a text: its letter, its copies (1, 2 or 4) and its arguments.
 struct Command {
   int copies = 1;
@@ -92,7 +86,7 @@ std::vector<FieldLine> opened_arc(Vec2 about, double radius_m, double limit_m, d
 
 // An arc begins at the side of the field if it would begin beyond it.
 double beginning_deg(Vec2 middle, const std::vector<double>& arc, HalfSize half) {
-  const double to_side_m = half.s_m - middle.y;
+  const double to_side_m = half.to_side_line_m - middle.y;
   return to_side_m < arc[0] ? std::max(arc[1], 180 - arcsine_deg(to_side_m / arc[0])) : arc[1];
 }
 
@@ -102,7 +96,7 @@ std::vector<FieldLine> round_lines(const Command& command, HalfSize half) {
   const std::vector<double> numbers = numbers_of(command, 1, count, half);
   if (!middle || numbers.empty() || !(numbers[0] > 0)) return {};
   if (command.word == "A") return {arc(*middle, numbers[0], beginning_deg(*middle, numbers, half), numbers[2])};
-  if (command.word == "T") return opened_arc(*middle, numbers[0], numbers[1], half.e_m);
+  if (command.word == "T") return opened_arc(*middle, numbers[0], numbers[1], half.to_end_line_m);
   FieldLine circle = arc(*middle, numbers[0], 0, 360);
   circle.is_disc = command.word == "D";
   return {circle};
@@ -142,7 +136,7 @@ std::optional<double> coordinate_m(std::string_view text, HalfSize half) {
     const std::size_t end = std::min(text.find_first_of("+-"), text.size());
     const std::string_view term = text.substr(0, end);
     text.remove_prefix(end);
-    const auto value = term == "e" ? half.e_m : term == "s" ? half.s_m : number_in<double>(term);
+    const auto value = term == "e" ? half.to_end_line_m : term == "s" ? half.to_side_line_m : number_in<double>(term);
     if (!value) return std::nullopt;
     sum += sign * *value;
   }

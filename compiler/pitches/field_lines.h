@@ -27,7 +27,7 @@ struct Equipment {
 
 /// The half lengths of a field to the middle of its outer lines.
 struct HalfSize {
-  double e_m, s_m;
+  double to_end_line_m, to_side_line_m;  ///< Along the field, and across it.
 };
 HalfSize half_size_of(const Field& field);
 

@@ -1,7 +1,6 @@
 #include "compiler/pitches/panels.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -264,7 +263,7 @@ Panel panel_of(const FieldPaint& paint, const Rectangle& rectangle, const FieldF
 // True if an edge may cross a box.
 bool has_edge_near(const Ring& ring, const Box2& box) {
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    if (!box_of(std::array{ring[j], ring[i]}).touches(box)) continue;
+    if (!box_of_segment(ring[j], ring[i]).touches(box)) continue;
     const Vec2 edge = ring[i] - ring[j];
     int left = 0, right = 0;
     for (const Vec2 corner : {box.min, Vec2{box.max.x, box.min.y}, box.max, Vec2{box.min.x, box.max.y}})

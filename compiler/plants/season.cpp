@@ -47,7 +47,7 @@ climate::LocalMonth local_month_of(std::string_view time, double latitude_deg) {
 }
 
 Month month_for(std::string_view time, double latitude_deg, climate::ClimateClass climate) {
-  return Month{climate::month_by_leaves(climate, local_month_of(time, latitude_deg))};
+  return Month{climate::equivalent_month(climate, local_month_of(time, latitude_deg))};
 }
 
 bool are_months(std::string_view months) { return are_states(months); }

@@ -10,8 +10,9 @@
 namespace citykiln::plants {
 
 /// A month of central Europe, 1 to 12, whose leaves, crops and grass those of a place look like. In the tropics it is
-/// always kMidsummer (climate::month_by_leaves).
+/// always kMidsummer (climate::equivalent_month).
 enum class Month : std::uint8_t {};
+/// June, in which all species are in their summer state.
 inline constexpr Month kMidsummer{6};
 
 /// Returns the month of a time like "2026-10-21T12:00" at a latitude, by whose sign the hemisphere is known; June for a

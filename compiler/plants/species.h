@@ -29,6 +29,14 @@ enum class LeafForm : std::uint8_t {
   kBlade    ///< Blades of grass, reed and corn.
 };
 
+/// The largest width of a plant as a share of its height: of crown_share, and of plants of one's own
+/// (own_species.md). A width is the mean of the extents along x and y.
+inline constexpr double kWidestCrown = 1.5;
+/// An upper bound of the distance in plan from a plant's foot to its leaves, as a share of its height: half of the
+/// width, and a tenth of the height because crowns are not round. Exceptions: blades (0.3 to 1 m tall) reach up to 1.2
+/// heights, and a plant of one's own that leans may reach farther, since only its width is limited.
+inline constexpr double kCrownReach = kWidestCrown / 2 + 0.1;
+
 /// Linear reflectance of red, green and blue in thousandths.
 using Thousandths = std::array<int, 3>;
 

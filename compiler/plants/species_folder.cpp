@@ -15,7 +15,7 @@ namespace citykiln::plants {
 namespace {
 
 // The height of plants whose file has no scale, and the tallest height as a share of the usual one.
-constexpr double kUnknownHeight_m = 10, kTallestShare = 1.4, kWidest = 1.5, kLeastScale_m = 0.05;
+constexpr double kUnknownHeight_m = 10, kTallestShare = 1.4, kLeastScale_m = 0.05;
 
 bool is_plant_file(const SpeciesText& file) { return !file.name.ends_with(".txt"); }
 
@@ -51,12 +51,13 @@ Result<PlantSize> size_of(const SpeciesText& file, const std::string& where) {
   if (const auto stopped = lsystems::grow_plant(*plant, 0).stopped) return *stopped;
   const GrownPlant grown = grow(*plant, values_of(Species::kLime), 0, kMidsummer);
   const std::size_t parts = grown.skeleton.segments.size() + grown.foliage.cards.size();
-  if (parts > kMostPlantParts)
-    return Error{where, fmt::format("expected at most {} stems and leaves, found {}", kMostPlantParts, parts)};
+  if (parts > lsystems::kMostPlantParts)
+    return Error{where,
+                 fmt::format("expected at most {} stems and leaves, found {}", lsystems::kMostPlantParts, parts)};
   if (!(grown.height_m > 0)) return Error{where, "expected a plant above the ground, found none"};
   const PlantSize size{grown.height_m, crown_share_of(grown)};
-  if (size.crown_share > kWidest)
-    return Error{where, fmt::format("expected a plant at most {} times as wide as high, found {:.2f}", kWidest,
+  if (size.crown_share > kWidestCrown)
+    return Error{where, fmt::format("expected a plant at most {} times as wide as high, found {:.2f}", kWidestCrown,
                                     size.crown_share)};
   return size;
 }

@@ -17,15 +17,13 @@ namespace citykiln::plants {
 
 /// Species of one's own.
 struct OwnSpecies {
-  /// The files, and the tables kOwnSpeciesName, with all values of all own species, and kSpawnersName. Sorted by name;
-  /// empty without a folder.
+  /// The files, and the tables kOwnSpeciesName, with the sizes of all grown plants, and kSpawnersName. Sorted by name;
+  /// empty without a folder. kOwnSpeciesName has no words of tags, and other values only where species.txt gives them:
+  /// the rest follows from the species that it is like.
   std::vector<SpeciesText> texts{};
   SpeciesTable table{};
   map::OwnPlants for_map{};
 };
-
-/// The most stems and leaves of a plant of one's own.
-inline constexpr std::size_t kMostPlantParts = 400'000;
 
 /// Reads the files of a folder. A species has the name of its file; one with the name of a shipped species replaces it.
 /// Values that species.txt does not give follow from the grown plant (height, crown) and from the species that it is
@@ -34,9 +32,10 @@ inline constexpr std::size_t kMostPlantParts = 400'000;
 /// @param files   Plants, species.txt and spawners.txt, by their names in the folder.
 /// @param folder  The folder's name, for errors.
 /// Errors, with file and line where there is one: those of the notations; two files of one species; a plant that is
-/// empty, stops at a limit, has more than kMostPlantParts parts or is wider than 1.5 times its height; those of
-/// read_species_rows() and read_spawners(); a row of a species without a file; a spawner of a species that is not
-/// there; more than kMostOwnSpecies species. Cost: some 10 ms a file.
+/// empty, stops at a limit, has more than lsystems::kMostPlantParts parts or is wider than kWidestCrown times its
+/// height; those of read_species_rows() and read_spawners(); a row of a species that has no file and is not shipped; a
+/// spawner of a species that is not there; more than kMostOwnSpecies species that are not shipped. Cost: some 10 ms a
+/// file.
 Result<OwnSpecies> read_species_folder(std::span<const SpeciesText> files, const std::string& folder);
 
 }  // namespace citykiln::plants

@@ -9,6 +9,7 @@
 
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/materials/noise.h"
+#include "compiler/plants/tree_line.h"
 
 namespace citykiln::plants {
 namespace {
@@ -78,7 +79,7 @@ constexpr double kGroup_m = 70, kGrouping = 0.85;
 constexpr double kSteepest = 0.45;
 
 // Trees have their full height up to the first belt, and this share of it at the tree line.
-constexpr double kFullHeightUpTo_m = 1500, kTreeLine_m = 2350, kTreeLineHeight = 0.35;
+constexpr double kFullHeightUpTo_m = 1500, kTreeLineHeight = 0.35;
 
 std::span<const Member> members_of(PlantCommunity community) {
   const auto [first, last] =

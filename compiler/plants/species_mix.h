@@ -68,8 +68,8 @@ SpeciesMix species_mix_for(const map::PlantTags& plant_tags, SpeciesMix otherwis
 double climate_share(PlantCommunity community, Species species, climate::ClimateClass climate);
 
 /// Returns the belt of an altitude: the altitude at 42.5° of latitude at which trees grow as they do here. Slopes have
-/// belts within one class of climate. The belts of tree lines at other latitudes are those of 42.5°: 3,600 m to 30°,
-/// 1,000 m at 60°, 300 m at 70° (Körner, "Alpine Treelines", 2012, rounded).
+/// belts within one class of climate. Tree lines have the belt kTreeLine_m (tree_line.h) at all latitudes: 3,600 m up
+/// to 30°, 2,350 m at 42.5°, 1,000 m at 60°, 300 m at 70° (Körner, "Alpine Treelines", 2012, rounded).
 double belt_m_at(double latitude_deg, double height_m);
 
 /// The growing conditions at a position.

@@ -16,7 +16,7 @@ namespace citykiln::plants {
 namespace {
 
 constexpr std::array<std::string_view, 4> kLeafForms = {"broad", "needle", "palm", "blade"};
-constexpr double kLeastHeight_m = 0.05, kMostHeight_m = 40, kLeastCrown = 0.02, kMostCrown = 1.5;
+constexpr double kLeastHeight_m = 0.05, kMostHeight_m = 40, kLeastCrown = 0.02;
 constexpr std::size_t kLongestName = 40;
 
 Error expected(std::string_view key, std::string_view what, std::string_view found) {
@@ -87,7 +87,7 @@ Result<Done> put_value(std::string_view key, std::string_view text, SpeciesRow& 
   if (key == "like") return put_like(text, row);
   if (key == "height") return put_number(key, text, kLeastHeight_m, kMostHeight_m, row.height_m);
   if (key == "tallest") return put_number(key, text, kLeastHeight_m, kMostHeight_m, row.tallest_m);
-  if (key == "crown") return put_number(key, text, kLeastCrown, kMostCrown, row.crown_share);
+  if (key == "crown") return put_number(key, text, kLeastCrown, kWidestCrown, row.crown_share);
   if (key == "leaves") return put_leaf_form(text, row);
   if (key == "leaf") return put_colour(key, text, row.leaf);
   if (key == "bark") return put_colour(key, text, row.bark);

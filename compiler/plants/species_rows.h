@@ -31,7 +31,7 @@ bool is_species_name(std::string_view text);
 /// that is used twice, an unknown key, a value that cannot be read.
 Result<std::vector<SpeciesRow>> read_species_rows(std::string_view text, const std::string& file);
 
-/// Returns a row as text that read_species_rows() reads.
+/// Returns a row as text that read_species_rows() reads. Leaves out its names, and values that are not given.
 std::string to_text(const SpeciesRow& row);
 
 }  // namespace citykiln::plants

@@ -31,8 +31,8 @@ class SpeciesTable {
  public:
   /// The shipped species alone.
   SpeciesTable();
-  /// The shipped species, those of kOwnSpeciesName and the rows of kSpawnersName, if the texts have these. Rows that
-  /// cannot be read are left out, as if there were none.
+  /// The shipped species, those of kOwnSpeciesName and the rows of kSpawnersName, if the texts have these. A table with
+  /// an error counts as empty.
   explicit SpeciesTable(std::span<const SpeciesText> texts);
   /// The shipped species, and rows: those with the name of a shipped species replace it, the others have numbers from
   /// kFirstOwnSpecies on, in their order; at most kMostOwnSpecies are used.

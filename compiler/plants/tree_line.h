@@ -6,7 +6,11 @@
 
 namespace citykiln::plants {
 
-/// The belts between which the density of woods falls linearly from 1 to kSparseWood, its share at the tree line.
+/// The belt of the tree line. Trees become lower up to it (height_factor()).
+inline constexpr double kTreeLine_m = 2350;
+
+/// The belts between which the density of woods falls linearly from 1 to kSparseWood. The tree line is between them:
+/// above it stand the few trees of kSparseWood.
 inline constexpr double kDenseUpTo_m = 2100, kSparseFrom_m = 2500, kSparseWood = 0.15;
 
 /// Returns the density of woods at a belt, as a share of the density in the valley.

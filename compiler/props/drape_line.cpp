@@ -1,7 +1,7 @@
 #include "compiler/props/drape_line.h"
 
 #include <algorithm>
-#include <array>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/geometry/segment.h"
@@ -43,7 +43,7 @@ constexpr double kGradingStep_m = 2;
 std::vector<double> bends(Vec2 a, Vec2 b, const ground::GradedTerrain& ground) {
   std::vector<double> shares;
   add_grid_crossings(a, b, ground.terrain, shares);
-  const bool has_grading = ground::has_grading(ground, box_of(std::array{a, b}));
+  const bool has_grading = ground::has_grading(ground, box_of_segment(a, b));
   const double steps = has_grading ? std::ceil(distance(a, b) / kGradingStep_m) : 1;
   for (double i = 1; i < steps; ++i) shares.push_back(i / steps);
   std::sort(shares.begin(), shares.end());
@@ -89,6 +89,23 @@ std::vector<Vec3> without_small_bends(const std::vector<Vec3>& line, double bend
   for (std::size_t i = 0; i < line.size(); ++i)
     if (kept[i]) bends.push_back(line[i]);
   return bends;
+}
+
+Vec2 mitred_side(const std::vector<Vec3>& line, std::size_t i, bool is_closed) {
+  assert(line.size() >= 2 && i < line.size());
+  // in multiples of half the width
+  constexpr double kMaxMitre = 2;
+  const std::size_t last = line.size() - 1;
+  const auto direction = [&](std::size_t a) { return unit(in_plan(line[a + 1] - line[a])); };
+  const Vec2 before = direction(i > 0       ? i - 1
+                                : is_closed ? last - 1
+                                            : 0),
+             after = direction(i < last    ? i
+                               : is_closed ? 0
+                                           : last - 1);
+  const Vec2 middle = unit(before + after);
+  if (middle == Vec2{}) return left_of(before);
+  return left_of(middle) * std::min(1 / std::max(dot(middle, before), 1e-9), kMaxMitre);
 }
 
 }  // namespace citykiln::props

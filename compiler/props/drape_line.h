@@ -20,4 +20,10 @@ std::vector<Vec3> drape_line(const Polyline& line, const ground::GradedTerrain& 
 /// Represent a Digitized Line or its Caricature", Cartographica 10, 1973. O(points²) at most.
 std::vector<Vec3> without_small_bends(const std::vector<Vec3>& line, double bend_m);
 
+/// Returns the vector to the left at a point of a line in plan, for a strip of half width 1, mitred between both
+/// segments at the point. It is at most twice as long as half the width, so sharper bends are bevelled.
+/// @param line       At least two points; consecutive points differ in plan.
+/// @param is_closed  True for a ring: its last point is the first one.
+Vec2 mitred_side(const std::vector<Vec3>& line, std::size_t i, bool is_closed);
+
 }  // namespace citykiln::props

@@ -21,8 +21,6 @@ constexpr double kFootDepth_m = 0.5;
 constexpr double kCoping_m = 0.08, kOverhang_m = 0.06, kInCoping_m = 0.03;
 // Barriers follow the ground to this share of the tolerance, and so closely that their feet stay in it.
 constexpr double kBendShare = 0.25, kMostBend_m = 0.125;
-// A mitre is at most this many times as long as half the width; sharper bends are bevelled.
-constexpr double kMaxMitre = 2;
 
 Material material_of(BarrierKind kind) {
   switch (kind) {
@@ -37,21 +35,6 @@ Material material_of(BarrierKind kind) {
     default:
       return Material::kStone;
   }
-}
-
-// The vector from the axis to the left side at a point, for half a width of 1, mitred between two segments.
-Vec2 side_at(const std::vector<Vec3>& axis, std::size_t i, bool is_closed) {
-  const std::size_t last = axis.size() - 1;
-  const auto direction = [&](std::size_t a) { return unit(in_plan(axis[a + 1] - axis[a])); };
-  const Vec2 before = direction(i > 0       ? i - 1
-                                : is_closed ? last - 1
-                                            : 0),
-             after = direction(i < last    ? i
-                               : is_closed ? 0
-                                           : last - 1);
-  const Vec2 middle = unit(before + after);
-  if (middle == Vec2{}) return left_of(before);
-  return left_of(middle) * std::min(1 / std::max(dot(middle, before), 1e-9), kMaxMitre);
 }
 
 // The foot and the top of a barrier at a place.
@@ -86,7 +69,8 @@ DrapedAxis draped_axis(const Polyline& line, const ground::GradedTerrain& ground
   DrapedAxis axis{.points = without_small_bends(drape_line(line, ground), bend_m), .sides = {}, .is_closed = false};
   if (axis.points.size() < 2) return axis;
   axis.is_closed = axis.points.size() > 3 && axis.points.front() == axis.points.back();
-  for (std::size_t i = 0; i < axis.points.size(); ++i) axis.sides.push_back(side_at(axis.points, i, axis.is_closed));
+  for (std::size_t i = 0; i < axis.points.size(); ++i)
+    axis.sides.push_back(mitred_side(axis.points, i, axis.is_closed));
   return axis;
 }
 

@@ -28,8 +28,10 @@ struct Luminaire {
   bool operator==(const Luminaire&) const = default;
 };
 
-/// Returns the light of a lamp: the values of its tags, else of its type (map/lamp_types.inc), else of its kind and
-/// height (luminaires.inc). A lamp on a wall, a wire or a high mast shines down. height_m >= 0.
+/// Returns the light of a lamp. The flux of each luminaire is the tagged one, else that of the lamp's kind and height
+/// (luminaires.inc), at most that of its type (map/lamp_types.inc). The colour temperature is the tagged one, else that
+/// of its type, else that of its kind and height. Lamps on an arm, a wall, a wire or a high mast shine down.
+/// height_m >= 0, tags.count >= 1.
 Luminaire luminaire_of(LampKind kind, double height_m, const map::LampTags& tags = {});
 
 /// Returns the kind of a lamp with a mount, or `otherwise` if the mount does not determine the kind.

@@ -14,22 +14,12 @@ constexpr double kPostsApart_m = 2, kRailingFoot_m = 0.125;
 constexpr int kRails = 4;
 // A draped line is bent only where it would be off the ground by more than this; the railing's foot is deeper.
 constexpr double kBend_m = 0.03;
-constexpr double kMaxRailMitre = 2;
-
-// The vector to the left at a point of a line, for half a width of 1, mitred between its two segments.
-Vec2 side_of(const std::vector<Vec3>& line, std::size_t i) {
-  const auto direction = [&](std::size_t a) { return unit(in_plan(line[a + 1] - line[a])); };
-  const Vec2 before = direction(i > 0 ? i - 1 : 0), after = direction(i + 1 < line.size() ? i : i - 1);
-  const Vec2 middle = unit(before + after);
-  if (middle == Vec2{}) return left_of(before);
-  return left_of(middle) * std::min(1 / std::max(dot(middle, before), 1e-9), kMaxRailMitre);
-}
 
 // A rail of three sides whose upper edge is `top_m` above the line.
 void add_rail(Mesh& mesh, const std::vector<Vec3>& line, double top_m, double width_m) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (std::size_t i = 0; i < line.size(); ++i) {
-    const Vec2 at = in_plan(line[i]), side = side_of(line, i) * (width_m / 2);
+    const Vec2 at = in_plan(line[i]), side = mitred_side(line, i, false) * (width_m / 2);
     const double z_m = line[i].z + top_m;
     for (const Vec3 corner :
          {at_height(at, z_m), at_height(at + side, z_m - width_m), at_height(at - side, z_m - width_m)})

@@ -1,7 +1,6 @@
 #include "compiler/props/street_lamps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "compiler/geometry/segment.h"
@@ -100,7 +99,7 @@ Numbers numbers_near(const Piece& piece, const Lighting& lighting, const Box2& b
 void add_lamps(std::vector<StreetLamp>& lamps, const Road& road, const Piece& piece, const Box2& box,
                const Box2& widened) {
   const Lighting lighting = lighting_of(road.surface);
-  if (piece.length_m <= 0 || !box_of(std::array{piece.a, piece.b}).touches(widened)) return;
+  if (piece.length_m <= 0 || !box_of_segment(piece.a, piece.b).touches(widened)) return;
   const Numbers numbers = numbers_near(piece, lighting, widened);
   for (std::int64_t number = numbers.first; number < numbers.end; ++number)
     if (const StreetLamp lamp = lamp_on(road, piece, lighting, number); box.contains_half_open(lamp.at))
@@ -153,7 +152,8 @@ bool is_near(std::span<const Lamp> lamps, Vec2 p, double radius_m) {
   return std::ranges::any_of(lamps, [&](const Lamp& lamp) { return distance(lamp.at, p) < radius_m; });
 }
 
-// Foot paths may be the pavements of a street that are mapped separately.
+// Foot paths may be the pavements of a street that are mapped separately. Things may stand where lamps may, and in
+// pedestrian streets too (things/free_places.cpp): their lamps stand beside them.
 bool may_have_lamps(LandCoverClass surface) {
   switch (group_of(surface)) {
     case LandCoverGroup::kRoad:

@@ -45,9 +45,10 @@ struct StreetLamp {
 /// Returns the lamps of a road that stand in a box (lower sides inclusive, upper sides exclusive). Other objects at
 /// these places are not tested. Empty if the road is not lit.
 ///
-/// On carriageways wider than 9 m they alternate between the sides. Otherwise they stand on the side with a pavement,
-/// or, if both or neither have one, on the side of traffic. They stand 0.5 m behind the kerb and any raised cycle
-/// track, or in the middle of a pavement narrower than 1 m; without pavement 0.75 m beyond the edge.
+/// On carriageways wider than 9 m they alternate between the sides. Otherwise they stand on the side with raised lanes
+/// (pavement, cycle track or verge), or, if both or neither have some, on the side of traffic. They stand 0.5 m behind
+/// the kerb and any raised cycle track, or in the middle of a pavement or verge narrower than 1 m; without pavement and
+/// verge 0.75 m beyond the edge.
 ///
 /// Guarantees: the parts of a trimmed way have the lamps of the whole way, bit for bit; disjoint boxes share no lamps.
 /// O(points + lamps in the box).

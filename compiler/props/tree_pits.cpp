@@ -37,6 +37,13 @@ Corners corners_of(const TreePit& pit, double side_m) {
   return {pit.at - along - left, pit.at + along - left, pit.at + along + left, pit.at - along + left};
 }
 
+bool is_paving(LandCoverClass surface) {
+  using enum map::LandCoverClass;
+  constexpr std::array kPaving = {kPavement,      kSquare, kPlatform,      kParking,         kParkingLane,
+                                  kTrafficIsland, kIsland, kPavedFootPath, kPedestrianStreet};
+  return std::ranges::find(kPaving, surface) != kPaving.end();
+}
+
 bool is_on_paving(const ground::LandCoverIndex& surfaces, Vec2 p) {
   const std::uint32_t top = ground::land_cover_at(surfaces, p);
   return top != ground::kNoLandCover && is_paving(surfaces.surfaces[top].surface);
@@ -69,7 +76,7 @@ Axes axes_of(std::span<const roads::Road> roads) {
     if (group != LandCoverGroup::kRoad && group != LandCoverGroup::kPath) continue;
     for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
       axes.segments.push_back({road.axis[i], road.axis[i + 1]});
-      boxes.push_back(box_of(std::array{road.axis[i], road.axis[i + 1]}).widened(kMaxRoad_m));
+      boxes.push_back(box_of_segment(road.axis[i], road.axis[i + 1]).widened(kMaxRoad_m));
     }
   }
   axes.grid = grid_of(boxes, kBucket_m);
@@ -140,13 +147,6 @@ MaterialMesh edging_of(const TreePit& pit, const ground::GradedTerrain& ground) 
 }
 
 }  // namespace
-
-bool is_paving(LandCoverClass surface) {
-  using enum map::LandCoverClass;
-  constexpr std::array kPaving = {kPavement,      kSquare, kPlatform,      kParking,         kParkingLane,
-                                  kTrafficIsland, kIsland, kPavedFootPath, kPedestrianStreet};
-  return std::ranges::find(kPaving, surface) != kPaving.end();
-}
 
 std::vector<TreePit> tree_pits(std::span<const Placement> trees, std::span<const roads::Road> roads,
                                const ground::LandCoverIndex& index) {

@@ -25,12 +25,10 @@ struct TreePit {
   bool operator==(const TreePit&) const = default;
 };
 
-/// True if trees in this land cover have pits: pavements, squares, parking, pedestrian streets, but no carriageways.
-bool is_paving(map::LandCoverClass surface);
-
-/// Returns the pits of trees in paving, in the order of the trees. A pit is aligned to the nearest road or path within
-/// 20 m, else to the x axis. Its side is the largest of 1.5, 1.25, 1 and 0.75 m for which all of it lies in paving. A
-/// tree without such room, or within 2.25 m of an earlier tree with a pit, has none.
+/// Returns the pits of trees in paving, in the order of the trees. Paving is the land cover of pavements, squares,
+/// platforms, parking, islands, paved footpaths and pedestrian streets. A pit is aligned to the nearest road or path
+/// within 20 m, else to the x axis. Its side is the largest of 1.5, 1.25, 1 and 0.75 m for which all of it lies in
+/// paving. A tree without such room, or within 2.25 m of an earlier tree with a pit, has none.
 ///
 /// @param index  Land cover of the trees and 1 m around them.
 /// O(trees · roads near).

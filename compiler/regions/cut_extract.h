@@ -42,24 +42,27 @@ struct CutFiles {
 Vec2 place_near(const map::Plane& plane, const source::LonLatBox& extent, double lon, double lat);
 
 /// Cuts an extract. The file of a region holds these elements, sorted and without metadata. "Near" means touching the
-/// box of the region widened by its halo.
+/// square of the region widened by its halo (for_each_region_near()).
 /// - nodes with tags near the region;
 /// - whole ways with a segment whose box is near, or, if they may become areas, whose own box is near;
 /// - multipolygons and boundaries that may become areas and whose box is near, with all their ways;
 /// - with the rings that close them along the box in the header of the map, if members are missing;
-/// - all coastlines near the extent;
-/// - each element that the region owns and that is in another region's file (owner_of() the element's first node).
-/// The file of the survey holds whole waterways, coastlines and areas of water near the extent. Nodes without tags are
-/// left out, since ways hold the locations of their nodes (LocationsOnWays). If an element occurs several times, its
-/// highest version is kept.
+/// - all coastlines whose box touches the extent widened by kCoastMargin_m;
+/// - each way and area that the region owns and that is in another region's file: owner_of() the way's first node, or
+///   of the area's first member way.
+/// The file of the survey holds these coastlines, and whole waterways and areas of water whose box touches the same
+/// box. Nodes without tags are left out, since ways hold the locations of their nodes (LocationsOnWays). If an element
+/// occurs several times, its highest version is kept.
 ///
 /// Guarantees: equal elements give equal bytes. A file is replaced only if its bytes change, so that its time says when
-/// it last changed. Memory: 64 kB per region, 50 bytes per way that is a member of an area, and the pages of the index
-/// of places (16 bytes per node, in FOLDER/.cut) that the system caches. Linear in the bytes of the extract.
+/// it last changed. Memory: 64 kB per region, 64 bytes per way that is a member of an area and 8 per file that it is
+/// in, the elements of the largest file, and the pages of the index of places (16 bytes per node, in FOLDER/.cut) that
+/// the system caches. Linear in the bytes of the extract.
 /// Errors: a file that cannot be read, or whose ways come before its nodes; a folder that cannot be written.
 Result<CutFiles> cut_extract(const CutRequest& cut, const map::Plane& plane, const RegionGrid& grid);
 
-/// Ways farther than this outside the extent are in no file, in metres. Coasts are closed 256 m outside the extent.
+/// Coastlines and waters farther than this outside the extent are not in the file of the survey, in metres, nor are
+/// such coastlines in the files of all regions. Coasts are closed 256 m outside the extent.
 inline constexpr double kCoastMargin_m = 1024;
 
 /// Returns the box in the header of an extract. Errors: those of read_osm(); a header without a box.

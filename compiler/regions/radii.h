@@ -1,6 +1,5 @@
 // The radius of influence of each stage: how far from a tile data can change the tile. A region is compiled from the
-// data within the sum of these radii. Stages that are not listed (styles, roofs, tags, random draws) look at one object
-// alone.
+// data within the sum of these radii. Stages that are not listed (styles, tags, random draws) look at one object alone.
 #pragma once
 
 #include "compiler/assume/bridge_pavements.h"
@@ -43,7 +42,7 @@ namespace citykiln::regions {
 // | assumed surfaces       | assume::kPavementRadius_m      |    576 | land use along the way                         |
 // | pavements on bridges   | assume::kLongestBridge_m       |    128 | streets at the other end                       |
 // | assumed storeys        | assume::kHeightNeighbours_m    |    200 | buildings with tagged heights                  |
-// | rows of houses         | assume::kHeightRow_m           |     64 | the house that draws for its row               |
+// | assumed roofs          | assume::kHeightRow_m           |     64 | the house that draws for its row               |
 // | assumed fronts         | assume::kFrontSearch_m         |    150 | mapped shops                                   |
 // | profiles               | ground::kProfileRadius_m       |   2560 | smoothing, planes, limits of grade             |
 // | bridges and tunnels    | ground::kSpanEndRadius_m       |   4096 | their ends                                     |
@@ -57,8 +56,8 @@ namespace citykiln::regions {
 // | wires                  | wires::kSpanRadius_m           |    512 | a support, and the ground that it stands on    |
 //
 // A way has either a transition of lanes or a fitted width, so their radii do not add up. Assumed pavements depend on
-// the kerbs of the streets beside them, which are fitted before. Storeys and fronts change buildings alone. Yards lie
-// beside the roads of kAssumedRoads_m, and about the houses that fill lots.
+// the kerbs of the streets beside them, which are fitted before. Storeys, roofs and fronts change buildings alone.
+// Yards lie beside the roads of kAssumedRoads_m, and about the houses that fill lots.
 //
 // Some facts have no radius and are therefore found by the survey of the whole extent: coastlines, levels of standing
 // water, profiles of running water, and the heights that fill places without a heightmap. The header's fields also come

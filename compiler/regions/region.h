@@ -44,8 +44,8 @@ std::vector<scene::TileKey> tiles_of(const RegionGrid& grid, RegionKey region);
 /// outside the extent.
 RegionKey owner_of(const RegionGrid& grid, Vec2 place);
 
-/// Calls visit(index) for each region whose box, widened by the halo, touches `box`. The index is the position in
-/// regions_of(). O(regions touched).
+/// Calls visit(index) for each region whose square, not clipped to the extent and widened by the halo, touches `box`.
+/// The index is the position in regions_of(). O(regions touched).
 template <typename Visit>
 void for_each_region_near(const RegionGrid& grid, const Box2& box, Visit visit);
 
@@ -54,7 +54,7 @@ struct RegionRange {
   std::int32_t first_x, last_x, first_y, last_y;  ///< Both ends are included; empty if last < first.
   std::int32_t low_x, low_y, rows;                ///< The extent's first column, first row and number of rows.
 };
-/// Returns the regions whose box, widened by the halo, touches `box`.
+/// Returns the regions whose square, not clipped to the extent and widened by the halo, touches `box`.
 RegionRange range_near(const RegionGrid& grid, const Box2& box);
 
 template <typename Visit>

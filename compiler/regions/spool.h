@@ -11,7 +11,8 @@
 
 namespace citykiln::regions {
 
-/// Appends elements to many files. Memory: kSpoolBuffer_bytes per file. The files stay until remove() is called.
+/// Appends elements to many files. Memory: kSpoolBuffer_bytes and one element per file. The files stay until remove()
+/// is called.
 class Spools {
  public:
   /// @param folder  Must exist. The spools are its files 0, 1, …
@@ -26,7 +27,7 @@ class Spools {
   /// Returns the elements of a spool. Error: a file that cannot be read.
   Result<osmium::memory::Buffer> read(std::size_t spool) const;
 
-  /// Deletes the files.
+  /// Deletes the folder with all that is in it.
   void remove() const;
 
  private:

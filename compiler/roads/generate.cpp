@@ -10,20 +10,6 @@
 namespace citykiln::roads {
 namespace {
 
-// Directions of a quarter circle; cos and sin of k · 22.5° as literals, so that every CPU agrees.
-constexpr double kC1 = 0.9238795325112867, kC2 = 0.7071067811865476, kC3 = 0.3826834323650898;
-constexpr std::array<Vec2, 4> kQuarter = {{{1, 0}, {kC1, kC3}, {kC2, kC2}, {kC3, kC1}}};
-
-Ring disk(Vec2 centre, double radius_m) {
-  Ring ring;
-  for (int quarter = 0; quarter < 4; ++quarter)
-    for (Vec2 direction : kQuarter) {
-      for (int turn = 0; turn < quarter; ++turn) direction = left_of(direction);
-      ring.push_back(snapped(centre + direction * radius_m));
-    }
-  return ring;
-}
-
 // The extent of a strip on either side of its axis.
 struct Halves {
   double left_m, right_m;
@@ -42,7 +28,7 @@ Ring mitre_wedge(Vec2 p, Vec2 before, Vec2 after, Halves halves) {
 // Bends of less than a right angle take a mitre, whose tip lies within 1.42 half widths; sharper ones take a disk.
 Ring bend(Vec2 p, Vec2 before, Vec2 after, Halves halves) {
   return dot(before, after) > 0 ? mitre_wedge(p, before, after, halves)
-                                : disk(p, std::max(halves.left_m, halves.right_m));
+                                : sixteen_gon(p, std::max(halves.left_m, halves.right_m));
 }
 
 // Appends a ring counter-clockwise, unless snapping left no area.
@@ -114,13 +100,26 @@ Stations stations_along(const Road& road, HalvesAt halves_at) {
 
 }  // namespace
 
+Ring sixteen_gon(Vec2 centre, double radius_m) {
+  // cos and sin of k · 22.5° as literals, so that every CPU agrees
+  constexpr double kC1 = 0.9238795325112867, kC2 = 0.7071067811865476, kC3 = 0.3826834323650898;
+  constexpr std::array<Vec2, 4> kQuarter = {{{1, 0}, {kC1, kC3}, {kC2, kC2}, {kC3, kC1}}};
+  Ring ring;
+  for (int quarter = 0; quarter < 4; ++quarter)
+    for (Vec2 direction : kQuarter) {
+      for (int turn = 0; turn < quarter; ++turn) direction = left_of(direction);
+      ring.push_back(snapped(centre + direction * radius_m));
+    }
+  return ring;
+}
+
 std::vector<Ring> stroke(const Strip& strip, const StripEnds& ends) {
   assert(strip.axis.size() >= 2);
   std::vector<Ring> rings =
       stroke_along(strip.axis, strip_stations_of(strip.axis, {strip.left_m, strip.right_m}), ends);
   if (!ends.has_round_ends) return rings;
   for (const Vec2 end : {strip.axis.front(), strip.axis.back()})
-    push_if_area(rings, disk(end, (strip.left_m + strip.right_m) / 2));
+    push_if_area(rings, sixteen_gon(end, (strip.left_m + strip.right_m) / 2));
   return rings;
 }
 

@@ -10,7 +10,7 @@ namespace citykiln::roads {
 
 /// The ends of a strip: square, round, or joined by a mitre to the strip that continues there.
 struct StripEnds {
-  bool has_round_ends = false;
+  bool has_round_ends = false;        ///< For stroke() only.
   std::optional<Vec2> before, after;  ///< The adjacent points of the strips that continue at either end.
 };
 
@@ -21,9 +21,13 @@ inline Vec2 mitre_of(Vec2 before, Vec2 after) {
   return (left_of(before) + left_of(after)) * (1 / (1 + dot(before, after)));
 }
 
+/// Returns a counter-clockwise ring of 16 points on a circle, snapped. Its sides lie inside the circle by less than 2 %
+/// of the radius.
+Ring sixteen_gon(Vec2 centre, double radius_m);
+
 /// Returns the strip as overlapping counter-clockwise rings, snapped to 2^-10 m: one quad per segment, a wedge or a
-/// disk at each bend, and the ends. The strip is their union (sum of winding numbers not zero). Disks are 16-gons about
-/// the circle: their border is off by less than 2 % of the half width. O(n).
+/// disk at each bend, and the ends. The strip is their union (sum of winding numbers not zero). Disks are 16-gons
+/// (sixteen_gon()). O(n).
 /// @param strip  At least two points.
 std::vector<Ring> stroke(const Strip& strip, const StripEnds& ends = {});
 

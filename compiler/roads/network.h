@@ -37,8 +37,8 @@ struct Node {
 inline constexpr double kLoopIsland_m = 3.5, kLoopLane_m = 5;
 
 /// Returns the radius of the disk of ground about the node of these arms: 5 m for a mini roundabout, 6 m for a turning
-/// circle, 8.5 m for a turning loop (track points of the roads), but at least 1.5 m more than half the widest arm, and
-/// at most 12 m. 0 if the node is neither. O(arms).
+/// circle, 8.5 m for a turning loop (track points of the roads), but at least 1.5 m more than the largest distance from
+/// an arm's axis to its kerb, and at most 12 m. 0 if the node is none of these. O(track points of the arms' roads).
 double disk_radius_m(std::span<const Road> roads, std::span<const Arm> arms);
 
 /// Returns the nodes at which a junction may be needed: with at least three arms, with two arms that do not continue

@@ -1,7 +1,6 @@
 #include "compiler/roads/trim.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 
 namespace citykiln::roads {
@@ -16,7 +15,7 @@ std::vector<Run> runs_near(const Polyline& axis, const Box2& reach) {
   std::vector<Run> runs;
   bool continues = false;
   for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
-    const bool touches = box_of(std::array{axis[i], axis[i + 1]}).touches(reach);
+    const bool touches = box_of_segment(axis[i], axis[i + 1]).touches(reach);
     if (touches && !continues) runs.push_back({i, i});
     if (touches) runs.back().last = i + 1;
     continues = touches;
@@ -25,7 +24,7 @@ std::vector<Run> runs_near(const Polyline& axis, const Box2& reach) {
 }
 
 bool touches(const Polyline& axis, std::size_t segment, const Box2& box) {
-  return box_of(std::array{axis[segment], axis[segment + 1]}).touches(box);
+  return box_of_segment(axis[segment], axis[segment + 1]).touches(box);
 }
 
 // Merges runs that share a segment.

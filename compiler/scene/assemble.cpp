@@ -1,7 +1,6 @@
 #include "compiler/scene/assemble.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -89,7 +88,7 @@ static_assert(ground::kLandformReach_m + ground::kGrading_m <= kHalo_m);
 
 // by_touch() widens by kHalo_m, which is more than panels are wider than their lines.
 Box2 box_of_field(const pitches::Field& field) {
-  return citykiln::box_of(std::array{field.from, field.to}).widened(field.width_m / 2);
+  return box_of_segment(field.from, field.to).widened(field.width_m / 2);
 }
 
 // by_touch() widens by kHalo_m, which is more than plants need.

@@ -11,7 +11,7 @@
 namespace citykiln::scene {
 
 plants::Month month_of(const Header& header) {
-  return plants::month_for(header.sky.time, header.origin.lat_deg, header.climate.own);
+  return plants::month_for(header.sky.time, header.origin.lat_deg, header.climate.origin_class);
 }
 
 climate::LocalMonth local_month_of(const Header& header) {

@@ -68,8 +68,9 @@ struct Header {
 /// The recipes of one tile, which can be baked without any other chunk. Each vector is sorted by id.
 ///
 /// Objects that cross a tile's border:
-/// - Surfaces, roads, watercourses and footprints are in every chunk whose tile, widened by kHalo_m (kRoadHalo_m),
-///   they touch. They are trimmed to it.
+/// - Surfaces, roads, watercourses, landforms and footprints are in every chunk whose tile, widened by kHalo_m
+///   (kRoadHalo_m), they touch. They are trimmed to it, except areas of landforms.
+/// - Sports fields are whole in every chunk whose tile, widened by kHalo_m, they touch.
 /// - Junctions are in every chunk whose tile is within 32 m (roads::kJunctionHalo_m).
 /// - Bridges and tunnels are whole in every chunk whose tile, widened by kHalo_m, they can grade. They are also in the
 ///   chunk of their first point (is_anchored), which alone bakes them.
@@ -84,7 +85,7 @@ struct Chunk {
   std::vector<ground::LandCoverPolygon> surfaces;
   std::vector<roads::Road> roads;
   std::vector<roads::Strip> watercourses;
-  std::vector<pitches::Field> fields{};     ///< Sports fields; each is in every chunk whose tile it touches.
+  std::vector<pitches::Field> fields{};     ///< Sports fields.
   std::vector<ground::Landform> landforms;  ///< Lines are trimmed like watercourses; areas are whole.
   /// Sorted by first arm. A junction is in this list if all its arms are in `roads`, which is so within
   /// roads::kJunctionHalo_m of the tile.
@@ -133,7 +134,7 @@ bool is_anchored(const Header& header, TileKey tile, Vec2 anchor);
 /// Returns the keys of all tiles that the extent touches, sorted.
 std::vector<TileKey> tiles_of(const Header& header);
 /// Returns the chunk's junctions whose first node lies in its tile. Each junction of a scene belongs to exactly one
-/// chunk in this way.
+/// chunk in this way; to none if its first node is outside of the extent's tiles.
 std::vector<roads::Junction> anchored_junctions(const Header& header, const Chunk& chunk);
 
 }  // namespace citykiln::scene

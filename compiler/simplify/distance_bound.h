@@ -10,7 +10,8 @@ namespace citykiln::simplify {
 
 /// The precision and the limits of a search.
 struct BoundOptions {
-  double precision_m;  ///< > 0. The bound exceeds the distance by no more than this, or is least_m.
+  double
+      precision_m;  ///< > 0. The bound exceeds the distance by no more than this and 2^-20 m, or is least_m + 2^-20 m.
   double least_m = 0;  ///< Lower limit of the bound: no smaller distance is resolved, which is faster.
   /// The search ends at the first point that is farther away than this; the result is then its distance.
   double most_m = std::numeric_limits<double>::infinity();
@@ -19,13 +20,15 @@ struct BoundOptions {
 /// A bound, and the place that determines it.
 struct DistanceBound {
   double distance_m;
-  Vec3 at{};  ///< A point of `from` whose distance is within precision_m of distance_m; unset if distance_m is least_m.
+  /// A point of `from` whose distance is within precision_m + 2^-20 m of distance_m; unset if least_m decides.
+  Vec3 at{};
 };
 
 /// Returns an upper bound of the distance from any point of `from` to `to`: least_m if `from` is empty, else infinite
 /// if `to` is empty.
 ///
-/// Guarantee: no point of `from` is farther away. The bound includes 2^-20 m for the rounding of doubles.
+/// Guarantee: no point of `from` is farther away, unless the result exceeds most_m: the search then stopped. The bound
+/// includes 2^-20 m for the rounding of doubles.
 /// Proof: the distance from a convex set is a convex function, so on a triangle its largest value to one triangle of
 /// `to` is at a corner; and a point is no farther from `to` than the centroid is, plus its way to the centroid. Each
 /// triangle is halved along its longest edge until the smaller of these two bounds is near the centroid's distance.

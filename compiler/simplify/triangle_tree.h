@@ -25,18 +25,20 @@ double distance_m(Vec3 p, const Corners& triangle);
 class TriangleTree {
  public:
   struct Nearest {
-    double distance_m;  ///< Infinite for a tree without triangles.
-    std::uint32_t triangle;
+    double distance_m;       ///< Infinite for a tree without triangles.
+    std::uint32_t triangle;  ///< Its number in the tree's order.
   };
 
-  /// Builds the tree. O(n log n). It depends on the triangles and their order only.
+  /// Builds the tree, which has an order of its own of the triangles. O(n log n). It depends on the triangles and their
+  /// order only.
   explicit TriangleTree(std::vector<Corners> triangles);
 
   bool is_empty() const { return triangles_.empty(); }
+  /// Returns a triangle by its number in the tree's order, which is not that of the constructor's argument.
   const Corners& triangle(std::uint32_t i) const { return triangles_[i]; }
 
-  /// @param guess  Any triangle of the tree; a near one makes the search faster.
   /// Returns the triangle nearest to p. O(log n) for triangles spread evenly.
+  /// @param guess  Any triangle of the tree, by its number; a near one makes the search faster.
   Nearest nearest(Vec3 p, std::uint32_t guess = 0) const;
 
  private:

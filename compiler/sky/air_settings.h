@@ -19,6 +19,7 @@ struct AirSettings {
 
 /// Copies the settings that are given into a sky. If only the turbidity is given, the visibility becomes the one of
 /// aerosols with a scale height of 6 km. Gives equal bits on every CPU.
+/// Asserts that turbidity and visibility of the sky are then within the limits above.
 void set_air(const AirSettings& settings, Sky& sky);
 
 }  // namespace citykiln::sky

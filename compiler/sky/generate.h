@@ -18,16 +18,17 @@ inline constexpr double kUnitLuminance_cd_m2 = 6250;
 /// The moon as the eye sees it.
 struct MoonDisk {
   Vec3 to_moon{0, 0, -1}, to_sun{0, 0, 1};  ///< Unit vectors.
-  Rgb radiance{};                           ///< Radiance of its lit part; 0 by day and in twilight.
+  Rgb radiance{};  ///< Radiance of its lit part; 0 unless it is the source of light (SkyModel::to_sun).
 };
 
 /// A sky prepared for many queries. Radiances are linear RGB in kUnitLuminance_cd_m2.
 struct SkyModel {
-  Vec3 to_sun{0, 0, 1};  ///< Direction to the light that throws shadows: the sun, or by night the moon.
-  /// Radiance of the disk in the direction to_sun; 0 if neither sun nor moon is above the horizon.
-  Rgb sun_radiance{};
+  /// Direction to the light that throws shadows: the moon if the sun is more than 6° below the horizon, the moon's disk
+  /// is above it and more than 1 % of the disk is lit; else the sun.
+  Vec3 to_sun{0, 0, 1};
+  Rgb sun_radiance{};         ///< Radiance of the disk in the direction to_sun; 0 if that body is below the horizon.
   double sun_cos_radius = 1;  ///< Cosine of the disk's angular radius.
-  /// Tables of the sky lit by the sun, and by night also by the moon.
+  /// Tables of the sky lit by the sun, and by the moon too if to_sun is its direction.
   std::vector<std::shared_ptr<const SkyDome>> domes{};
   Rgb everywhere{};    ///< Radiance from all directions above the horizon: airglow.
   Rgb white_ground{};  ///< Radiance of level white ground at sea level.

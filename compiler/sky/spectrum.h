@@ -1,5 +1,5 @@
-// Light by wavelength: the sun's spectrum, optical depths of air, and the eye's colour matching. Uses libm, so only
-// previews use it.
+// Light by wavelength: the sun's spectrum, optical depths of air, and the eye's colour matching. Uses libm, so last
+// digits differ between systems: it is for previews, charts, and page.json, which rounds to four digits.
 #pragma once
 
 #include <array>

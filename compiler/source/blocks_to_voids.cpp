@@ -63,9 +63,7 @@ bool is_inside(const Raster& raster, SampleAt cell) {
 
 double height_at_m(const Raster& raster, SampleAt cell) { return raster.at(cell.column, cell.row); }
 
-double least_step_m(const Raster& raster) {
-  return kLeastStep_m + kLeastStepSlope * std::min(raster.spacing_m.x, raster.spacing_m.y);
-}
+double least_step_m(const Raster& raster) { return kLeastStep_m + kLeastStepSlope * raster.file_spacing_m; }
 
 // ---- samples that belong together ----
 
@@ -196,8 +194,7 @@ std::optional<Broken> zeros_from(const Raster& raster, SampleAt start) {
   if (land.empty()) return std::nullopt;
   const LandPlane plane = plane_through(raster, land);
   const Distances own = distances_m(raster, block->cells, plane), around = distances_m(raster, land, plane);
-  const double spacing_m = std::min(raster.spacing_m.x, raster.spacing_m.y);
-  if (own.least_m <= kLeastDepth_m + kLeastDepthSlope * spacing_m || around.most_m > kRough * own.least_m)
+  if (own.least_m <= kLeastDepth_m + kLeastDepthSlope * raster.file_spacing_m || around.most_m > kRough * own.least_m)
     return std::nullopt;
   for (const SampleAt beside : land_around(raster, *block, 0, kMixed))
     if (std::abs(height_at_m(raster, beside) - plane.height_m(beside)) > around.most_m) block->add(beside);

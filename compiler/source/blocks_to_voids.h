@@ -14,8 +14,8 @@ inline constexpr int kBlockInfluence = kLargestBlock - 1 + 3;
 
 /// Replaces blocks of broken samples by voids. Call it after spikes_to_voids() and before fill_voids().
 ///
-/// A step is a difference between neighbours of more than 12 m plus twice the sample spacing (32 m at 10 m, 72 m at 30
-/// m). A block is a group of neighbouring samples that
+/// A step is a difference between neighbours of more than 12 m plus twice the sample spacing, Raster::file_spacing_m
+/// (32 m at 10 m, 72 m at 30 m). A block is a group of neighbouring samples that
 /// - is at most six columns wide and six rows deep, and does not touch the raster's edge;
 /// - is a step higher than each sample around it, diagonal ones included, or a step lower than each; up to a quarter of
 ///   its edges may border on voids;
@@ -30,9 +30,9 @@ inline constexpr int kBlockInfluence = kLargestBlock - 1 + 3;
 /// Guarantees: cliffs, ridges, gorges, walls, wide towers and quarries with a ramp stay, since samples lead out of them
 /// without a step. A rock tower stays if the samples at its foot are between its height and that of the land, or if its
 /// summit is uneven; one with a level summit and sheer walls between two samples on all sides is removed like an error.
-/// Samples change to NaN only. A window gives the same result as the whole raster, except within kBlockInfluence of its
-/// edge. Each block is diagnosed once as kHeightSpike, with its largest distance from the plane. Cannot fail. Cost:
-/// O(samples).
+/// Samples change to NaN only. A window of a file gives the same result as the whole file, except within
+/// kBlockInfluence of its edge. Each block is diagnosed once as kHeightSpike, with its largest distance from the plane.
+/// Cannot fail. Cost: O(samples).
 Raster blocks_to_voids(Raster raster, Report& report);
 
 }  // namespace citykiln::source

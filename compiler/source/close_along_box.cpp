@@ -274,6 +274,28 @@ void add_inner_line(const std::vector<LineEnd>& ends, std::int64_t low, std::int
   if (between > 0 && beyond == 0) add_vote(votes, !odd_between, -kRoleVotes);
 }
 
+// The votes of rings inside the box: the part around an inner ring is the area, the part around an outer ring is not.
+PartVotes votes_of_rings(const CutLines& cut, const PartsOfBox& parts) {
+  PartVotes votes;
+  for (const AreaLine& ring : cut.rings)
+    add_vote(votes, is_odd_around(ring, parts), ring.is_inner ? kRoleVotes : -kRoleVotes);
+  return votes;
+}
+
+// The votes of inner lines. If outer lines end on one side only of an inner line, the part beside it on its other side
+// is not the area.
+PartVotes votes_of_inner_lines(const CutLines& cut) {
+  PartVotes votes;
+  const std::vector<LineEnd> ends = ends_of(cut);
+  for (const AreaLine& line : cut.lines) {
+    if (!line.is_inner) continue;
+    const auto [low, high] =
+        std::minmax({along_sides(cut.box, line.points.front()), along_sides(cut.box, line.points.back())});
+    add_inner_line(ends, low, high, votes);
+  }
+  return votes;
+}
+
 bool is_clear(std::int64_t more, std::int64_t less) { return more > 0 && more >= kClearly * less; }
 
 }  // namespace
@@ -345,25 +367,6 @@ bool PartsOfBox::is_vertex(Location at) const { return std::ranges::binary_searc
 
 void add_vote(PartVotes& votes, bool is_odd, int weight) {
   (is_odd == (weight > 0) ? votes.odd : votes.even) += weight > 0 ? weight : -weight;
-}
-
-PartVotes votes_of_rings(const CutLines& cut, const PartsOfBox& parts) {
-  PartVotes votes;
-  for (const AreaLine& ring : cut.rings)
-    add_vote(votes, is_odd_around(ring, parts), ring.is_inner ? kRoleVotes : -kRoleVotes);
-  return votes;
-}
-
-PartVotes votes_of_inner_lines(const CutLines& cut) {
-  PartVotes votes;
-  const std::vector<LineEnd> ends = ends_of(cut);
-  for (const AreaLine& line : cut.lines) {
-    if (!line.is_inner) continue;
-    const auto [low, high] =
-        std::minmax({along_sides(cut.box, line.points.front()), along_sides(cut.box, line.points.back())});
-    add_inner_line(ends, low, high, votes);
-  }
-  return votes;
 }
 
 PartVotes votes_of_river(const CutLines& cut) {

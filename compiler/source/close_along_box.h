@@ -74,14 +74,6 @@ struct PartVotes {
 /// Adds `weight` votes for the part, or, if `weight` is negative, -weight votes for the other part.
 void add_vote(PartVotes& votes, bool is_odd, int weight);
 
-/// Returns the votes of rings inside the box, three each: the part around an inner ring is the area, the part around an
-/// outer ring is not.
-PartVotes votes_of_rings(const CutLines& cut, const PartsOfBox& parts);
-
-/// Returns the votes of inner lines, three each. If outer lines end on one side only of an inner line, the part beside
-/// it on its other side is not the area.
-PartVotes votes_of_inner_lines(const CutLines& cut);
-
 /// Returns one vote for a part along less than a quarter of the box's sides, if there are two lines or more: a river
 /// that crosses the box is narrow.
 PartVotes votes_of_river(const CutLines& cut);
@@ -90,13 +82,15 @@ PartVotes votes_of_river(const CutLines& cut);
 /// the rings inside the box. Each ring occurs once; is_inner is set for inner ones.
 ///
 /// Returns nothing if the votes are not clear. The area is the part with more votes, those of rings and inner lines
-/// added. It needs at least `least` votes and three times those of the other part, and among the votes of rings three
-/// times those of the other part, too.
+/// added, three each: the part around an inner ring is the area, the part around an outer ring is not; if outer lines
+/// end on one side only of an inner line, the part beside it on its other side is not the area. It needs at least
+/// `least` votes and three times those of the other part, and among the votes of rings three times those of the other
+/// part, too.
 std::optional<std::vector<AreaLine>> close_along_box(const CutLines& cut, const PartsOfBox& parts,
                                                      const PartVotes& votes, std::int64_t least);
 
-/// The distance outside the map's box at which areas, as well as the sea, are closed. The sides are out of sight there,
-/// since the extent ends less than a cell (128 m) outside the box.
+/// The distance outside the map's box at which areas are closed. The sides are out of sight there, since the extent
+/// ends less than a cell (128 m) outside the box. The sea is closed 256 m outside the extent (map/locate_sea).
 inline constexpr double kClosedBeyond_m = 512;
 
 }  // namespace citykiln::source

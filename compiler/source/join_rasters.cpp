@@ -99,6 +99,7 @@ std::optional<Raster> joined(const Raster& a, const Raster& b) {
   copy_into(a, of_a, whole, both);
   copy_into(b, *of_b, whole, both);
   both.spacing_m = spacing_m_of(both);
+  both.file_spacing_m = std::min(a.file_spacing_m, b.file_spacing_m);
   return both;
 }
 

@@ -12,7 +12,8 @@
 
 namespace citykiln::source {
 
-/// A location as stored by OSM, in units of 1e-7 degrees on WGS84.
+/// A location as stored by OSM, in units of 1e-7 degrees on WGS84. In a map across 180° longitudes go on to 200°
+/// (across_180.h).
 struct Location {
   std::int32_t lon_e7 = 0, lat_e7 = 0;
   auto operator<=>(const Location&) const = default;

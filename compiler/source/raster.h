@@ -38,8 +38,11 @@ struct Raster {
   /// geotransform refers to the pixel's corner instead.
   std::array<double, 6> from_grid{};
   std::string system_wkt;  ///< The raster's own system; empty: longitude and latitude on WGS84 in degrees.
-  Vec2 spacing_m;          ///< Distances between samples to the east and north, at the centre (spacing_m_of).
-  LonLatBox file_box{};    ///< The box of all samples in the file, in degrees; zeros if its system cannot be converted.
+  Vec2 spacing_m;        ///< Distances between samples east and north, at the centre (spacing_m_of); 0 without samples.
+  LonLatBox file_box{};  ///< The box of all samples in the file, in degrees; zeros if its system cannot be converted.
+  /// The shorter distance between samples at the centre of the whole file, times the stride of a thinned raster; of
+  /// joined rasters the smallest. Mending uses it, so that samples are mended alike in each window of a file.
+  double file_spacing_m = 0;
 
   bool has_all_samples() const { return heights_m.size() == static_cast<std::size_t>(columns) * rows; }
   float at(int column, int row) const {

@@ -18,7 +18,7 @@ Result<RasterSpec> parse_raster_spec(std::string_view text);
 
 /// Reads the samples of one heightmap; voids become NaN.
 /// @param window     If given, only samples inside this box and a margin of 24 samples are read. A raster outside of it
-///                   has no columns and no rows.
+///                   has no columns, no rows and no spacing.
 /// @param spacing_m  Largest distance between samples that is needed: of a finer raster only every n-th sample is read.
 ///                   0: all samples.
 ///
@@ -36,9 +36,11 @@ Result<std::vector<Raster>> read_heightmaps(std::span<const RasterSpec> specs, c
 /// are the smaller of its two spacings. 0 if the middle is not on Earth.
 Vec2 spacing_m_of(const Raster& raster);
 
-/// Returns the transformation from longitude and latitude (WGS84 degrees) to the raster's own system, by GDAL/PROJ; the
-/// identity if system_wkt is empty. Not safe to call from two threads.
+/// Replaces a longitude x and a latitude y (WGS84 degrees) by the coordinates of the place in a raster's own system, in
+/// its unit; NaN for places that cannot be converted. Not safe to call from two threads.
 using ToRasterSystem = std::function<void(double& x, double& y)>;
+/// Returns the transformation to a raster's system, by GDAL/PROJ; the identity if system_wkt is empty. Error: a system
+/// that cannot be converted.
 Result<ToRasterSystem> to_system_of(const Raster& raster);
 
 }  // namespace citykiln::source

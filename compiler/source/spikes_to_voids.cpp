@@ -46,9 +46,7 @@ struct Block {
   int width() const { return shape == 0b0001 ? 1 : 2; }
 };
 
-double least_m(const Raster& raster, int width) {
-  return kLeast_m + kLeastSlope * std::min(raster.spacing_m.x, raster.spacing_m.y) * width;
-}
+double least_m(const Raster& raster, int width) { return kLeast_m + kLeastSlope * raster.file_spacing_m * width; }
 
 // The height of a sample; NaN outside the raster.
 float height_m(const Raster& raster, int column, int row) {

@@ -1,7 +1,6 @@
 #include "compiler/structures/deck_index.h"
 
 #include <algorithm>
-#include <array>
 
 namespace citykiln::structures {
 
@@ -16,7 +15,7 @@ DeckIndex index_decks(std::span<const Span> bridges, double margin_m) {
     for (std::size_t i = 0; i + 1 < ribs.size(); ++i) {
       index.pieces.push_back(
           {.bridge = b, .from = ribs[i], .to = ribs[i + 1], .left_m = deck.left_m, .right_m = deck.right_m});
-      boxes.push_back(box_of(std::array{ribs[i].at, ribs[i + 1].at}).widened(half_m));
+      boxes.push_back(box_of_segment(ribs[i].at, ribs[i + 1].at).widened(half_m));
     }
   }
   index.grid = grid_of(boxes, kBucket_m);

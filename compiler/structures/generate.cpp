@@ -37,8 +37,8 @@ void add_post(const Rib& rib, double left_m, double from_m, double to_m, Mesh& m
   const Vec2 across = unit(rib.out) * (kPost_m / 2), along = left_of(across);
   const Vec2 at = rib.at + rib.out * left_m;
   const double road_m = rib.z_m + rib.tilt * left_m;
-  add_box(std::array{at - across - along, at + across - along, at + across + along, at - across + along},
-          road_m + from_m, road_m + to_m, mesh);
+  add_prism(std::array{at - across - along, at + across - along, at + across + along, at - across + along},
+            road_m + from_m, road_m + to_m, mesh);
 }
 
 void add_posts(std::span<const Rib> ribs, double left_m, double from_m, double to_m, Mesh& mesh) {

@@ -23,14 +23,14 @@ struct GeneratedStructure {
 };
 
 /// Generates a bridge. The deck is the road with pavements and kerbs, between parapets or railings, on a slab. It rests
-/// on piers and, at ends on the ground, on abutments. Deck and slab together are one closed body, and so is every other
-/// part.
+/// on piers and, at ends on the ground, on abutments. Deck and slab together are closed, unless the slab is left out,
+/// and so is every other part.
 ///
 /// @param bridge       The recipe: a road with profile, ends and piers.
 /// @param tolerance_m  Largest deviation, > 0. A part other than the deck is left out if that moves the surface by
 ///                     less.
 ///
-/// Bridges that meet in a joint have the same vertices there. A bridge without length has no mesh. O(points + knots +
+/// Bridges that meet in a joint have the same vertices there. A bridge without length has no mesh. O(points · knots +
 /// length), plus the simplification of ribs.
 GeneratedStructure generate(const Span& bridge, double tolerance_m);
 

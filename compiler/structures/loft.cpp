@@ -66,7 +66,7 @@ Rib rib_at(std::span<const Rib> ribs, double along_m) {
           .along_m = along_m};
 }
 
-void add_box(std::span<const Vec2> base, double from_m, double to_m, Mesh& mesh) {
+void add_prism(std::span<const Vec2> base, double from_m, double to_m, Mesh& mesh) {
   assert(base.size() >= 3 && from_m <= to_m);
   for (std::size_t i = 0; i < base.size(); ++i) {
     const Vec2 a = base[i], b = base[(i + 1) % base.size()];

@@ -41,6 +41,6 @@ Rib rib_at(std::span<const Rib> ribs, double along_m);
 /// Adds a closed vertical prism.
 /// @param base          Convex ring, counter-clockwise as seen from above, plane metres.
 /// @param from_m, to_m  Heights of its lower and its upper end; from_m <= to_m.
-void add_box(std::span<const Vec2> base, double from_m, double to_m, Mesh& mesh);
+void add_prism(std::span<const Vec2> base, double from_m, double to_m, Mesh& mesh);
 
 }  // namespace citykiln::structures

@@ -7,6 +7,7 @@
 
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/geometry/segment.h"
+#include "compiler/geometry/snap.h"
 #include "compiler/ground/cover/land_cover_index.h"
 #include "compiler/ground/plan.h"
 #include "compiler/structures/deck_index.h"
@@ -26,11 +27,9 @@ constexpr double kMinHeight_m = 2, kPierDepth_m = 0.5, kDepthInWater_m = 2;
 // Bridges over deeper valleys are suspended or arched.
 constexpr double kMaxHeight_m = 60;
 constexpr double kMaxClear_m = 4;  // at least the largest keep_clear_m()
-constexpr double kVisible_m = 64, kBucket_m = 128, kFootStep_m = 0.25;
+constexpr double kVisible_m = 64, kBucket_m = 128, kFootStep_m = 0.25, kPierStep_m = 0.25;
 // Priorities of land cover classes: water and all above, paths and all above.
 constexpr int kWaterPriority = 50, kPathPriority = 70;
-
-double quarters(double v) { return std::floor(v * 4 + 0.5) / 4; }
 
 struct Placed {
   Vec2 at;
@@ -158,9 +157,9 @@ Outcome place_one(const Placing& placing, double wanted_m, std::vector<Placed>& 
   std::optional<double> found = placing.nearest_free(wanted_m, kWaterPriority);
   if (!found) found = placing.nearest_free(wanted_m, kPathPriority);
   if (!found) return Outcome::kNoPlace;
-  const Rib rib = rib_at(placing.ribs, quarters(*found));
+  const Rib rib = rib_at(placing.ribs, snapped_to(kPierStep_m, *found));
   if (is_taken(placed, rib.at, rib.z_m)) return Outcome::kTaken;
-  const Pier pier{std::max(0.0, quarters(*found)), placing.foot_m(rib)};
+  const Pier pier{std::max(0.0, snapped_to(kPierStep_m, *found)), placing.foot_m(rib)};
   if (rib.z_m - pier.foot_m < kMinHeight_m + kPierDepth_m) return Outcome::kTooLow;
   if (rib.z_m - pier.foot_m > kMaxHeight_m) return Outcome::kNoPlace;
   bridge.piers.push_back(pier);

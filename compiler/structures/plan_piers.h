@@ -20,12 +20,13 @@ namespace citykiln::structures {
 /// @param graded     The graded terrain of the whole map: the terrain after roads and water have cut into it.
 /// @param obstacles  The land cover of the whole map. Classes of lower priority than water are ignored.
 ///
-/// Guarantees: no pier's foot is nearer than kPierClear_m to a road, rails, a path, a building or a lower bridge. A
-/// pier stands in water only if no dry position is free within 12 m along the axis. Bridges up to 30 m long have piers
-/// at joints only; longer bridges have piers 15 to 40 m apart if those positions are free. Each pier ends below the
-/// graded ground. No pier stands where the deck is less than 2 m above the ground, and none is higher than 60 m. The
-/// piers of a bridge depend only on data within 64 m of it and on bridges that it is joined with. Ledger
-/// "structures/pier"; dropped: kNoPlaceForPier. O(bridges · obstacles near).
+/// Guarantees: no pier's foot is nearer than kPierClear_m to a road, rails, a path, a building or a lower bridge, but
+/// for the rounding of its position to 1/4 m. A pier stands in water only if no dry position is free within 12 m along
+/// the axis. Bridges up to 30 m long have piers at joints only; longer bridges have piers 15 to 40 m apart if those
+/// positions are free. Each pier ends 0.5 m or more below the graded ground, 2 m or more below water. From there to the
+/// deck it is 2.5 to 60 m high. The piers of a bridge depend on data within 64 m of it, and on the piers of bridges
+/// before it that are nearer than 12 m to its own, joined or not. Ledger "structures/pier"; dropped: kNoPlaceForPier.
+/// O(bridges · obstacles near).
 std::vector<Span> place_piers(std::vector<Span> bridges, const ground::GradedTerrain& graded,
                               std::span<const ground::LandCoverPolygon> obstacles, Report& report);
 

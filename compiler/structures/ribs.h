@@ -30,10 +30,10 @@ struct Rib {
 Vec3 point_on(const Rib& rib, double left_m, double rise_m);
 
 /// Returns the ribs of a span from its begin to its end: one at each vertex of the axis, mitred, and one at each knot
-/// of the profile. There are at least two, or none if the parts that SpanEnd::cut_m removes from both ends cover the
-/// whole span. From the axis to an edge a mitred rib is at most twice as long as a rib square to the axis, so sharper
-/// bends are bevelled. Two spans that meet in
-/// a joint have the same rib there, bit for bit. O(points + knots).
+/// of the profile that is more than 0.25 m from a vertex. An end with SpanEnd::cut_m is cut there, square to the axis.
+/// There are at least two ribs, or none if the cuts leave less than 0.25 m of the span. From the axis to an edge a
+/// mitred rib is at most twice as long as a rib square to the axis, so sharper bends are bevelled. Two spans that meet
+/// in a joint have the same rib there, bit for bit. O(points · knots).
 std::vector<Rib> ribs_of(const Span& span);
 
 /// The ribs that remain, and the error of omitting the others.

@@ -128,7 +128,7 @@ void add_block(const CrossLine& a, const CrossLine& b, double top_m, Stairs& sta
   std::array<Vec2, 4> base = {a.right, b.right, b.left, a.left};
   if (cross(base[2] - base[0], base[3] - base[1]) < 0) std::ranges::reverse(base);
   if (!is_convex(base)) return;
-  add_box(base, low_m - kBlockDepth_m, top_m, stairs.mesh);
+  add_prism(base, low_m - kBlockDepth_m, top_m, stairs.mesh);
 }
 
 // A tread from one riser to the next: a block for each straight piece.

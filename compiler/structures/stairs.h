@@ -24,9 +24,10 @@ inline constexpr double kHandrail_m = 0.9, kPostSpacing_m = 2;
 /// The stairs of one way that lie in one tile.
 struct Stairs {
   OsmId feature;
-  Mesh mesh;           ///< One closed block per tread. Plane metres, snapped.
+  Mesh mesh;           ///< Closed blocks, one for each straight piece of a tread. Plane metres, snapped.
   Mesh rails{};        ///< Handrails and their posts.
-  double error_m = 0;  ///< Largest height of a tread or handrail above the ground: the error of omitting both.
+  double error_m = 0;  ///< Largest height of a tread or handrail above the lowest ground under it, or at the edges of
+                       ///< the way: the error of omitting both.
 };
 
 /// Returns the stairs of a way with steps inside a box, at the places where that way is the topmost land cover. Each

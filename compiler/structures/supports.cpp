@@ -40,7 +40,7 @@ void add_columns(const Rib& rib, const DeckDimensions& deck, double from_m, doub
   const Vec2 left = unit(rib.out);
   for (int i = 0; i <= gaps; ++i) {
     const double left_m = middle_m(deck) + long_m * (static_cast<double>(i) / gaps - 0.5);
-    add_box(circle(rib.at + left * left_m), from_m, to_m, mesh);
+    add_prism(circle(rib.at + left * left_m), from_m, to_m, mesh);
   }
 }
 
@@ -60,9 +60,9 @@ void add_pier(std::span<const Rib> ribs, const DeckDimensions& deck, const Pier&
   const double under_m = rib.z_m + rib.tilt * middle_m(deck) - deck.thickness_m;
   const double top_m = under_m + std::min(tilt_m, deck.thickness_m / 2) + deck.thickness_m / 8;
   if (top_m <= pier.foot_m) return;
-  if (!has_columns(deck)) return add_box(base, pier.foot_m, top_m, mesh);
+  if (!has_columns(deck)) return add_prism(base, pier.foot_m, top_m, mesh);
   const double beam_m = std::max(under_m - tilt_m - kBeamHeight_m, pier.foot_m);
-  add_box(base, beam_m, top_m, mesh);
+  add_prism(base, beam_m, top_m, mesh);
   if (beam_m > pier.foot_m) add_columns(rib, deck, pier.foot_m, beam_m, mesh);
 }
 

@@ -1,7 +1,5 @@
 #include "compiler/structures/within_extent.h"
 
-#include <array>
-
 #include "compiler/ground/grading/road_influence.h"
 
 namespace citykiln::structures {
@@ -10,7 +8,7 @@ namespace {
 bool reaches(const Span& span, const Box2& extent) {
   const Box2 near = extent.widened(roads::max_offset_m(span) + ground::kGrading_m);
   for (std::size_t i = 0; i + 1 < span.axis.size(); ++i)
-    if (box_of(std::array{span.axis[i], span.axis[i + 1]}).touches(near)) return true;
+    if (box_of_segment(span.axis[i], span.axis[i + 1]).touches(near)) return true;
   return false;
 }
 

@@ -32,7 +32,7 @@ struct Place {
 ///
 /// - A vertex has the height of the first heightmap that covers it, in whole metres, or in multiples of 2, 4 or 8 m
 ///   beside wide cells if the extent has no sea.
-/// - Vertices that no heightmap covers are extrapolated by fill_unknown(), so that nothing ends in a wall.
+/// - Vertices that no heightmap covers are extrapolated from those beside them, so that nothing ends in a wall.
 /// - If the extent has sea, vertices outside of it with heights up to 0 are sea, as heightmaps of 1 to 3 arc seconds
 /// are 0 at sea. Inside the extent, the mapped coastline decides.
 ///

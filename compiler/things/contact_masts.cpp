@@ -61,8 +61,7 @@ void index_decks(std::span<const structures::Span> bridges, MastPlanner& planner
     const std::vector<double> along_m = roads::distances_along(bridge);
     for (std::size_t i = 0; i + 1 < bridge.axis.size(); ++i) {
       planner.decks.push_back({bridge.axis[i], bridge.axis[i + 1], &bridge, along_m[i]});
-      boxes.push_back(
-          box_of(std::array{bridge.axis[i], bridge.axis[i + 1]}).widened(max_offset_m(bridge) + kBesideDeck_m));
+      boxes.push_back(box_of_segment(bridge.axis[i], bridge.axis[i + 1]).widened(max_offset_m(bridge) + kBesideDeck_m));
     }
   }
   planner.deck_grid = grid_of(boxes, kMastBucket_m);
@@ -353,7 +352,7 @@ std::vector<Underside> undersides_over(const MastPlanner& planner, const Contact
   std::vector<Underside> found;
   for (std::size_t v = 0; v + 1 < track.axis.size(); ++v) {
     const Vec2 a = track.axis[v], b = track.axis[v + 1];
-    for (const std::uint32_t i : boxes_about(planner.deck_grid, box_of(std::array{a, b}))) {
+    for (const std::uint32_t i : boxes_about(planner.deck_grid, box_of_segment(a, b))) {
       const Deck& deck = planner.decks[i];
       const auto shares = crossing_shares(a, b, deck.a, deck.b);
       if (!shares || deck.bridge->id.osm == track.id.osm) continue;

@@ -1,7 +1,6 @@
 #include "compiler/things/contact_tracks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <tuple>
@@ -35,7 +34,7 @@ void add_segments(TrackIndex& index) {
     const Polyline& axis = index.tracks[t].axis;
     for (std::uint32_t v = 0; v + 1 < axis.size(); ++v) {
       index.segments.push_back({t, v});
-      boxes.push_back(box_of(std::array{axis[v], axis[v + 1]}));
+      boxes.push_back(box_of_segment(axis[v], axis[v + 1]));
     }
   }
   index.grid = grid_of(boxes, kTrackBucket_m);
@@ -118,7 +117,7 @@ std::vector<SectionTrack> section_at(const TrackIndex& index, std::uint32_t own,
   const AxisPlace station = place_at(track, along_m);
   const Vec2 left = left_of(station.along), from = station.at - left * kSection_m, to = station.at + left * kSection_m;
   std::vector<SectionTrack> all{{0, own, along_m}};
-  for (const std::uint32_t i : boxes_about(index.grid, box_of(std::array{from, to}))) {
+  for (const std::uint32_t i : boxes_about(index.grid, box_of_segment(from, to))) {
     const auto [t, v] = index.segments[i];
     const ContactTrack& other = index.tracks[t];
     if (t == own || other.is_tram != track.is_tram || other.is_on_bridge != track.is_on_bridge) continue;

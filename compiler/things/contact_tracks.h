@@ -64,7 +64,7 @@ inline constexpr double kRailSpan_m = 60, kTramSpan_m = 35, kShortestContactSpan
 inline constexpr double kCurveOffset_m = 0.5;
 
 /// Returns the longest span with its middle at a distance along the way: a whole multiple of 5 m up to that of a
-/// straight, such that the axis is at most kCurveOffset_m off the chord.
+/// straight, such that the axis there is at most kCurveOffset_m off the chord; kShortestContactSpan_m if none is.
 double longest_span_m(const ContactTrack& track, double along_m);
 /// Returns the stations of a way: distances along it, ascending, in the middles of n parts that are equal where the
 /// track is straight and shorter in curves. A way shorter than 0.4 of a span has none. They depend on the way alone.

@@ -1,7 +1,5 @@
 #include "compiler/things/facing.h"
 
-#include <array>
-
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/trig.h"
@@ -66,7 +64,7 @@ Axes axes_of(std::span<const roads::Road> roads) {
     const LandCoverGroup group = map::values_of(road.surface).group;
     for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
       axes.segments.push_back({road.axis[i], road.axis[i + 1], group, road.side});
-      boxes.push_back(box_of(std::array{road.axis[i], road.axis[i + 1]}).widened(kMaxFacing_m));
+      boxes.push_back(box_of_segment(road.axis[i], road.axis[i + 1]).widened(kMaxFacing_m));
     }
   }
   axes.grid = grid_of(boxes, kAxisBucket_m);

@@ -16,8 +16,8 @@ using map::LandCoverGroup;
 constexpr double kBlock_m = 256, kBlockMargin_m = 32, kStep_m = 0.25;
 constexpr int kDirectionsAround = 16, kBorderPoints = 8;
 
-}  // namespace
-
+// Street lamps have the same rule, but stand beside pedestrian streets too (may_have_lamps() of
+// props/street_lamps.cpp).
 bool is_barred(LandCoverClass surface) {
   if (surface == LandCoverClass::kPedestrianStreet) return false;
   switch (map::values_of(surface).group) {
@@ -32,6 +32,8 @@ bool is_barred(LandCoverClass surface) {
       return surface == LandCoverClass::kParkingLane;
   }
 }
+
+}  // namespace
 
 FreePlaces::FreePlaces(std::span<const ground::LandCoverPolygon> cover) : cover_(cover) {
   std::vector<Box2> boxes;

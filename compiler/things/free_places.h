@@ -18,10 +18,6 @@
 
 namespace citykiln::things {
 
-/// True if no thing may stand on this land cover unless it is mapped there: carriageways, cycle paths, rails, water,
-/// buildings.
-bool is_barred(map::LandCoverClass surface);
-
 /// The largest distance by which a thing is moved that does not belong to a way, and that by which one is moved off the
 /// axis of its way.
 inline constexpr double kMaxMove_m = 3, kMaxOffAxis_m = 20;
@@ -33,7 +29,9 @@ struct WallPlace {
   Vec2 at, out;
 };
 
-/// Finds free places on the land cover of a map. Polygons are sorted into blocks when a place in these is asked for.
+/// Finds free places on the land cover of a map. Barred are carriageways but for pedestrian streets, parking lanes,
+/// cycle paths, steps, rails, water and buildings: nothing stands there unless it is mapped there. Polygons are sorted
+/// into blocks when a place in these is asked for.
 class FreePlaces {
  public:
   /// @param cover  The land cover of the map, with buildings; must outlive the object.

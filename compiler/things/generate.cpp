@@ -1,12 +1,11 @@
 #include "compiler/things/generate.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
 
 #include "compiler/buildings/terminal_meshes.h"
+#include "compiler/contract/hex_colour.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/things/facing.h"
 #include "grammars/derivation/derive.h"
@@ -19,10 +18,6 @@ constexpr std::uint64_t kMostThingShapes = 200'000, kMostThingSteps = 20'000'000
 
 // The id from which a variant's random numbers follow; no element of a map has it.
 StableId id_of_variant(const Form& form) { return stable_id(stable_id(ObjectId{}), "thing", form.variant); }
-
-std::string hex_colour(const std::optional<map::Srgb>& colour) {
-  return colour ? fmt::format("#{:02x}{:02x}{:02x}", (*colour)[0], (*colour)[1], (*colour)[2]) : "";
-}
 
 std::map<std::string, grammars::Value> attributes_of(const Form& form, bool is_night) {
   return {{"width", form.width_m},

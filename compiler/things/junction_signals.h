@@ -29,7 +29,8 @@ inline constexpr int kMostLanes = 4;
 /// which motor traffic comes in. An arm that lies inside the junction has none, nor has one with a thing of the kind of
 /// its own. A new thing has the id of the mapped one nearest to it, with the parts 1, 2, 3 …, and lies on the axis
 /// where the junction begins. Its capacity is the number of lanes on which traffic comes in, its text is "left" for
-/// left-hand traffic. O(things · log n + arms).
+/// left-hand traffic. O(n log n), plus
+/// arms of junctions with such a thing times things.
 std::vector<map::ThingFeature> with_one_for_each_arm(std::vector<map::ThingFeature> things,
                                                      std::span<const roads::Road> roads,
                                                      std::span<const roads::Junction> junctions);

@@ -73,7 +73,7 @@ Obstacles obstacles_of(const map::Features& features, const RailingSurroundings&
   }
   for (const buildings::Building& building : around.buildings) add_doors(building, found.all);
   std::vector<Box2> boxes;
-  for (const Obstacle& o : found.all) boxes.push_back(box_of(std::array{o.a, o.b}).widened(o.radius_m));
+  for (const Obstacle& o : found.all) boxes.push_back(box_of_segment(o.a, o.b).widened(o.radius_m));
   found.grid = grid_of(boxes, kObstacleBucket_m);
   return found;
 }
@@ -107,7 +107,7 @@ bool is_blocked(const EdgePlanner& planner, const EdgePlace& place, OsmId own, d
 
 // True if a way other than `own` crosses a line.
 bool is_crossed(const EdgePlanner& planner, Vec2 a, Vec2 b, OsmId own) {
-  return std::ranges::any_of(boxes_about(planner.obstacles.grid, box_of(std::array{a, b})), [&](std::uint32_t i) {
+  return std::ranges::any_of(boxes_about(planner.obstacles.grid, box_of_segment(a, b)), [&](std::uint32_t i) {
     const Obstacle& o = planner.obstacles.all[i];
     return o.is_only_across && o.way != own && crossing_shares(a, b, o.a, o.b).has_value();
   });
@@ -142,7 +142,7 @@ std::vector<EdgePlace> places_on(EdgePlanner& planner, const Ring& ring, const L
   std::vector<EdgePlace> places;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-    if (a == b || !planner.features.extent.touches(box_of(std::array{a, b}))) continue;
+    if (a == b || !planner.features.extent.touches(box_of_segment(a, b))) continue;
     const Vec2 out = left_of(unit(b - a)) * -1.0;
     const int count = std::max(1, static_cast<int>(std::ceil(distance(a, b) / kEdgeStep_m)));
     for (int k = 0; k < count; ++k) {
@@ -236,8 +236,7 @@ void add_ring(const EdgePlanner& planner, std::vector<EdgePlace> places, ObjectI
   }
 }
 
-}  // namespace
-
+// True for land cover on which people walk at leisure; not for piers, at which boats moor, and paths in the open.
 bool is_walked_on(LandCoverClass surface) {
   switch (surface) {
     case LandCoverClass::kPavement:
@@ -250,6 +249,8 @@ bool is_walked_on(LandCoverClass surface) {
       return false;
   }
 }
+
+}  // namespace
 
 std::vector<props::Barrier> assumed_railings(const map::Features& features, const RailingSurroundings& around,
                                              Report& report) {

@@ -31,10 +31,6 @@ inline constexpr double kRailingClear_m = 1.5;
 /// are cut, and what is tested beside them.
 inline constexpr double kRailingSquare_m = 64, kRailingRadius_m = kRailingSquare_m + 8;
 
-/// True for land cover on which people walk at leisure: pavements, paved footways, squares, pedestrian streets and
-/// platforms. Not for piers, at which boats moor, and paths in the open.
-bool is_walked_on(map::LandCoverClass surface);
-
 /// The data beside which railings are planned.
 struct RailingSurroundings {
   std::span<const ground::LandCoverPolygon> cover;  ///< The land cover of the whole map, with buildings.
@@ -44,8 +40,9 @@ struct RailingSurroundings {
   const ground::GradedTerrain& ground;  ///< The graded terrain of the whole map.
 };
 
-/// Returns railings along the edges of land cover that is walked on, where the ground 1 m beyond the edge is more than
-/// kGuardedDrop_m lower, over at least kShortestRailing_m. None stand
+/// Returns railings along the edges of land cover on which people walk at leisure: pavements, paved footways, squares,
+/// pedestrian streets and platforms. They stand where the ground 1 m beyond the edge is more than kGuardedDrop_m lower,
+/// over at least 3 m. None stand
 /// - within kRailingClear_m of a mapped barrier (of a retaining wall only if it is tagged to stand above the upper
 ///   ground), of a door, or of the deck of a bridge, which has parapets;
 /// - at walls of buildings, pools, and edges of platforms beside a track;

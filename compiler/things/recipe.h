@@ -20,6 +20,8 @@ struct Form {
   double width_m = 1, depth_m = 1, height_m = 1;  ///< Multiples of 2^-10, > 0.
   std::string value{}, material{}, text{};        ///< See map::ThingFeature.
   std::optional<map::Srgb> colour{};
+  /// The tagged capacity, 0 if untagged. For signals it is the number of lanes, for contact masts the reach of the arm
+  /// in quarters of a metre.
   std::uint16_t capacity = 0;
   map::CountryGroup country{};
   std::uint8_t variant = 0;  ///< Which of the random appearances; less than kVariants.

@@ -39,11 +39,11 @@ bool are_above_each_other(const BorderEdge& one, const BorderEdge& other) {
 
 }  // namespace
 
-BorderEdges border_edges_along_x(const bake::BakedTile& tile, double at) {
+BorderEdges border_edges_at_x(const bake::BakedTile& tile, double at) {
   return border_edges(tile, at, [](Vec3 p) { return p.x; });
 }
 
-BorderEdges border_edges_along_y(const bake::BakedTile& tile, double at) {
+BorderEdges border_edges_at_y(const bake::BakedTile& tile, double at) {
   return border_edges(tile, at, [](Vec3 p) { return p.y; });
 }
 

@@ -9,7 +9,8 @@
 
 namespace citykiln::verify {
 
-/// An edge of a ground triangle on the border of a tile, in plane metres, lower end first.
+/// An edge of a triangle of the ground, or of a wall or skirt, on the border of a tile, in plane metres. The ends are
+/// ordered by x, then y, then z.
 using BorderEdge = std::array<Vec3, 2>;
 
 /// The border edges on one side of a tile, sorted.
@@ -18,9 +19,9 @@ struct BorderEdges {
   std::vector<BorderEdge> vertical;  ///< Edges of vertical triangles in the border plane: walls and skirts.
 };
 
-/// Returns the edges of ground triangles on the line x = at (or y = at), without vertical edges.
-BorderEdges border_edges_along_x(const bake::BakedTile& tile, double at);
-BorderEdges border_edges_along_y(const bake::BakedTile& tile, double at);
+/// Returns the edges of ground triangles in the plane x = at (or y = at), without vertical edges. O(n log n).
+BorderEdges border_edges_at_x(const bake::BakedTile& tile, double at);
+BorderEdges border_edges_at_y(const bake::BakedTile& tile, double at);
 
 /// True if the ground of two neighbouring tiles meets without gaps: both have the same edges on their common side or,
 /// where a border between surfaces runs along that side, a vertical face of one tile closes the difference.

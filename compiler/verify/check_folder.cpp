@@ -8,13 +8,14 @@
 
 #include "compiler/contract/parse.h"
 #include "exporters/file_list.h"
+#include "exporters/page/page_files.h"
 #include "exporters/run_files.h"
 #include "exporters/settle_folder.h"
 
 namespace citykiln::verify {
 
-using exporters::kFileListName, exporters::kFindingsName, exporters::kManifestName, exporters::kReportName,
-    exporters::kTimingName;
+using exporters::kFileListName, exporters::kFindingsName, exporters::kKeysName, exporters::kManifestName,
+    exporters::kReportName, exporters::kTimingName;
 
 namespace {
 
@@ -37,9 +38,22 @@ bool is_name_of_tile(std::string_view name) {
          number_in<int>(stem.substr(level + 2));
 }
 
+/// True for the names of files that tiles share, such as "shared/0123456789abcdef_64.bin".
+bool is_name_of_shared(std::string_view name) {
+  constexpr std::string_view kFolder = exporters::kSharedFolder, kHashDigits = "0123456789abcdef";
+  if (!name.starts_with(kFolder)) return false;
+  name.remove_prefix(kFolder.size());
+  const std::size_t hash = name.find('_'), size = name.find('.');
+  return hash == 16 && size != std::string_view::npos && size > hash && name.find_first_not_of(kHashDigits) == hash &&
+         number_in<std::uint64_t>(name.substr(hash + 1, size - hash - 1));
+}
+
+/// True for names in glb/.
+bool is_name_in_glb(std::string_view name) { return is_name_of_tile(name) || is_name_of_shared(name); }
+
 /// True for the names of tiles, and for names such as "Q2_0_1.glb", "tileset.json" and "tileset_3.json".
 bool is_name_in_tileset(std::string_view name) {
-  if (name == exporters::kTilesetName || is_name_of_tile(name)) return true;
+  if (name == exporters::kTilesetName || name == exporters::kSurroundingsContent || is_name_of_tile(name)) return true;
   if (name.starts_with("Q") && name.ends_with(".glb"))
     return numbers_in<int>(name.substr(1, name.size() - 5), '_', 3).has_value();
   return name.starts_with("tileset_") && name.ends_with(".json") &&
@@ -55,6 +69,18 @@ void check_report(const outputs::RunRecord& record, const exporters::FileList& l
     results.files.test(is_listed(list, kManifestName), fmt::format("{} is not in {}", kManifestName, kFileListName));
 }
 
+/// True for names of the page in page/, such as "page/viewer.js" and "page/features/12.json".
+bool is_page_name(const std::string& name) {
+  if (name == exporters::kPageIndexName) return false;
+  if (name == exporters::kPageName || name == exporters::kPageNamesName) return true;
+  const std::vector<exporters::PageFile> files = exporters::page_files();
+  if (std::ranges::find(files, name, &exporters::PageFile::name) != files.end()) return true;
+  constexpr std::string_view kFolder = exporters::kPageFeatureFolder, kSuffix = ".json";
+  if (!name.starts_with(kFolder) || !name.ends_with(kSuffix)) return false;
+  const auto number = std::string_view(name).substr(kFolder.size(), name.size() - kFolder.size() - kSuffix.size());
+  return number_in<std::uint64_t>(number).has_value();
+}
+
 bool is_usd_name(const std::string& name) {
   const auto is_in = [&](std::string_view folder, std::string_view suffix) {
     return name.starts_with(folder) && name.ends_with(suffix);
@@ -67,12 +93,14 @@ bool is_usd_name(const std::string& name) {
 }  // namespace
 
 bool is_name_of_run(const std::string& name) {
-  for (const char* own : {kManifestName, kReportName, kFindingsName, kTimingName})
+  for (const char* own : {kManifestName, kReportName, kFindingsName, kTimingName, kKeysName, exporters::kGlbCloudsName,
+                          exporters::kGlbSurroundingsName, exporters::kUsdSurroundingsName, exporters::kUsdCloudsName,
+                          exporters::kVdbName})
     if (name == own) return true;
-  if (is_usd_name(name)) return true;
+  if (is_usd_name(name) || is_page_name(name)) return true;
   if (const auto inside = name_inside(name, exporters::kTilesetFolder)) return is_name_in_tileset(*inside);
   const auto inside = name_inside(name, exporters::kGlbFolder);
-  return inside && is_name_of_tile(*inside);
+  return inside && is_name_in_glb(*inside);
 }
 
 Result<Done> check_folder(const LoadedRun& run, int threads, CheckResults& results) {

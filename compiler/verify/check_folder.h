@@ -12,7 +12,8 @@ namespace citykiln::verify {
 /// file. Error: a files.json that is not a list of files.
 Result<Done> check_folder(const LoadedRun& run, int threads, CheckResults& results);
 
-/// True for names that a run gives to files, such as "scene.kiln", "glb/3_-2_L0.glb" or "report.json".
+/// True for names that a run gives to files, such as "scene.kiln", "glb/3_-2_L0.glb" or "report.json". False for
+/// "index.html": `check --worst` and users write files of this name too.
 bool is_name_of_run(const std::string& name);
 
 }  // namespace citykiln::verify

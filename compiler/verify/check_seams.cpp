@@ -5,8 +5,8 @@
 namespace citykiln::verify {
 
 Borders borders_of(const bake::BakedTile& tile, const Box2& box) {
-  return {border_edges_along_x(tile, box.min.x), border_edges_along_x(tile, box.max.x),
-          border_edges_along_y(tile, box.min.y), border_edges_along_y(tile, box.max.y)};
+  return {border_edges_at_x(tile, box.min.x), border_edges_at_x(tile, box.max.x), border_edges_at_y(tile, box.min.y),
+          border_edges_at_y(tile, box.max.y)};
 }
 
 void check_seams(const BordersByTile& borders, Check& seams) {

@@ -18,6 +18,8 @@
 #include "compiler/contract/for_each_slot.h"
 #include "exporters/file.h"
 #include "exporters/gltf/glb.h"
+#include "exporters/joined_attributions.h"
+#include "exporters/rotated.h"
 #include "exporters/run_files.h"
 #include "exporters/tiles3d/read_tileset.h"
 
@@ -52,7 +54,8 @@ double corners_outside_m(const OrientedBox& outer, const OrientedBox& inner) {
 ContentReference reference_of(const TilesetTile& tile) { return {tile.content, tile.box, tile.error_m}; }
 
 /// Walks the tiles of one file: compares each with its children, and lists contents. Returns the number of tiles.
-std::uint64_t walk_tiles(const TilesetTile& tile, const std::string& name, CheckResults& results, ReadTileset& read) {
+std::uint64_t walk_tiles(const TilesetTile& tile, const std::string& name, CheckResults& results,
+                         CheckedTileset& read) {
   if (!tile.content.empty()) (is_external(tile) ? read.external : read.contents).push_back(reference_of(tile));
   std::uint64_t tiles = 1;
   for (const TilesetTile& child : tile.children) {
@@ -70,22 +73,22 @@ class Reader {
  public:
   Reader(std::string folder, CheckResults& results) : folder_(std::move(folder)), results_(results) {}
 
-  ReadTileset read(const std::string& name) {
+  CheckedTileset read(const std::string& name) {
     const auto bytes = exporters::read_file(folder_ + name);
     results_.tileset.test(static_cast<bool>(bytes), name + " cannot be read");
     if (!bytes) return {};
     const std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    ReadTileset all = read_tileset(text, name, results_);
+    CheckedTileset all = check_tileset_file(text, name, results_);
     for (const ContentReference& external : std::exchange(all.external, {})) add(external, all);
     return all;
   }
 
  private:
-  void add(const ContentReference& external, ReadTileset& all) {
+  void add(const ContentReference& external, CheckedTileset& all) {
     const bool is_new = read_.insert(external.uri).second;
     results_.tileset.test(is_new, external.uri + " is named twice");
     if (!is_new) return;
-    ReadTileset inner = read(external.uri);
+    CheckedTileset inner = read(external.uri);
     results_.tileset_boxes.test(corners_outside_m(external.box, inner.root.box) <= kSlack_m,
                                 external.uri + " is outside of the tile that names it");
     // the tile that names a tileset stands for its root
@@ -212,12 +215,6 @@ std::string copyright_of(const std::vector<std::byte>& glb) {
              : "";
 }
 
-Vec3 turned(const bake::Float4& q, Vec3 v) {
-  const Vec3 u{q[0], q[1], q[2]};
-  const Vec3 t = cross(u, v) * 2;
-  return v + t * q[3] + cross(u, t);
-}
-
 // The largest distance of a vertex of a tile outside a box.
 double vertices_outside_m(const OrientedBox& box, const bake::BakedTile& tile) {
   double farthest_m = 0;
@@ -229,8 +226,9 @@ double vertices_outside_m(const OrientedBox& box, const bake::BakedTile& tile) {
       for (const bake::Primitive& p : mesh.primitives)
         for (const bake::Float3& at : p.positions)
           farthest_m =
-              std::max(farthest_m, outside_m(box, tile.origin + bake::widened(mesh.translations[i]) +
-                                                      turned(mesh.rotations[i], bake::widened(at) * mesh.scales[i])));
+              std::max(farthest_m,
+                       outside_m(box, tile.origin + bake::widened(mesh.translations[i]) +
+                                          exporters::rotated(mesh.rotations[i], bake::widened(at) * mesh.scales[i])));
   return farthest_m;
 }
 
@@ -266,9 +264,8 @@ CheckedContent check_content(const LoadedRun& run, const ContentReference& refer
       bytes ? exporters::decode_glb(*bytes, reference.uri) : Result<bake::BakedTile>(bytes.error());
   results.tileset.test(static_cast<bool>(tile), tile ? "" : to_string(tile.error()));
   if (!tile) return content;
-  std::string credits;
-  for (const std::string& credit : run.scene.header.attributions) credits += (credits.empty() ? "" : "; ") + credit;
-  results.tileset.test(copyright_of(*bytes) == credits, reference.uri + " has another attribution");
+  results.tileset.test(copyright_of(*bytes) == exporters::joined_attributions(run.scene.header.attributions),
+                       reference.uri + " has another attribution");
   results.tileset.test(!tile->primitives.empty(), reference.uri + " has no meshes");
   const double out_m = vertices_outside_m(reference.box, *tile);
   results.tileset_boxes.test(out_m <= kSlack_m, fmt::format("{}: a vertex is {} m outside", reference.uri, out_m));
@@ -303,13 +300,13 @@ void check_seams(const std::vector<CheckedContent>& contents, CheckResults& resu
 
 }  // namespace
 
-ReadTileset read_tileset(const std::string& json, const std::string& name, CheckResults& results) {
+CheckedTileset check_tileset_file(const std::string& json, const std::string& name, CheckResults& results) {
   const Result<exporters::ReadTileset> file = exporters::decode_tileset(json, name);
   if (!file) {
     results.tileset.test(false, to_string(file.error()));
     return {};
   }
-  ReadTileset read{.root = reference_of(file->root), .transform = file->transform, .attribution = file->attribution};
+  CheckedTileset read{.root = reference_of(file->root), .transform = file->transform, .attribution = file->attribution};
   results.tileset.test_all(walk_tiles(file->root, name, results, read), !read.attribution.empty(),
                            name + ": no attribution");
   results.tileset_errors.test(file->error_m > file->root.error_m,
@@ -320,7 +317,7 @@ ReadTileset read_tileset(const std::string& json, const std::string& name, Check
 void check_tileset(const LoadedRun& run, int threads, CheckResults& results) {
   const std::string folder = run.folder + "/" + exporters::kTilesetFolder + "/";
   if (!std::filesystem::exists(folder + exporters::kTilesetName)) return;
-  const ReadTileset read = Reader(folder, results).read(exporters::kTilesetName);
+  const CheckedTileset read = Reader(folder, results).read(exporters::kTilesetName);
   const bool is_inside = scene::cylinder_of(run.scene.header).has_value();
   const double out_m =
       is_inside ? off_identity(read.transform) : transform_error_m(run.scene.header.origin, read.transform);

@@ -19,7 +19,7 @@ struct ContentReference {
 };
 
 /// The parts of one tileset file that are checked.
-struct ReadTileset {
+struct CheckedTileset {
   std::vector<ContentReference> contents{};  ///< .glb files.
   std::vector<ContentReference> external{};  ///< Other tilesets, with the tile that refers to each.
   ContentReference root{};                   ///< Without a uri.
@@ -27,10 +27,10 @@ struct ReadTileset {
   std::string attribution{};                 ///< asset.extras.copyright.
 };
 
-/// Reads a tileset. Tests its structure in results.tileset, volumes in results.tileset_boxes and errors in
+/// Reads a tileset and tests its structure in results.tileset, volumes in results.tileset_boxes and errors in
 /// results.tileset_errors. Cannot fail: every deviation from the specification is a failure in the results.
 /// @param name  The file's name, for failures.
-ReadTileset read_tileset(const std::string& json, const std::string& name, CheckResults& results);
+CheckedTileset check_tileset_file(const std::string& json, const std::string& name, CheckResults& results);
 
 /// Checks the tileset of a run, all files that it refers to, their contents and the borders of its tiles. Does nothing
 /// for a run without a tileset. Memory: one content per thread, and the borders of all.

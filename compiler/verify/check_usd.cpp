@@ -17,6 +17,7 @@
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/leaf_backs.h"
 #include "exporters/gltf/write/encode_tile.h"
+#include "exporters/joined_attributions.h"
 #include "exporters/run_files.h"
 #include "exporters/usd/read_layer.h"
 #include "exporters/usd/usd_names.h"
@@ -25,6 +26,7 @@ namespace citykiln::verify {
 namespace {
 
 using bake::BakedTile;
+using exporters::joined_attributions;
 using exporters::UsdReadDictionary;
 using exporters::UsdReadLayer;
 using exporters::UsdReadPrim;
@@ -60,11 +62,6 @@ bool is_number(const UsdReadDictionary& values, const std::string& name, double 
 }
 
 Numbers numbers_of(Vec3 v) { return {v.x, v.y, v.z}; }
-
-// Returns the attributions of the header as one text, "a; b", which every layer must state.
-std::string attribution_of(const scene::Header& header) {
-  return fmt::format("{}", fmt::join(header.attributions, "; "));
-}
 
 // ---- whether a layer holds together ----
 
@@ -176,13 +173,17 @@ std::vector<const UsdReadPrim*> meshes_below(const UsdReadLayer& layer, const st
   return meshes;
 }
 
-bool is_same(const UsdReadPrim& mesh, const bake::Primitive& p) {
-  const std::size_t sides = p.colour_source == materials::ColourSource::kByCutout && exporters::has_backs(p) ? 2 : 1;
-  if (numbers_of(mesh.values, "faceVertexCounts").size() != sides * p.triangles.size()) return false;
-  const Numbers& points = numbers_of(mesh.values, "points");
-  if (points.size() != sides * 3 * p.positions.size()) return false;
-  for (std::size_t i = 0; i < 3 * p.positions.size(); ++i)
+// True if a mesh has the points and the triangles of a primitive, in their order; leaves with their backs.
+bool is_same(const UsdReadPrim& mesh, const bake::Primitive& front) {
+  const bool is_backed = front.colour_source == materials::ColourSource::kByCutout && exporters::has_backs(front);
+  const bake::Primitive both = is_backed ? exporters::with_backs(front) : bake::Primitive{};
+  const bake::Primitive& p = is_backed ? both : front;
+  const Numbers &points = numbers_of(mesh.values, "points"), &indices = numbers_of(mesh.values, "faceVertexIndices");
+  if (points.size() != 3 * p.positions.size() || indices.size() != 3 * p.triangles.size()) return false;
+  for (std::size_t i = 0; i < points.size(); ++i)
     if (points[i] != static_cast<double>(p.positions[i / 3][i % 3])) return false;
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    if (indices[i] != static_cast<double>(p.triangles[i / 3][i % 3])) return false;
   return true;
 }
 
@@ -195,25 +196,50 @@ void test_meshes(const Layer& layer, const std::string& parent, std::span<const 
                             fmt::format("{}: the meshes of {} are others than those of the .glb", layer.name, parent));
 }
 
+// The attributes of the instances of a layer of a tile, prototype by prototype, as a PointInstancer has them.
+struct InstanceNumbers {
+  Numbers prototypes, positions, orientations, scales, features;
+};
+
+void add_instances(InstanceNumbers& all, const bake::InstancedMesh& mesh, std::size_t prototype) {
+  for (std::size_t i = 0; i < mesh.translations.size(); ++i) {
+    const bake::Float4& turn = mesh.rotations[i];
+    all.prototypes.push_back(static_cast<double>(prototype));
+    all.positions.insert(all.positions.end(), mesh.translations[i].begin(), mesh.translations[i].end());
+    // the real part first
+    all.orientations.insert(all.orientations.end(), {turn[3], turn[0], turn[1], turn[2]});
+    all.scales.insert(all.scales.end(), 3, mesh.scales[i]);
+    all.features.push_back(mesh.features[i]);
+  }
+}
+
+// True if numbers are equal within the rounding of half precision, for numbers of at most 1.
+bool are_halves_of(const Numbers& halves, const Numbers& numbers) {
+  const auto is_near = [](double a, double b) { return std::abs(a - b) <= 0x1p-11; };
+  return std::ranges::equal(halves, numbers, is_near);
+}
+
+bool has_instances(const UsdReadDictionary& values, const InstanceNumbers& expected) {
+  return numbers_of(values, "protoIndices") == expected.prototypes &&
+         numbers_of(values, "positions") == expected.positions &&
+         are_halves_of(numbers_of(values, "orientations"), expected.orientations) &&
+         numbers_of(values, "scales") == expected.scales && numbers_of(values, "primvars:feature") == expected.features;
+}
+
 void test_instances(const Layer& layer, const std::string& parent, std::span<const bake::InstancedMesh> instanced,
                     CheckResults& results) {
   const UsdReadPrim* instancer = exporters::prim_at(layer.read, parent + "/instances");
   const std::vector<std::string> prototypes =
       instancer == nullptr ? std::vector<std::string>() : targets_of(*instancer, "prototypes");
-  Numbers positions, indices;
+  InstanceNumbers expected;
   for (std::size_t i = 0; i < instanced.size(); ++i) {
     if (i < prototypes.size()) test_meshes(layer, prototypes[i], instanced[i].primitives, results);
-    for (const bake::Float3& at : instanced[i].translations) {
-      positions.insert(positions.end(), at.begin(), at.end());
-      indices.push_back(static_cast<double>(i));
-    }
+    add_instances(expected, instanced[i], i);
   }
   const UsdReadDictionary none;
   const UsdReadDictionary& values = instancer == nullptr ? none : instancer->values;
   results.usd_same.test_all(
-      indices.size(),
-      prototypes.size() == instanced.size() && numbers_of(values, "positions") == positions &&
-          numbers_of(values, "protoIndices") == indices,
+      expected.prototypes.size(), prototypes.size() == instanced.size() && has_instances(values, expected),
       fmt::format("{}: the instances of {} are others than those of the .glb", layer.name, parent));
 }
 
@@ -262,18 +288,21 @@ void test_facts(const Layer& layer, const BakedTile& tile, const scene::Header& 
   test(features != nullptr && texts_of(features->values, "osm:name") == names, "the list of names");
   test(features != nullptr && texts_of(features->values, "osm:assumed") == assumed_texts(tile),
        "the list of assumptions");
-  test(texts_of(layer.read.custom_data, "attribution") == std::vector{attribution_of(header)}, "attribution");
+  test(texts_of(layer.read.custom_data, "attribution") == std::vector{joined_attributions(header.attributions)},
+       "attribution");
   test(layer.read.up_axis == "Z" && layer.read.meters_per_unit == 1 && layer.read.default_prim == "tile",
        "the frame or default prim");
 }
 
-// Returns the tile of a level: from its .glb, if the run wrote one without compression, else baked again.
+// Returns the tile of a level: from its .glb, if the run wrote one that keeps all vertices, else baked again.
 Result<BakedTile> expected_tile(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t number,
                                 const outputs::WrittenTile& level) {
   const auto glb = std::ranges::find_if(loaded.record.tiles, [&](const outputs::WrittenTile& written) {
     return written.tile == level.tile && written.level == level.level;
   });
-  if (glb != loaded.record.tiles.end() && loaded.record.compress == Compression::kNone)
+  const bool keeps_vertices =
+      loaded.record.compress == Compression::kNone && !values_of(loaded.record.target).shades_flat;
+  if (glb != loaded.record.tiles.end() && keeps_vertices)
     return exporters::read_glb(loaded.folder + "/" + glb->file.name);
   Report ignored;
   return bake::in_world(bake::bake_prepared(prepared, number, 1, ignored), loaded.scene.header);
@@ -281,8 +310,9 @@ Result<BakedTile> expected_tile(const LoadedRun& loaded, bake::PreparedTile& pre
 
 std::string folder_of_file(const std::string& path) { return fs::path(path).parent_path().string(); }
 
+// @param place  The translation that the tile's layer states.
 Result<Done> check_usd_level(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t number,
-                             const outputs::WrittenTile& level, CheckResults& results) {
+                             const outputs::WrittenTile& level, const Numbers& place, CheckResults& results) {
   const std::string path = loaded.folder + "/" + level.file.name, folder = folder_of_file(path);
   const Result<UsdReadLayer> read_layer = read(path);
   if (!read_layer) return read_layer.error();
@@ -294,6 +324,9 @@ Result<Done> check_usd_level(const LoadedRun& loaded, bake::PreparedTile& prepar
   check_prims(layer, results);
   test_contents(layer, *tile, results);
   test_facts(layer, *tile, loaded.scene.header, results);
+  results.usd_scene.test(
+      place == numbers_of(tile->origin),
+      fmt::format("{} is not at the origin of {}", exporters::usd_tile_name(level.tile), level.file.name));
   results.usd_same.test(level.triangles == exporters::triangles_of(*tile) && level.error_m == tile->error_m,
                         level.file.name + ": report.json states other triangles or another error");
   return Done{};
@@ -340,7 +373,7 @@ Result<Done> check_tile_layer(const LoadedRun& loaded, const std::string& name,
   results.usd_scene.test(numbers_of(root->values, "xformOp:translate") == place,
                          name + " is at another place than in the scene");
   results.usd_scene.test(
-      texts_of(layer->custom_data, "attribution") == std::vector{attribution_of(loaded.scene.header)},
+      texts_of(layer->custom_data, "attribution") == std::vector{joined_attributions(loaded.scene.header.attributions)},
       name + " has another attribution");
   test_variants(*root, name, levels, results);
   return Done{};
@@ -351,9 +384,13 @@ Result<Done> check_tile_layer(const LoadedRun& loaded, const std::string& name,
 Result<CheckResults> check_usd_tile(const LoadedRun& loaded, std::span<const outputs::WrittenTile> levels) {
   const Result<RecipesOfTile> recipes = prepare_tile(loaded, levels);
   if (!recipes) return recipes.error();
+  const Result<UsdReadLayer> layer = read(loaded.folder + "/" + exporters::usd_tile_name(levels.front().tile));
+  if (!layer) return layer.error();
+  const UsdReadPrim* root = exporters::prim_at(*layer, "/tile");
+  const Numbers place = root == nullptr ? Numbers{} : numbers_of(root->values, "xformOp:translate");
   CheckResults results;
   for (std::size_t i = 0; i < levels.size(); ++i)
-    if (const Result<Done> done = check_usd_level(loaded, *recipes->prepared, i, levels[i], results); !done)
+    if (const Result<Done> done = check_usd_level(loaded, *recipes->prepared, i, levels[i], place, results); !done)
       return done.error();
   return results;
 }
@@ -374,7 +411,7 @@ Result<CheckResults> check_usd_scene(const LoadedRun& loaded) {
                            std::string(exporters::kUsdSurroundingsName) + " cannot be read");
   results.usd_scene.test(by_payload.size() == tiles.size(), name + " has other tiles than the run");
   results.usd_scene.test(
-      texts_of(layer->custom_data, "attribution") == std::vector{attribution_of(loaded.scene.header)},
+      texts_of(layer->custom_data, "attribution") == std::vector{joined_attributions(loaded.scene.header.attributions)},
       name + " has another attribution");
   for (const auto& [tile, levels] : tiles) {
     const std::string file = exporters::usd_tile_name(tile);

@@ -1,7 +1,6 @@
 #include "compiler/verify/measure_assumed.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 #include <string_view>
@@ -15,6 +14,7 @@
 #include "compiler/scene/land_cover.h"
 #include "compiler/things/contact_masts.h"
 #include "compiler/things/facing.h"
+#include "compiler/verify/taken_land.h"
 
 namespace citykiln::verify {
 namespace {
@@ -64,7 +64,7 @@ void add_segments(Mapped& mapped) {
     for (std::uint32_t i = 0; i + 1 < all[r].axis.size(); ++i) {
       mapped.segments.push_back({r, i});
       const double widest_m = std::max(roads::widest_left_m(all[r]), roads::widest_right_m(all[r]));
-      boxes.push_back(box_of(std::array{all[r].axis[i], all[r].axis[i + 1]}).widened(widest_m));
+      boxes.push_back(box_of_segment(all[r].axis[i], all[r].axis[i + 1]).widened(widest_m));
     }
   if (!boxes.empty()) mapped.grid = grid_of(boxes, kAssumedBucket_m);
 }
@@ -134,7 +134,7 @@ void test_pavements(const Mapped& mapped, const Road& road, const Box2& box, Ass
   const std::vector<double> along_m = roads::distances_along(road);
   for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
     const Vec2 a = road.axis[i], b = road.axis[i + 1], left = left_of(unit(b - a));
-    const int steps = std::max(1, static_cast<int>(distance(a, b) / kPavementStep_m));
+    const int steps = std::max(1, static_cast<int>(std::ceil(distance(a, b) / kPavementStep_m)));
     for (int k = 0; k < steps; ++k) {
       const double share = (k + 0.5) / steps;
       const Vec2 on_axis = a + (b - a) * share;
@@ -198,15 +198,10 @@ std::set<OsmId> ways_with_assumed_lamps(const scene::Chunk& chunk) {
   return ways;
 }
 
-// The mapped element on which no lamp may stand; none if the place is free.
-OsmId no_place_for_lamp(const ground::LandCoverIndex& land_cover, Vec2 p) {
-  const std::uint32_t top = ground::land_cover_at(land_cover, p);
-  if (top == ground::kNoLandCover) return {};
-  const ground::LandCoverPolygon& surface = land_cover.surfaces[top];
-  const LandCoverGroup group = group_of_class(surface.surface);
-  const bool is_taken = group == LandCoverGroup::kRoad || group == LandCoverGroup::kRail ||
-                        group == LandCoverGroup::kBuilding || group == LandCoverGroup::kWater;
-  return is_taken && surface.surface != LandCoverClass::kPedestrianStreet ? surface.id.osm : OsmId{};
+// The element of taken_land_at(); none if the place is free.
+OsmId taken_by(const ground::LandCoverIndex& land_cover, Vec2 p) {
+  const ground::LandCoverPolygon* land = taken_land_at(land_cover, p);
+  return land != nullptr ? land->id.osm : OsmId{};
 }
 
 // The axes of ways on the ground, and doors.
@@ -241,7 +236,7 @@ RailingObstacles railing_obstacles(const scene::Chunk& chunk) {
   for (const Road& road : chunk.roads)
     for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
       obstacles.axes.push_back({road.axis[i], road.axis[i + 1], road.id.osm});
-      boxes.push_back(box_of(std::array{road.axis[i], road.axis[i + 1]}));
+      boxes.push_back(box_of_segment(road.axis[i], road.axis[i + 1]));
     }
   obstacles.grid = grid_of(boxes, 16);
   obstacles.doors = doors_of(chunk);
@@ -258,12 +253,12 @@ std::optional<OsmId> blocked_by(const RailingObstacles& obstacles, const ground:
   if (top == ground::kNoLandCover) return std::nullopt;
   const ground::LandCoverPolygon& surface = land_cover.surfaces[top];
   if (surface.surface == LandCoverClass::kSteps) return surface.id.osm;
-  const OsmId taken = no_place_for_lamp(land_cover, p);
+  const OsmId taken = taken_by(land_cover, p);
   return taken.type == OsmType::kNone ? std::nullopt : std::optional(taken);
 }
 
 std::optional<OsmId> way_across(const RailingObstacles& obstacles, OsmId own, Vec2 a, Vec2 b) {
-  for (const std::uint32_t i : boxes_about(obstacles.grid, box_of(std::array{a, b}))) {
+  for (const std::uint32_t i : boxes_about(obstacles.grid, box_of_segment(a, b))) {
     const RailingObstacles::Axis& axis = obstacles.axes[i];
     if (axis.way != own && crossing_shares(a, b, axis.a, axis.b)) return axis.way;
   }
@@ -321,7 +316,7 @@ bool is_yard(const ground::LandCoverPolygon& surface) {
 OsmId no_place_for_tree(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover, Vec2 p) {
   if (const std::uint32_t top = ground::land_cover_at(land_cover, p); top != ground::kNoLandCover) {
     const ground::LandCoverPolygon& surface = land_cover.surfaces[top];
-    const OsmId taken = no_place_for_lamp(land_cover, p);
+    const OsmId taken = taken_by(land_cover, p);
     if (taken.type != OsmType::kNone) return taken;
     if (group_of_class(surface.surface) == LandCoverGroup::kPath) return surface.id.osm;
   }
@@ -390,7 +385,7 @@ OsmId no_place_for_house(const scene::Chunk& chunk, const ground::LandCoverIndex
   if (const std::uint32_t top = ground::land_cover_at(land_cover, p); top != ground::kNoLandCover) {
     const ground::LandCoverPolygon& surface = land_cover.surfaces[top];
     const bool is_mapped_path = group_of_class(surface.surface) == LandCoverGroup::kPath;
-    const OsmId on = is_mapped_path ? surface.id.osm : no_place_for_lamp(land_cover, p);
+    const OsmId on = is_mapped_path ? surface.id.osm : taken_by(land_cover, p);
     if (on.type != OsmType::kNone && on != lot) return on;
   }
   for (const buildings::Building& other : chunk.buildings)
@@ -428,7 +423,7 @@ AssumedPlaces measure_assumed_lamps(const bake::BakedTile& tile, const scene::Ch
       if (!ways.contains(way)) continue;
       const bake::Float3& offset = instanced.translations[i];
       const Vec2 at = in_plan(Vec3{offset[0], offset[1], offset[2]} + tile.origin);
-      const OsmId on = no_place_for_lamp(land_cover, at);
+      const OsmId on = taken_by(land_cover, at);
       ++found.places;
       if (on.type == OsmType::kNone) continue;
       if (found.misplaced++ == 0) found.at = at, found.first = way, found.on = on;
@@ -455,7 +450,7 @@ AssumedPlaces measure_assumed_masts(const scene::Chunk& chunk, const ground::Lan
     for (const Vec2 foot : feet_of(mast)) {
       if (!box.contains(foot)) continue;
       ++found.places;
-      OsmId on = no_place_for_lamp(land_cover, foot);
+      OsmId on = taken_by(land_cover, foot);
       if (on.type == OsmType::kNone) on = track_too_near(chunk, foot);
       if (on.type == OsmType::kNone) continue;
       if (found.misplaced++ == 0) found.at = foot, found.first = mast.id.osm, found.on = on;

@@ -1,6 +1,7 @@
 #include "compiler/verify/measure_clearances.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -41,6 +42,8 @@ struct RoadLine {
   bool passes = true;  ///< False for corridors in buildings.
 
   std::pair<Kind, int> rank() const { return {kind, layer}; }
+  /// False for a bridge or tunnel without a profile.
+  bool has_height() const { return kind == Kind::kGround || !road->profile.empty(); }
   double half_m() const {
     return std::min(std::max(roads::widest_left_m(*road), roads::widest_right_m(*road)), kWidest_m);
   }
@@ -81,7 +84,7 @@ struct Network {
 
 double joining_m(map::LandCoverClass surface, double length_m) {
   if (group_of(surface) == LandCoverGroup::kRail) return ground::kRailJoins * length_m;
-  return (ground::is_graded(surface) ? 1 : ground::kPathJoins) * length_m;
+  return (ground::has_profile(surface) ? 1 : ground::kPathJoins) * length_m;
 }
 
 Network network_of(const scene::Scene& scene) {
@@ -232,7 +235,7 @@ class Measurer {
 
   Pairs run() {
     for (const RoadLine& line : lines_) {
-      if (line.kind == Kind::kGround || !line.passes) continue;
+      if (line.kind == Kind::kGround || !line.passes || !line.has_height()) continue;
       cross_lines(line);
       run_along(line);
       if (line.kind == Kind::kDeck) cross_water(line);
@@ -249,8 +252,9 @@ class Measurer {
   }
 
   double height_m(const Place& place) {
+    assert(place.line->has_height());
     const roads::Road& road = *place.line->road;
-    if (road.profile.empty()) return place.line->kind == Kind::kGround ? ground_m(place.at) : 0;
+    if (road.profile.empty()) return ground_m(place.at);
     return knot_at(road.profile, roads::distances_along(road)[place.segment] + distance(place.from(), place.at)).z_m;
   }
 
@@ -260,7 +264,7 @@ class Measurer {
   }
 
   void add(const Place& a, const Place& b) {
-    if (a.line->rank() == b.line->rank() || !b.line->passes) return;
+    if (a.line->rank() == b.line->rank() || !b.line->passes || !b.line->has_height()) return;
     const bool is_above = a.line->rank() > b.line->rank();
     const Place &upper = is_above ? a : b, &lower = is_above ? b : a;
     if (are_joined(network_, upper, lower) || passes_a_mouth(upper, lower)) return;
@@ -328,7 +332,7 @@ class Measurer {
   }
 
   static bool is_a_path_of_ground(const RoadLine& line) {
-    return line.kind == Kind::kGround && !ground::is_graded(line.road->surface);
+    return line.kind == Kind::kGround && !ground::has_profile(line.road->surface);
   }
 
   void cross_water(const RoadLine& line) {

@@ -39,11 +39,11 @@ struct Clearances {
 
 /// Measures all crossings of the scene. O(n log n).
 ///
-/// Two lines cross where their axes intersect, or where the axis of one is within the other's width (tested every 4 m).
-/// A pair does not count if the lines are connected close by, if one descends beside the other, if the other continues
-/// beside it as a bridge or tunnel, or if both are bridges or both tunnels and lie side by side
-/// (ground/profiles/crossings.h). Lines without a profile are at the height of the graded terrain. Each crossing counts
-/// once, in the tile that contains it.
+/// Two lines cross where their axes intersect, or where their widths overlap (tested at most 4 m apart). A pair does
+/// not count if the lines are connected close by, if one descends beside the other, if the other continues beside it as
+/// a bridge or tunnel, or if both are bridges or both tunnels and lie side by side (ground/profiles/crossings.h).
+/// Ground lines without a profile are at the height of the graded terrain; bridges and tunnels without one are skipped.
+/// Each pair of elements counts once, at its worst place.
 Clearances measure_clearances(const scene::Scene& scene, int threads);
 
 /// Adds to each shortfall the tags that findings state for its two ways, and moves shortfalls with the finding

@@ -31,7 +31,7 @@ std::vector<Earthwork> measure_earthworks(const scene::Scene& scene);
 /// Returns the earthworks that are deeper than the limit of their kind, in the given order.
 std::vector<Earthwork> over_their_limits(std::span<const Earthwork> earthworks);
 
-/// Returns the largest usual depth of a kind of line, in metres.
+/// Returns the largest usual depth of a kind of line, in metres; 0 for a name that is not in earthwork_limits.inc.
 double earthwork_limit_m(std::string_view line);
 
 }  // namespace citykiln::verify

@@ -25,8 +25,9 @@ struct GapBelow {
 
 /// The gaps below several buildings.
 struct Footing {
-  std::uint64_t corners = 0;       ///< Number of corners measured.
-  double largest_gap_m = -1e9;     ///< From the ground up to the wall; negative if all walls extend into the ground.
+  std::uint64_t corners = 0;  ///< Number of corners measured.
+  /// From the ground up to the wall; negative if all walls extend into the ground, -1e9 if nothing was measured.
+  double largest_gap_m = -1e9;
   OsmId worst{};                   ///< The building with that gap.
   std::vector<GapBelow> floating;  ///< Buildings with a gap over the limit.
 };

@@ -24,7 +24,8 @@ struct HeightMeasures {
   Clearances clearances;
 };
 
-/// Measures each chunk on its own. An object in several chunks counts in each. O(n log n).
+/// Measures road faces, rises, lakes and footing chunk by chunk: an object in several chunks counts in each. Grades of
+/// a road or span count once, as measure_grades() says. Jumps and clearances are those of the whole scene. O(n log n).
 HeightMeasures measure_heights(const scene::Scene& scene, int threads);
 
 }  // namespace citykiln::verify

@@ -35,7 +35,7 @@ double length_in_m(const roads::Road& road, const std::vector<double>& along, do
 }
 
 void add_road(Grades& grades, const roads::Road& road, const Box2& box) {
-  if (!ground::is_graded(road.surface)) return;
+  if (!ground::has_profile(road.surface)) return;
   const std::vector<double> along = roads::distances_along(road);
   const double limit = ground::grade_rule_of(road.surface).limit;
   grades.length_m += length_in_m(road, along, along.front(), along.back(), box);
@@ -47,7 +47,7 @@ void add_road(Grades& grades, const roads::Road& road, const Box2& box) {
 }
 
 void add_span(Grades& grades, const Span& span) {
-  if (!ground::is_graded(span.surface)) return;
+  if (!ground::has_profile(span.surface)) return;
   for (std::size_t i = 1; i < span.profile.size(); ++i) {
     const Knot a = span.profile[i - 1], b = span.profile[i];
     add_stretch(grades, span.surface, b.at_m - a.at_m, b.z_m - a.z_m);
@@ -62,18 +62,17 @@ struct Passing {
 };
 
 void add_passings(const roads::Road& road, std::vector<Passing>& passings) {
-  if (!ground::is_graded(road.surface)) return;
+  if (!ground::has_profile(road.surface) || road.profile.empty()) return;
   const std::vector<double> along = roads::distances_along(road);
   for (std::size_t i = 0; i < along.size(); ++i)
-    passings.push_back({road.axis[i], false, road.profile.empty() ? 0 : knot_at(road.profile, along[i]).z_m});
+    passings.push_back({road.axis[i], false, knot_at(road.profile, along[i]).z_m});
 }
 
 void add_passings(const Span& span, std::vector<Passing>& passings) {
-  if (!ground::is_graded(span.surface)) return;
+  if (!ground::has_profile(span.surface) || span.profile.empty()) return;
   const std::vector<double> along = roads::distances_along(span);
-  const auto height_m = [&](double at_m) { return span.profile.empty() ? 0 : knot_at(span.profile, at_m).z_m; };
-  passings.push_back({span.axis.front(), true, height_m(along.front())});
-  passings.push_back({span.axis.back(), true, height_m(along.back())});
+  passings.push_back({span.axis.front(), true, knot_at(span.profile, along.front()).z_m});
+  passings.push_back({span.axis.back(), true, knot_at(span.profile, along.back()).z_m});
 }
 
 std::vector<Passing> passings_of(const scene::Scene& scene) {

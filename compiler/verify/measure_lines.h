@@ -20,13 +20,15 @@ Grades measure_grades(const scene::Header& header, const scene::Chunk& chunk);
 
 /// Height differences where lines meet.
 struct Jumps {
-  std::uint64_t places = 0;  ///< Vertices where two roads, or a road and a bridge or tunnel, meet.
+  /// Places with the vertices of several lines: ground roads, and ends of bridges and tunnels. A vertex of one road
+  /// that two chunks hold counts too.
+  std::uint64_t places = 0;
   double largest_m = 0;
   Vec2 at;
 };
 
 /// Measures height differences at common vertices of all chunks: between ground roads, and where bridges or tunnels end
-/// at a road or at each other. Roads without a profile have no heights and are skipped. O(n log n).
+/// at a road or at each other. Lines without a profile, and classes that have none, are skipped. O(n log n).
 Jumps measure_jumps(const scene::Scene& scene);
 
 /// Numbers of watercourses, and of watercourses that flow uphill.

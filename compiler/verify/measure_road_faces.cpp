@@ -1,7 +1,6 @@
 #include "compiler/verify/measure_road_faces.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -74,7 +73,7 @@ RoadFaces measure_road_faces(const scene::Chunk& chunk, const Box2& box, bool ha
   assert(!box.is_empty());
   const std::vector<Piece> pieces = pieces_of(chunk.roads);
   std::vector<Box2> boxes;
-  for (const Piece& piece : pieces) boxes.push_back(box_of(std::array{piece.a, piece.b}).widened(piece.radius_m));
+  for (const Piece& piece : pieces) boxes.push_back(box_of_segment(piece.a, piece.b).widened(piece.radius_m));
   const BoxGrid grid = grid_of(boxes, kFaceBucket_m);
   RoadFaces result;
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {

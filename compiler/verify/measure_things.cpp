@@ -3,22 +3,9 @@
 #include <set>
 
 #include "compiler/things/contact_masts.h"
+#include "compiler/verify/taken_land.h"
 
 namespace citykiln::verify {
-namespace {
-
-bool is_no_place_for_thing(const ground::LandCoverIndex& land_cover, Vec2 p) {
-  const std::uint32_t top = ground::land_cover_at(land_cover, p);
-  if (top == ground::kNoLandCover) return false;
-  const map::LandCoverClass surface = land_cover.surfaces[top].surface;
-  const map::LandCoverGroup group = map::values_of(surface).group;
-  if (surface == map::LandCoverClass::kPedestrianStreet) return false;
-  return group == map::LandCoverGroup::kRoad || group == map::LandCoverGroup::kRail ||
-         group == map::LandCoverGroup::kBuilding || group == map::LandCoverGroup::kWater;
-}
-
-}  // namespace
-
 StandingThings measure_things(const bake::BakedTile& tile, const scene::Chunk& chunk,
                               const ground::LandCoverIndex& land_cover) {
   std::set<OsmId> tested;
@@ -32,7 +19,7 @@ StandingThings measure_things(const bake::BakedTile& tile, const scene::Chunk& c
       const bake::Float3& offset = instanced.translations[i];
       const Vec2 at = in_plan(Vec3{offset[0], offset[1], offset[2]} + tile.origin);
       ++found.things;
-      if (!is_no_place_for_thing(land_cover, at)) continue;
+      if (taken_land_at(land_cover, at) == nullptr) continue;
       if (found.misplaced++ == 0) found.at = at, found.first = id;
     }
   return found;

@@ -17,9 +17,8 @@ struct StandingThings {
   OsmId first{};
 };
 
-/// Tests the middle of every instance of a thing, except of those that are mapped in the way and of masts of
-/// contact lines, which measure_assumed_masts() tests. Pedestrian streets may
-/// have things. O(instances).
+/// Tests the middle of every instance of a thing, except of those that are mapped in the way and of masts of contact
+/// lines, which measure_assumed_masts() tests. Pedestrian streets are allowed. O(instances).
 /// @param land_cover  Land cover of the tile.
 StandingThings measure_things(const bake::BakedTile& tile, const scene::Chunk& chunk,
                               const ground::LandCoverIndex& land_cover);

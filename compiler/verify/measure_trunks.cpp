@@ -2,6 +2,9 @@
 
 #include <optional>
 #include <string_view>
+
+#include "compiler/verify/taken_land.h"
+
 namespace citykiln::verify {
 namespace {
 
@@ -11,22 +14,6 @@ using plants::Species;
 bool is_tree(std::string_view name, const plants::SpeciesTable& table) {
   const std::optional<Species> species = table.named(name.substr(0, name.rfind('_')));
   return species && *species != Species::kHedge && table[*species].leaf_form != plants::LeafForm::kBlade;
-}
-
-bool is_no_place(const ground::LandCoverIndex& land_cover, Vec2 p) {
-  const std::uint32_t top = ground::land_cover_at(land_cover, p);
-  if (top == ground::kNoLandCover) return false;
-  const map::LandCoverClass surface = land_cover.surfaces[top].surface;
-  if (surface == map::LandCoverClass::kPedestrianStreet) return false;
-  switch (map::values_of(surface).group) {
-    case map::LandCoverGroup::kRoad:
-    case map::LandCoverGroup::kRail:
-    case map::LandCoverGroup::kBuilding:
-    case map::LandCoverGroup::kWater:
-      return true;
-    default:
-      return false;
-  }
 }
 
 }  // namespace
@@ -40,7 +27,7 @@ Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex&
       const bake::Float3& offset = instanced.translations[i];
       const Vec2 at = in_plan(Vec3{offset[0], offset[1], offset[2]} + tile.origin);
       ++trunks.trees;
-      if (!is_no_place(land_cover, at)) continue;
+      if (taken_land_at(land_cover, at) == nullptr) continue;
       if (trunks.misplaced++ == 0) trunks.at = at, trunks.first = tile.features[instanced.features[i]];
     }
   }

@@ -18,7 +18,7 @@ struct Trunks {
 };
 
 /// Tests every instanced plant of a tile that has a trunk, which excludes hedges, grass and reed. Plants are recognised
-/// by the name of their mesh, such as "oak_3". Pedestrian streets may have trees. O(instances).
+/// by the name of their mesh, such as "oak_3". Pedestrian streets are allowed. O(instances).
 /// @param land_cover  Land cover of the tile.
 /// @param species     The species of the scene.
 Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex& land_cover,

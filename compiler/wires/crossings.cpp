@@ -1,7 +1,5 @@
 #include "compiler/wires/crossings.h"
 
-#include <array>
-
 #include "compiler/geometry/segment.h"
 
 namespace citykiln::wires {
@@ -26,7 +24,7 @@ void add_segments(const Road& road, bool is_bridge, Crossings& crossings, std::v
       segment.a_m = knot_at(road.profile, along_m).z_m, segment.b_m = knot_at(road.profile, end_m).z_m;
     along_m = end_m;
     crossings.segments.push_back(segment);
-    boxes.push_back(box_of(std::array{segment.a, segment.b}));
+    boxes.push_back(box_of_segment(segment.a, segment.b));
   }
 }
 
@@ -43,7 +41,7 @@ Crossings index_crossings(std::span<const roads::Road> roads, std::span<const st
 
 std::vector<Crossing> crossings_of(const Crossings& crossings, Vec2 a, Vec2 b) {
   std::vector<Crossing> found;
-  for (const std::uint32_t i : boxes_about(crossings.grid, box_of(std::array{a, b}))) {
+  for (const std::uint32_t i : boxes_about(crossings.grid, box_of_segment(a, b))) {
     const Crossings::Segment& segment = crossings.segments[i];
     const auto shares = crossing_shares(a, b, segment.a, segment.b);
     if (!shares) continue;

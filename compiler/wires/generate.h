@@ -15,9 +15,9 @@ struct GeneratedWires {
 };
 
 /// Generates a span. A wire is a closed prism of three sides along its parabola, which is cut into straight pieces of
-/// equal length in plan: n pieces are sag_m / n² below it. From the tolerance on at which all wires are near enough to
-/// the one in their middle, this one stands for them. A span that is no higher above the ground than the tolerance has
-/// no mesh, and its height is the error.
+/// equal length in plan: n pieces lie above it, by at most sag_m / n². From the tolerance on at which all wires are
+/// near enough to the one in their middle, this one stands for them. A span that is no higher above the ground than the
+/// tolerance has no mesh, and its height is the error.
 ///
 /// Guarantees: error_m <= tolerance_m; vertices are on the 2^-10 m grid; the same bytes on every CPU. O(pieces).
 /// @param tolerance_m  > 0.

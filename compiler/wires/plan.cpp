@@ -133,7 +133,7 @@ PlannedSpan span_between(const SpanPlanner& planner, const map::PowerLine& line,
 }
 
 bool reaches_extent(const SpanPlanner& planner, const Support& from, const Support& to) {
-  return planner.features.extent.touches(box_of(std::array{from.at, to.at}));
+  return planner.features.extent.touches(box_of_segment(from.at, to.at));
 }
 
 // The spans of a map while lines are added.

@@ -29,9 +29,11 @@ void add_supports(Supports& supports, std::span<const things::Thing> things, con
 /// those on the right; each from the highest to the lowest.
 std::vector<Vec3> ordered_holds(const Support& support, things::WireKind kind, Vec2 along);
 
-/// Returns `count` of the attachments, in their order: one side alone if that has enough of them, the right one, else
-/// the outermost. All of them if there are not more.
+/// Returns `count` of the attachments, in their order: the highest ones on the right side if that has enough of them,
+/// else the farthest from the axis of the line. All of them if there are not more.
 /// @param holds  Result of ordered_holds().
+/// @param at     Where the axis of the line passes the support (Support::at).
+/// @param along  Direction of the line, as for ordered_holds().
 std::vector<Vec3> chosen_holds(std::vector<Vec3> holds, std::size_t count, Vec2 at, Vec2 along);
 
 }  // namespace citykiln::wires

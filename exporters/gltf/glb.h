@@ -10,8 +10,8 @@
 #include "compiler/bake/baked_tile.h"
 #include "compiler/bake/place_lamps.h"
 #include "compiler/contract/compression.h"
+#include "compiler/contract/node_split.h"
 #include "compiler/contract/result.h"
-#include "compiler/contract/split.h"
 #include "compiler/contract/target.h"
 
 namespace citykiln::exporters {
@@ -21,7 +21,7 @@ struct GlbParts;  // glb_parts.h, with the JSON library
 /// How a tile is written.
 struct GlbOptions {
   Target target = Target::kGeneric;
-  Split split = Split::kLayer;
+  NodeSplit split = NodeSplit::kLayer;
   Compression compression = Compression::kNone;  ///< Must be one that the target's reader supports.
   bool has_exact_pictures = false;               ///< Images are PNG only, even if the target's reader supports more.
   std::span<const bake::PlacedLamp> lights{};    ///< Lamps to write as lights (encode_lights.h), at any time of day.
@@ -61,8 +61,10 @@ std::vector<std::byte> encode_glb(const bake::BakedTile& tile, const scene::Head
 GlbParts build_glb(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options, int threads);
 
 /// Reads a tile from a .glb that encode_glb wrote, for any target. decode_glb(encode_glb(tile)) == tile if the file is
-/// not packed and has exact pictures, and for Split::kBuilding if features ascend in the primitives of buildings, as
-/// bake() writes them. Errors: bytes that encode_glb() does not write. No bytes make the function crash (fuzzed).
+/// not packed and has exact pictures, if the target has no shades_flat, and for NodeSplit::kBuilding if features ascend
+/// in the primitives of buildings, as bake() writes them. Targets with shades_flat leave the normals of flat meshes out
+/// (flat_shading.h), which then read as those of their faces, with vertices in another order. Errors: bytes that
+/// encode_glb() does not write. No bytes make the function crash (fuzzed).
 /// @param name  The name of the file in error messages.
 Result<bake::BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string& name);
 

@@ -1,11 +1,15 @@
 #include "exporters/gltf/leaf_backs.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace citykiln::exporters {
 namespace {
 
 using bake::Primitive;
+
+// The opacity in COLOR_0 of vertices of back sides.
+constexpr std::uint8_t kBackOpacity = 254;
 
 bool is_back(const materials::Tint& tint) { return tint[3] == kBackOpacity; }
 

@@ -5,7 +5,7 @@
 // normals is right in all programs.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 
 #include "compiler/bake/baked_tile.h"
 
@@ -14,13 +14,12 @@ namespace citykiln::exporters {
 /// The number of triangles above which a primitive has no back sides and is doubleSided instead: it is for near views,
 /// and twice as many triangles would be slow.
 inline constexpr std::size_t kMostTrianglesWithBacks = 2000;
-/// The opacity in COLOR_0 that marks vertices of back sides.
-inline constexpr std::uint8_t kBackOpacity = 254;
 
 /// True if a primitive is written with back sides: cards on a cutout, at most kMostTrianglesWithBacks.
 bool has_backs(const bake::Primitive& p);
 
-/// Appends back sides: a copy of each vertex, and each triangle with reversed winding.
+/// Appends back sides: a copy of each vertex, and each triangle with reversed winding. An opacity of 254 in COLOR_0
+/// marks vertices of back sides.
 bake::Primitive with_backs(bake::Primitive p);
 
 /// Removes back sides, in any order of vertices and triangles. without_backs(with_backs(p)) == p.

@@ -147,8 +147,8 @@ flatbuffers::Offset<fbs::Climate> climate_of(flatbuffers::FlatBufferBuilder& bui
   for (const climate::ClimateNode& node : field.nodes)
     for (std::size_t i = 0; i < node.classes.size(); ++i)
       classes.push_back(static_cast<std::uint8_t>(node.classes[i])), shares.push_back(node.shares[i]);
-  return fbs::CreateClimateDirect(builder, static_cast<std::uint8_t>(field.own), field.first_column, field.first_row,
-                                  field.columns, &classes, &shares);
+  return fbs::CreateClimateDirect(builder, static_cast<std::uint8_t>(field.origin_class), field.first_column,
+                                  field.first_row, field.columns, &classes, &shares);
 }
 
 RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, const RawBytes& dictionary) {
@@ -333,7 +333,7 @@ std::optional<surroundings::Surroundings> plain(const fbs::Surroundings& s) {
 // Nothing where the values are not such as compile writes.
 std::optional<climate::ClimateField> plain(const fbs::Climate* c) {
   if (c == nullptr || c->classes() == nullptr || c->shares() == nullptr) return std::nullopt;
-  climate::ClimateField field{.own = static_cast<climate::ClimateClass>(c->own()),
+  climate::ClimateField field{.origin_class = static_cast<climate::ClimateClass>(c->own()),
                               .first_column = c->first_column(),
                               .first_row = c->first_row(),
                               .columns = c->columns(),

@@ -13,7 +13,8 @@
 
 namespace citykiln::exporters {
 
-/// Encodes a scene. Deterministic and lossless: decode_manifest(encode_manifest(scene)) == scene.
+/// Encodes a scene. Deterministic, and lossless for scenes that compile() makes, whose numbers are on the grids of the
+/// format: decode_manifest(encode_manifest(scene, threads), name, {}) == scene.
 std::vector<std::byte> encode_manifest(const scene::Scene& scene, int threads);
 
 /// Decodes a manifest. Errors: bytes that are not a complete manifest of this major version. No bytes make the function

@@ -5,16 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "exporters/rotated.h"
+
 namespace citykiln::exporters {
 namespace {
 
 constexpr double kStep_m = 0x1p-6;
-
-Vec3 turned(const bake::Float4& q, Vec3 v) {
-  const Vec3 u{q[0], q[1], q[2]};
-  const Vec3 t = cross(u, v) * 2;
-  return v + t * q[3] + cross(u, t);
-}
 
 OrientedBox box_of(const std::vector<bake::Primitive>& primitives) {
   OrientedBox box;
@@ -64,7 +60,7 @@ OrientedBox box_of(const bake::BakedTile& tile, const Axes& axes) {
     for (std::size_t i = 0; i < instanced.translations.size(); ++i)
       for (unsigned c = 0; c < 8; ++c)
         box.grow(tile.origin + bake::widened(instanced.translations[i]) +
-                 turned(instanced.rotations[i], mesh.corner(c) * instanced.scales[i]));
+                 rotated(instanced.rotations[i], mesh.corner(c) * instanced.scales[i]));
   }
   box.round_outwards(kStep_m);
   return box;

@@ -11,8 +11,8 @@ namespace citykiln::exporters {
 /// Three perpendicular unit vectors.
 using Axes = std::array<Vec3, 3>;
 
-/// A box: the points whose coordinates along the axes are in closed intervals. Metres, in the frame of a run on the
-/// ellipsoid (map/plane/globe.h). The default is empty.
+/// A box: the points whose coordinates along the axes are in closed intervals. Metres, in the frame of a run: on the
+/// ellipsoid (map/plane/globe.h), in the plane, or inside of a cylinder. The default is empty.
 struct OrientedBox {
   Axes axes{};
   std::array<double, 3> low, high;

@@ -50,7 +50,8 @@ inline constexpr std::size_t kMostTilesInFile = 256;
 ///
 /// | data                  | 3D Tiles                                                                     |
 /// |-----------------------|------------------------------------------------------------------------------|
-/// | error_m               | geometricError; of the tileset, the diagonal of its box                      |
+/// | error_m               | geometricError; of the tileset, the diagonal of the root's box, at least     |
+/// |                       | twice the root's error                                                       |
 /// | box                   | boundingVolume.box, in the frame of the run                                  |
 /// | to_earth              | transform of the root                                                        |
 /// | tolerance_m, errors   | extras of the tile                                                           |

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "compiler/contract/assumption_names.h"
+#include "exporters/joined_attributions.h"
 #include "exporters/usd/crate_writer.h"
 #include "exporters/usd/text_writer.h"
 #include "exporters/usd/usd_builder.h"
@@ -117,14 +118,10 @@ std::unique_ptr<LayerWriter> writer_of(UsdForm form, const UsdLayerHead& head) {
 
 }  // namespace
 
-std::string usd_attribution(const scene::Header& header) {
-  return fmt::format("{}", fmt::join(header.attributions, "; "));
-}
-
 UsdLevel encode_level(const bake::BakedTile& tile, const scene::Header& header, const std::string& texture_folder,
                       UsdForm form) {
-  const auto writer =
-      writer_of(form, {.default_prim = "tile", .custom_data = {{"attribution", usd_attribution(header)}}});
+  const auto writer = writer_of(
+      form, {.default_prim = "tile", .custom_data = {{"attribution", joined_attributions(header.attributions)}}});
   UsdBuilder b{.tile = tile, .writer = *writer, .texture_folder = texture_folder};
   writer->begin_prim({.type = "Xform", .name = "tile", .kind = "component", .custom_data = tile_data(tile, header)});
   for (int i = 0; i < static_cast<int>(Layer::kCount); ++i) write_layer(b, static_cast<Layer>(i));

@@ -23,7 +23,7 @@ struct UsdLevel {
 
 /// Returns the layer of a tile. It has the content of the tile's .glb, in metres from the tile's origin, z up.
 ///
-///     /tile                      customData: tile, origin_m, tolerance_m, error_m, plant_error_m, plane
+///     /tile                      customData: tile, origin_m, tolerance_m, error_m, plant_error_m, lon_0, lat_0
 ///       ground, roads, water …   an Xform for each layer (bake/layer.h) with a Mesh for each material,
 ///         Asphalt …              and a PointInstancer (usd_meshes.h)
 ///         instances/meshes
@@ -35,8 +35,5 @@ struct UsdLevel {
 /// Guarantees: deterministic; both forms have the same content. Memory: the size of the file.
 UsdLevel encode_level(const bake::BakedTile& tile, const scene::Header& header, const std::string& texture_folder,
                       UsdForm form = UsdForm::kCrate);
-
-/// Returns the attributions as one text: "© OpenStreetMap contributors; …".
-std::string usd_attribution(const scene::Header& header);
 
 }  // namespace citykiln::exporters

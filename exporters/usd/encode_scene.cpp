@@ -11,14 +11,19 @@
 #include "compiler/geometry/mathematics.h"
 #include "compiler/geometry/trig.h"
 #include "compiler/sky/recipe.h"
+#include "exporters/joined_attributions.h"
 #include "exporters/run_files.h"
-#include "exporters/usd/encode_level.h"
 #include "exporters/usd/layer_writer.h"
 #include "exporters/usd/text_writer.h"
 #include "exporters/usd/usd_names.h"
 
 namespace citykiln::exporters {
 namespace {
+
+constexpr double kSolarIlluminance_lx = 127500, kExtinction = 0.21;
+
+// The luminance in cd/m² of a radiance of 1 in USD: that of a white surface that faces the sun at the zenith.
+double usd_unit_luminance_cd_m2() { return kSolarIlluminance_lx * exponential(-kExtinction) / std::numbers::pi; }
 
 // ---- lamps ----------------------------------------------------------------------------------------------------------
 
@@ -66,8 +71,8 @@ void write_lamp(LayerWriter& writer, const bake::PlacedLamp& lamp, Vec3 origin, 
 
 // Writes the prim "lights" with a light for each lamp; writes nothing if there are no lamps. A lantern is a
 // SphereLight of 0.1 m radius with lumen / (3 pi) candela. A lamp that shines down is a DiskLight of 0.15 m radius
-// with all of its lumen. The intensity is the luminance over usd_unit_luminance_cd_m2() (encode_scene.h); the colour
-// is linear and has luminance 1. customData: lumen, temperature_k, class, osm_id, osm_type.
+// with all of its lumen. The intensity is the luminance over usd_unit_luminance_cd_m2(); the colour is
+// linear and has luminance 1. customData: lumen, temperature_k, class, osm_id, osm_type.
 // @param origin  The tile's origin, plane metres.
 void write_usd_lights(LayerWriter& writer, std::span<const bake::PlacedLamp> lamps, Vec3 origin) {
   if (lamps.empty()) return;
@@ -78,7 +83,7 @@ void write_usd_lights(LayerWriter& writer, std::span<const bake::PlacedLamp> lam
 
 // ---- light ----
 
-constexpr double kSolarIlluminance_lx = 127500, kExtinction = 0.21, kSunAngle_deg = 0.533;
+constexpr double kSunAngle_deg = 0.533;
 // Share of the sky in the illuminance of a level surface under a clear sky, sun high.
 constexpr double kSkyShare = 0.15;
 
@@ -159,7 +164,7 @@ void write_variant(TextWriter& writer, const UsdTile& tile, std::size_t n) {
 
 UsdDictionary plane_data(const scene::Header& header) {
   const auto cylinder = scene::cylinder_of(header);
-  return {{"attribution", usd_attribution(header)},
+  return {{"attribution", joined_attributions(header.attributions)},
           {"projection", cylinder ? fmt::format("inside of a cylinder around x, radius {} m", cylinder->radius_m)
                                   : std::string("transverse Mercator, WGS84, scale 1 at the origin")},
           {"lon_0", header.origin.lon_deg},
@@ -222,8 +227,6 @@ def Xform "tile" (
   writer.end_prim();
   return writer.finish();
 }
-
-double usd_unit_luminance_cd_m2() { return kSolarIlluminance_lx * exponential(-kExtinction) / std::numbers::pi; }
 
 std::vector<std::byte> encode_scene(std::span<const UsdTile> tiles, const scene::Header& header,
                                     const UsdSurroundings* around) {

@@ -24,10 +24,6 @@ struct UsdTile {
   std::vector<bake::PlacedLamp> lights{};  ///< Lamps to write as lights, at any time of day.
 };
 
-/// Returns the luminance in cd/m² of a radiance of 1 in USD: the luminance of a white surface that faces the sun at the
-/// zenith.
-double usd_unit_luminance_cd_m2();
-
 /// The layer kUsdSurroundingsName, which holds the land around the scene (bake/far/bake_surroundings.h).
 struct UsdSurroundings {
   Vec3 origin;       ///< Plane metres.

@@ -9,6 +9,7 @@
 #include "exporters/gltf/image_units.h"
 #include "exporters/gltf/leaf_backs.h"
 #include "exporters/gltf/material_names.h"
+#include "exporters/rotated.h"
 #include "exporters/usd/usd_materials.h"
 #include "exporters/usd/usd_names.h"
 
@@ -124,12 +125,6 @@ UsdBounds write_mesh(UsdBuilder& b, const std::string& name, const Primitive& fr
 }
 
 // ---- instances ----
-
-Vec3 rotated(const bake::Float4& q, Vec3 v) {
-  const Vec3 axis{q[0], q[1], q[2]};
-  const Vec3 t = cross(axis, v) * 2.0;
-  return v + t * static_cast<double>(q[3]) + cross(axis, t);
-}
 
 // The box around a placed box.
 UsdBounds placed(const UsdBounds& own, const InstancedMesh& instanced, std::size_t i) {

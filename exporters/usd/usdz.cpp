@@ -1,5 +1,6 @@
 #include "exporters/usd/usdz.h"
 
+#include <span>
 #include <utility>
 
 #include "exporters/stored_zip.h"
@@ -11,8 +12,6 @@ namespace {
 // The data of each file begin at a multiple of so many bytes, as the specification requires.
 constexpr std::size_t kAlignment = 64;
 
-}  // namespace
-
 Result<std::vector<std::byte>> pack_usdz(std::span<const UsdFile> files) {
   std::vector<ZippedFile> zipped;
   for (const UsdFile& file : files) zipped.push_back({file.name, file.bytes});
@@ -20,6 +19,8 @@ Result<std::vector<std::byte>> pack_usdz(std::span<const UsdFile> files) {
   if (!usdz) return Error{"", "a .usdz has at most 4 GB; choose one tile or a larger tolerance"};
   return usdz;
 }
+
+}  // namespace
 
 Result<std::vector<std::byte>> encode_usdz(const bake::BakedTile& tile, const scene::Header& header) {
   UsdLevel level = encode_level(tile, header, "textures/");

@@ -43,10 +43,10 @@ double distance_to_convex_m(Vec3 p, std::span<const Vec3> ring, Vec3 normal) {
 }
 
 double farthest_from_face_m(std::span<const Vec3> points, std::span<const Vec3> ring, double enough_m) {
-  const Vec3 area_m2 = area_vector_m2(ring);
-  const Vec3 normal = unit(area_m2);
+  const Vec3 twice_m2 = double_area_vector_m2(ring);
+  const Vec3 normal = unit(twice_m2);
   // a face without area has edges only
-  if (length(area_m2) < kLeastArea_m2 || !is_convex(ring, normal)) return kUnbounded_m;
+  if (length(twice_m2) < kLeastArea_m2 || !is_convex(ring, normal)) return kUnbounded_m;
   return farthest_m(points, enough_m, [&](Vec3 p) { return distance_to_convex_m(p, ring, normal); });
 }
 

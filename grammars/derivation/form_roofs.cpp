@@ -128,7 +128,7 @@ std::vector<Face> flat_faces(const Patch& patch) {
   Ring3& ring = faces.front().outer;
   const auto border = border_ring(patch.triangles);
   for (const std::uint32_t v : border.value_or(std::vector<std::uint32_t>{})) ring.push_back(patch.at[v]);
-  if (dot(normal, area_vector_m2(ring)) > kSurelyArea_m2 && !passes_twice(ring)) return faces;
+  if (dot(normal, double_area_vector_m2(ring)) > kSurelyArea_m2 && !passes_twice(ring)) return faces;
   std::vector<Edge3> edges;
   const auto add = [&](std::uint32_t from, std::uint32_t to) { edges.emplace_back(patch.at[from], patch.at[to]); };
   for (const auto& [a, b, c] : patch.triangles) add(a, b), add(b, c), add(c, a);

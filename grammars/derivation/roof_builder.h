@@ -25,7 +25,6 @@ struct RoofRequest {
   bool by_height = false;      ///< The height is given instead of the angle.
   double height_m = 0;    ///< If by_height: the height of the highest point. kMansard: the height of the lower planes.
   double overhang_m = 0;  ///< The overhang of eaves and verges.
-  bool even = false;      ///< CGA's `even` of roofGable, as written in the rule.
   std::size_t edge = 0;   ///< kShed: the index of the outer ring's edge at which the plane begins.
 };
 

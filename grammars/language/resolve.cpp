@@ -249,6 +249,12 @@ void resolve(Resolver& names, Body& body) {
   names.locals.resize(outer);
 }
 
+// The prefix of a name: "window." for "window.Frame", "" for "Frame".
+std::string prefix_of(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  return dot == std::string::npos ? "" : name.substr(0, dot + 1);
+}
+
 Resolver resolver_for(Program& program, const std::string& name, const std::vector<Local>& parameters) {
   Resolver names{program, prefix_of(name)};
   for (const Local& parameter : parameters) names.locals.push_back(parameter.name);
@@ -256,11 +262,6 @@ Resolver resolver_for(Program& program, const std::string& name, const std::vect
 }
 
 }  // namespace
-
-std::string prefix_of(const std::string& name) {
-  const std::size_t dot = name.rfind('.');
-  return dot == std::string::npos ? "" : name.substr(0, dot + 1);
-}
 
 std::optional<Error> resolve(Program& program) {
   for (Attribute& attribute : program.attributes) {

@@ -13,7 +13,4 @@ namespace citykiln::grammars {
 /// a name up with the prefix of the definition that contains it. Returns the first error, if there is one.
 std::optional<Error> resolve(Program& program);
 
-/// Returns the prefix of a name: "window." for "window.Frame", "" for "Frame".
-std::string prefix_of(const std::string& name);
-
 }  // namespace citykiln::grammars

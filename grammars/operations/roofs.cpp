@@ -79,7 +79,6 @@ void build_roofs(Execution& execution, const Statement& statement, const RoofReq
 void op_roof_gable(Execution& execution, const Statement& statement, Arguments arguments) {
   RoofRequest request = request_for(RoofKind::kGable, arguments);
   request.overhang_m = std::max(number_or(arguments, 1, 0), number_or(arguments, 2, 0));
-  request.even = arguments.size() > 3 && truth_of(arguments[3].value);
   build_roofs(execution, statement, request);
 }
 

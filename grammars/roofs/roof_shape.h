@@ -49,7 +49,7 @@ std::string_view name_of(RoofForm form);
 std::optional<RoofForm> form_named(std::string_view name);
 
 /// The line where the lower and the upper slopes of a mansard roof meet: its height over the eaves, and the angle of
-/// the upper slopes, below 85.
+/// the upper slopes; above 85 counts as 85.
 struct Knee {
   double height_m = 0, upper_angle_deg = 0;
   bool operator==(const Knee&) const = default;
@@ -60,13 +60,15 @@ struct Knee {
 struct RoofShape {
   RoofForm form = RoofForm::kFlat;
   double height_m = 0;              ///< The height of the highest point over the eaves plane.
-  double angle_deg = 0;             ///< The angle of the main slopes, below 85.
+  double angle_deg = 0;             ///< The angle of the main slopes; above 85 counts as 85.
   double levels = 0;                ///< Storeys in the roof.
   std::optional<Vec2> direction{};  ///< Downhill direction of the main roof plane, of any length above 0.
   /// roof:orientation=across: the ridge is along the shorter side. `direction` takes precedence.
   bool is_ridge_across = false;
-  double overhang_m = 0;       ///< The overhang of the eaves, in plan.
-  std::optional<Knee> knee{};  ///< The knee of a mansard roof. If set, angle_deg is the angle of the lower slopes.
+  double overhang_m = 0;  ///< The overhang of the eaves, in plan.
+  /// The knee of a mansard roof. angle_deg is then the angle of the lower slopes. Ignored if height_m is given or
+  /// angle_deg is 0.
+  std::optional<Knee> knee{};
   bool operator==(const RoofShape&) const = default;
 };
 

@@ -123,7 +123,7 @@ bool surrounds(const Face& face, Vec3 p, const FaceFrame& frame) {
 }
 
 // The area of the outer ring, holes included.
-double outer_m2(const Face& face) { return length(area_vector_m2(face.outer)) / 2; }
+double outer_m2(const Face& face) { return length(double_area_vector_m2(face.outer)) / 2; }
 
 // Faces of rings: those that turn with the normal are outer rings, the others are holes of the smallest outer ring
 // around them.
@@ -132,7 +132,7 @@ std::vector<Face> nested(const std::vector<Ring3>& rings, Vec3 normal) {
   std::vector<Ring3> holes;
   for (const Ring3& raw : rings) {
     const Ring3 ring = without_repeats(raw);
-    const double twice_area_m2 = dot(normal, area_vector_m2(ring));
+    const double twice_area_m2 = dot(normal, double_area_vector_m2(ring));
     if (ring.size() < 3 || std::abs(twice_area_m2) < kNoArea_m2) continue;
     if (twice_area_m2 > 0) {
       faces.emplace_back().outer = ring;
@@ -290,7 +290,7 @@ bool is_simple(const Face& face) {
   return face.holes.empty() && face.outer.size() <= kMostSimple && face.outer.size() >= 3;
 }
 
-bool has_area(const Ring3& ring) { return ring.size() >= 3 && length(area_vector_m2(ring)) >= kNoArea_m2; }
+bool has_area(const Ring3& ring) { return ring.size() >= 3 && length(double_area_vector_m2(ring)) >= kNoArea_m2; }
 
 Heights upside_down(const Heights& ring_heights, std::size_t count) {
   Heights turned;

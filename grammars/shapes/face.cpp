@@ -35,7 +35,7 @@ Ring3 lifted_ring(std::span<const Vec2> ring, const FaceFrame& frame, const Face
 
 }  // namespace
 
-Vec3 area_vector_m2(std::span<const Vec3> ring) {
+Vec3 double_area_vector_m2(std::span<const Vec3> ring) {
   // the cross product of the diagonals
   if (ring.size() == 4) return cross(ring[2] - ring[0], ring[3] - ring[1]);
   Vec3 sum;
@@ -43,14 +43,14 @@ Vec3 area_vector_m2(std::span<const Vec3> ring) {
   return sum;
 }
 
-Vec3 area_vector_m2(const Face& face) {
-  Vec3 sum = area_vector_m2(face.outer);
-  for (const Ring3& hole : face.holes) sum = sum + area_vector_m2(hole);
+Vec3 double_area_vector_m2(const Face& face) {
+  Vec3 sum = double_area_vector_m2(face.outer);
+  for (const Ring3& hole : face.holes) sum = sum + double_area_vector_m2(hole);
   return sum;
 }
 
-Vec3 normal_of(const Face& face) { return unit(area_vector_m2(face.outer)); }
-double area_m2(const Face& face) { return length(area_vector_m2(face)) / 2; }
+Vec3 normal_of(const Face& face) { return unit(double_area_vector_m2(face.outer)); }
+double area_m2(const Face& face) { return length(double_area_vector_m2(face)) / 2; }
 
 double bend_m(const Face& face) {
   const Vec3 normal = normal_of(face);

@@ -51,8 +51,8 @@ struct CutPlane {
 inline constexpr double kOnPlane_m = 0x1p-24;
 
 /// Returns a vector along the normal whose length is twice the area (Newell). O(n).
-Vec3 area_vector_m2(std::span<const Vec3> ring);
-Vec3 area_vector_m2(const Face& face);
+Vec3 double_area_vector_m2(std::span<const Vec3> ring);
+Vec3 double_area_vector_m2(const Face& face);
 /// Returns the unit normal of the outer ring; {0, 0, 0} for a face without area.
 Vec3 normal_of(const Face& face);
 double area_m2(const Face& face);

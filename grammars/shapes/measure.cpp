@@ -20,7 +20,9 @@ bool has_reflex_corner(const Face& face) {
 }
 
 // Three times the volume of the pyramid from `apex` over the face.
-double pyramid_m3(const Face& face, Vec3 apex) { return dot(area_vector_m2(face) * 0.5, face.outer.front() - apex); }
+double pyramid_m3(const Face& face, Vec3 apex) {
+  return dot(double_area_vector_m2(face) * 0.5, face.outer.front() - apex);
+}
 
 }  // namespace
 

@@ -16,7 +16,7 @@ namespace citykiln::grammars {
 /// A closed surface, and its Hausdorff distance from the exact body.
 struct RoundBody {
   std::vector<Face> faces;  ///< Planar, counter-clockwise seen from outside, sharing their corners bit for bit.
-  double deviation_m = 0;   ///< At most this; 0 for bodies with a given number of sides, which are exact prisms.
+  double deviation_m = 0;   ///< At most this; 0 for bodies with a given number of sides, which are exact.
 };
 
 /// The way in which a round body is divided into faces.
@@ -37,11 +37,13 @@ int sides_for(double radius_m, double most_m);
 /// scope's rectangle, so that one of four sides is the scope's box. O(sides).
 RoundBody cylinder_in(const Scope& scope, int axis, double top, RoundSides sides);
 
-/// Returns the ellipsoid that fills the scope. Guarantees as of cylinder_in(). O(sides²).
+/// Returns the ellipsoid that fills the scope. It has at least 4 sides. With given sides, corners lie on the ellipsoid,
+/// so the body touches the scope only at its poles and where a corner faces a side. Closed; uses no function of libm
+/// other than the square root. O(sides²).
 RoundBody sphere_in(const Scope& scope, int axis, RoundSides sides);
 
 /// Returns the half of an ellipsoid that stands on the near end of the scope along `axis` and fills the scope.
-/// Guarantees as of cylinder_in(). O(sides²).
+/// Sides and guarantees as of sphere_in(). O(sides²).
 RoundBody dome_in(const Scope& scope, int axis, RoundSides sides);
 
 }  // namespace citykiln::grammars

@@ -79,16 +79,21 @@ std::vector<Camera> cameras_along(std::span<const Vec3> line, const Film& film) 
 
 std::vector<Camera> turntable(const Camera& first, const Film& film) {
   assert(film.frames > 0);
-  const Vec3 arm = first.eye - first.look_at;
-  const auto turned = [&](double turns) {
+  const auto turned = [](Vec3 v, double turns) {
     const double angle = 2 * std::numbers::pi * turns, c = std::cos(angle), s = std::sin(angle);
-    return Pose{first.look_at + Vec3{c * arm.x - s * arm.y, s * arm.x + c * arm.y, arm.z}, first.look_at};
+    return Vec3{c * v.x - s * v.y, s * v.x + c * v.y, v.z};
+  };
+  const auto pose = [&](double turns) {
+    return Pose{first.look_at + turned(first.eye - first.look_at, turns), first.look_at};
   };
   std::vector<Camera> cameras;
   for (int frame = 0; frame < film.frames; ++frame) {
     const double open = frame, closed = frame + film.shutter_s * kFramesPerSecond;
-    cameras.push_back(camera_between(turned(open / film.frames), turned(closed / film.frames), film));
-    cameras.back().vertical_fov_deg = first.vertical_fov_deg;
+    Camera camera = camera_between(pose(open / film.frames), pose(closed / film.frames), film);
+    camera.vertical_fov_deg = first.vertical_fov_deg;
+    camera.lens_radius_m = first.lens_radius_m, camera.focus_m = first.focus_m;
+    camera.up = turned(first.up, open / film.frames);
+    cameras.push_back(camera);
   }
   return cameras;
 }

@@ -30,7 +30,8 @@ double length_m(std::span<const Vec3> line);
 std::vector<Camera> cameras_along(std::span<const Vec3> line, const Film& film);
 
 /// Returns cameras on a circle around `first.look_at`, counter-clockwise from above. The first camera is `first`; the
-/// last one is a step before it.
+/// last one is a step before it. All have its field of view, lens and focus, and its vertical turns with them. Only
+/// `frames` and `shutter_s` of the film count.
 std::vector<Camera> turntable(const Camera& first, const Film& film);
 
 }  // namespace citykiln::preview

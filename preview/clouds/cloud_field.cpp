@@ -52,12 +52,12 @@ CloudLight light_on_clouds(const sky::SkyModel& model) {
   return light;
 }
 
-CloudField::CloudField(std::span<const sky::CloudLayer> layers, const CloudLight& light, Vec3 eye, double finest,
+CloudField::CloudField(std::span<const sky::CloudLayer> layers, const CloudLight& light, Vec3 eye, double finest_rad,
                        int threads)
     : light_(light) {
   std::vector<sky::CloudLayer> upwards(layers.begin(), layers.end());
   std::ranges::stable_sort(upwards, {}, &sky::CloudLayer::base_m);
-  for (const sky::CloudLayer& layer : upwards) layers_.push_back({CloudSpheres(layer, eye, finest), {}});
+  for (const sky::CloudLayer& layer : upwards) layers_.push_back({CloudSpheres(layer, eye, finest_rad), {}});
   light_all(threads);
 }
 

@@ -50,9 +50,10 @@ inline constexpr double kDropletAsymmetry = 0.85;
 class CloudField {
  public:
   /// Makes the clouds of all layers around an eye. Cost: O(n log n) in the particles.
-  /// @param eye  Plane metres.
-  /// @param finest   The vertical radius of the smallest particles, as an angle at the eye in radians.
-  CloudField(std::span<const sky::CloudLayer> layers, const CloudLight& light, Vec3 eye, double finest, int threads);
+  /// @param eye         Plane metres.
+  /// @param finest_rad  The vertical radius of the smallest particles, as an angle at the eye.
+  CloudField(std::span<const sky::CloudLayer> layers, const CloudLight& light, Vec3 eye, double finest_rad,
+             int threads);
   /// Makes one layer of given particles, in the layer's frame (sky::LayerFrame).
   CloudField(const sky::CloudLayer& layer, std::vector<sky::CloudParticle> spheres, const CloudLight& light,
              CloudEdges edges);

@@ -52,14 +52,14 @@ struct CloudSpheres::Calls {
   }
 };
 
-CloudSpheres::CloudSpheres(const sky::CloudLayer& layer, Vec3 eye, double finest)
+CloudSpheres::CloudSpheres(const sky::CloudLayer& layer, Vec3 eye, double finest_rad)
     : frame_(sky::frame_of(layer)), extinction_per_m_(sky::extinction_per_m(layer.kind)) {
   const Box2 around = sky::within_limit(layer, Box2{in_plan(eye), in_plan(eye)}.widened(kFarthestCloud_m));
   for (const sky::Cloud& cloud : sky::clouds_in(layer, around)) {
     const Vec3 middle = frame_.out_of(at_height(cloud.centre, cloud.height_m / 2));
     const double away_m = std::max(0.0, length(middle - eye) - cloud.radius_m);
     if (length(in_plan(middle - eye)) > kFarthestCloud_m) continue;
-    const double finest_m = std::max(kFinest_m, finest * away_m) / frame_.flatten;
+    const double finest_m = std::max(kFinest_m, finest_rad * away_m) / frame_.flatten;
     for (const sky::CloudParticle& sphere : sky::generate_cloud(layer, cloud, finest_m).spheres)
       spheres_.push_back(sphere);
     ++clouds_;

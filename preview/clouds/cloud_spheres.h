@@ -26,8 +26,8 @@ enum class CloudEdges { kSharp, kSoft };
 class CloudSpheres {
  public:
   /// Generates the clouds of a layer around an eye (plane metres), with soft edges. Each cloud has particles as fine as
-  /// pixels need: down to a vertical radius of `finest` (radians) times its distance from the eye, but not below 12 m.
-  CloudSpheres(const sky::CloudLayer& layer, Vec3 eye, double finest);
+  /// pixels need: down to a vertical radius of `finest_rad` times its distance from the eye, but not below 12 m.
+  CloudSpheres(const sky::CloudLayer& layer, Vec3 eye, double finest_rad);
   /// Takes given particles, in the layer's frame (sky::LayerFrame).
   CloudSpheres(const sky::CloudLayer& layer, std::vector<sky::CloudParticle> spheres, CloudEdges edges);
   ~CloudSpheres();

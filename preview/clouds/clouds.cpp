@@ -6,10 +6,10 @@
 
 namespace citykiln::preview {
 
-Clouds::Clouds(std::span<const sky::CloudLayer> layers, const sky::SkyModel& model, Vec3 eye, double finest,
+Clouds::Clouds(std::span<const sky::CloudLayer> layers, const sky::SkyModel& model, Vec3 eye, double finest_rad,
                CloudMethod method, int threads)
     : model_(model),
-      field_(layers, light_on_clouds(model), eye, finest, threads),
+      field_(layers, light_on_clouds(model), eye, finest_rad, threads),
       shadow_(field_, field_.light().to_sun, in_plan(eye), threads),
       dome_(field_, model, eye, threads),
       method_(method) {}

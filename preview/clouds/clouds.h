@@ -16,9 +16,9 @@ enum class CloudMethod { kApproximate, kPaths };
 /// All clouds of a picture, with their tables. Thread-safe; the same bits for any number of threads.
 class Clouds {
  public:
-  /// @param eye  Plane metres.
-  /// @param finest   The vertical radius of the smallest particles of clouds, as an angle at the eye in radians.
-  Clouds(std::span<const sky::CloudLayer> layers, const sky::SkyModel& model, Vec3 eye, double finest,
+  /// @param eye         Plane metres.
+  /// @param finest_rad  The vertical radius of the smallest particles of clouds, as an angle at the eye.
+  Clouds(std::span<const sky::CloudLayer> layers, const sky::SkyModel& model, Vec3 eye, double finest_rad,
          CloudMethod method, int threads);
 
   /// Returns the clouds that a ray of the camera, or of a mirror, sees.

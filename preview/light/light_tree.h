@@ -41,7 +41,7 @@ struct LightChoice {
 /// above 0, so the choice is unbiased. Source: Conty Estevez, Kulla, "Importance Sampling of Many Lights with Adaptive
 /// Tree Splitting", PACMCGIT 1(2), 2018.
 ///
-/// Immutable and thread-safe. Memory: some 130 bytes a source. Cost: O(n log n), then O(log n) per choice.
+/// Immutable and thread-safe. Memory: some 260 bytes a source. Cost: O(n log n), then O(log n) per choice.
 class LightTree {
  public:
   /// Builds the tree. Sources without flux are never chosen.

@@ -30,14 +30,15 @@ class LocalLights {
   bool has_emitters() const { return !emitter_tree_.is_empty(); }
   /// Returns the lit windows, which are sampled by PaneLights::sample().
   const PaneLights& pane_lights() const { return panes_; }
-  /// Samples a lamp for a place, with LightSample::pdf 0. Empty: no lamp lights the place.
+  /// Samples a lamp for a place, with LightSample::pdf 0. Empty: the lamp that was drawn does not light the place, or
+  /// none does.
   /// @param at      The place that receives light, in the frame of the world.
   /// @param normal  Unit normal of a surface at the place, which receives light only from its front. Zero: from all
   /// directions.
   /// @param chance  A uniform random number in [0, 1).
   std::optional<LightSample> sample_lamp(Vec3 at, Vec3 normal, double chance) const;
   /// Samples an emitter for a place, and a point on the emitter. Empty: no emitter lights the place, or the place is
-  /// behind the emitter.
+  /// behind the one that was drawn.
   /// @param point  Two uniform random numbers in [0, 1), for the point on the emitter.
   std::optional<LightSample> sample_emitter(Vec3 at, Vec3 normal, double chance, UnitPair point) const;
   /// True if sample_emitter() can give this emitter.

@@ -33,7 +33,7 @@ struct PaneSample {
 /// The index of a pane where there is none.
 inline constexpr std::uint32_t kNoPane = std::numeric_limits<std::uint32_t>::max();
 
-/// The lit panes of buildings, from which directions are sampled. Immutable and thread-safe. Memory: some 250 bytes a
+/// The lit panes of buildings, from which directions are sampled. Immutable and thread-safe. Memory: some 360 bytes a
 /// pane.
 class PaneLights {
  public:

@@ -12,7 +12,7 @@ inline constexpr double kMeanLuminance = 0.9;
 /// Returns the factor of exposure by the brightness of a picture. A picture with a geometric mean luminance above
 /// kMeanLuminance is darkened to kMeanLuminance; a darker one is brightened by three quarters of the stops to
 /// kMeanLuminance, so that pictures by night remain dark. From 2^-10 to 2^20; 1 for a black picture. The brightest
-/// fiftieth of the pixels, and pixels without light, do not count.
+/// fiftieth of the pixels, pixels without light, and pixels darker than 1/300 of the 90th percentile do not count.
 double auto_exposure(const Image& image);
 
 /// The exposure, in stops below kMeanLuminance, to which pictures by day in deep shade are brightened.

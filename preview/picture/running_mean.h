@@ -30,7 +30,7 @@ class RunningMean {
   /// @param has_guides  Whether guides are kept, which take 64 bytes more a pixel.
   RunningMean(int width, int height, bool has_guides);
 
-  /// Returns the picture with the samples added until now, without guides.
+  /// Returns the picture with the samples added until now. Its guides, if they are kept, are unfinished until finish().
   const Image& image() const { return image_; }
 
   /// Adds samples to a pixel.

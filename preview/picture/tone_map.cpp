@@ -36,7 +36,7 @@ double dither_at(int x, int y) {
   return fraction(52.9829189 * fraction(0.06711056 * x + 0.00583715 * y));
 }
 
-std::array<std::uint8_t, 3> tone_map(const float* rgb, double rounding) {
+std::array<std::uint8_t, 3> tone_map(std::span<const float, 3> rgb, double rounding) {
   Row light;
   for (int c = 0; c < 3; ++c) {
     const double v = std::isfinite(rgb[c]) ? std::max(0.0f, rgb[c]) : 0;

@@ -13,10 +13,6 @@ namespace {
 // The names of a picture's parts in its file. OpenImageIO calls PNG's and OpenEXR's own texts by these names.
 constexpr const char* kCredit = "\u00a9 OpenStreetMap contributors, ODbL 1.0";
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 // OSM ids as whole numbers of 32 bits: an id may have more than 32, which float channels cannot hold exactly.
 struct IdChannels {
   std::vector<std::uint32_t> low, high, type;
@@ -60,7 +56,8 @@ std::vector<std::uint8_t> dithered_bytes(const Image& image) {
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const std::size_t first = (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + x) * 3;
-      for (const std::uint8_t byte : tone_map(&image.rgb[first], dither_at(x, y))) bytes.push_back(byte);
+      for (const std::uint8_t byte : tone_map(std::span<const float, 3>(&image.rgb[first], 3), dither_at(x, y)))
+        bytes.push_back(byte);
     }
   return bytes;
 }
@@ -86,8 +83,8 @@ Result<Done> write_part(const std::string& part, const Image& image, const std::
 }  // namespace
 
 Result<Done> write_image(const Image& image, const std::string& path, const std::vector<Metadata>& metadata) {
-  const bool is_exr = ends_with(path, ".exr");
-  if (!is_exr && !ends_with(path, ".png")) return Error{path, "expected a name that ends in .png or .exr"};
+  const bool is_exr = path.ends_with(".exr");
+  if (!is_exr && !path.ends_with(".png")) return Error{path, "expected a name that ends in .png or .exr"};
   const IdChannels ids = id_channels(is_exr ? image.guides.feature : std::vector<OsmId>{});
   const std::vector<std::uint8_t> bytes = is_exr ? std::vector<std::uint8_t>{} : dithered_bytes(image);
   std::vector<CitykilnChannel> channels;

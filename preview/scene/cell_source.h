@@ -37,7 +37,7 @@ class CellSource {
   /// Returns the number of times that a tile was prepared.
   std::size_t tiles_prepared() const { return prepared_; }
   /// Drops the prepared tile that was used least recently. Returns false if no tile but the one of the last bake is
-  /// prepared.
+  /// prepared, or if another thread prepares that tile now.
   bool drop_tile() const;
 
  private:

@@ -1,5 +1,6 @@
 #include "preview/scene/cutout_texture.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace citykiln::preview {
@@ -35,6 +36,7 @@ bool CutoutTexture::is_there(Vec2 at_m) const {
 }
 
 Vec3 CutoutTexture::normal(const TextureFootprint& footprint) const {
+  assert(has_normals());
   const auto [u, v, out] = normal_->mean(footprint);
   return unit(Vec3{u, v, out});
 }

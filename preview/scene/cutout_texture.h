@@ -17,12 +17,12 @@ class CutoutTexture {
   explicit CutoutTexture(const impostor::Cutout& cutout);
 
   /// True if the cutout has no hole at a point: the opacity, interpolated between four texels, is at least
-  /// impostor::kAlphaCutoff.
+  /// impostor::kAlphaCutoff - 0.5.
   /// @param at_m  Metres on the image.
   bool is_there(Vec2 at_m) const;
   /// Returns the mean linear reflectance over a footprint.
   std::array<double, 3> colour(const TextureFootprint& footprint) const { return colour_.mean(footprint); }
-  /// Returns the unit normal over a footprint: its components along u, against v, and outwards.
+  /// Returns the unit normal over a footprint: its components along u, against v, and outwards. Requires has_normals().
   Vec3 normal(const TextureFootprint& footprint) const;
   bool has_normals() const { return normal_.has_value(); }
   const impostor::Cutout& cutout() const { return *cutout_; }

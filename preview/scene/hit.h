@@ -27,8 +27,8 @@ struct Hit : SurfacePoint {
   double rounding_m = 0;
 };
 
-/// Returns an origin for rays that leave a hit without hitting it again: moved off the surface by the hit's rounding,
-/// to the side of the direction.
+/// Returns an origin for rays that leave a hit without hitting it again: moved off the surface by twice the hit's
+/// rounding, to the side of the direction.
 Vec3 leave(const Hit& hit, Vec3 direction);
 
 }  // namespace citykiln::preview

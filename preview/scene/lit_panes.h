@@ -13,11 +13,13 @@ namespace citykiln::preview {
 /// A vertical rectangle of a building that shines outwards: a curtain, or the opening of a lit room.
 struct LitPane {
   OsmId building;
-  Vec3 corner;           ///< Lower left, seen from outside, plane metres.
-  Vec2 along{1, 0};      ///< Unit; the outward normal is (along.y, -along.x).
-  double width_m = 0;    ///< > 0.
-  double height_m = 0;   ///< > 0.
-  double luminance = 0;  ///< Mean luminance, approximately, in the sky's unit. > 0.
+  Vec3 corner;          ///< Lower left, seen from outside, plane metres.
+  Vec2 along{1, 0};     ///< Unit; the outward normal is (along.y, -along.x).
+  double width_m = 0;   ///< > 0.
+  double height_m = 0;  ///< > 0.
+  /// Mean luminance, approximately, as a share of materials::kEmission_cd_m2. Panes are sampled in proportion to it, so
+  /// that only ratios matter. > 0.
+  double luminance = 0;
 };
 
 /// The distance from the nearest eye beyond which buildings are left out.

@@ -22,8 +22,6 @@ struct RefiningPicture::Work {
   std::optional<Camera> wanted{};  // not started yet
   bool is_moving = false, is_ended = false;
   std::optional<Image> newer{};
-  // by the thread that shows pictures
-  Image latest{};
 
   std::atomic<bool> is_stopped = false;
   std::thread thread{};
@@ -86,10 +84,7 @@ std::optional<Image> RefiningPicture::take_newer() {
   const std::lock_guard one_at_a_time(work_->mutex);
   std::optional<Image> taken = std::move(work_->newer);
   work_->newer.reset();
-  if (taken && taken->width == work_->options.width) work_->latest = *taken;
   return taken;
 }
-
-const Image& RefiningPicture::latest() const { return work_->latest; }
 
 }  // namespace citykiln::preview

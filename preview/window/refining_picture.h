@@ -22,8 +22,6 @@ class RefiningPicture {
   void restart(const Camera& camera, bool is_moving);
   /// Returns the picture with the samples taken until now, if it is newer than the picture returned before; else empty.
   std::optional<Image> take_newer();
-  /// Returns the last picture of full size that take_newer() returned; empty before the first.
-  const Image& latest() const;
 
  private:
   struct Work;

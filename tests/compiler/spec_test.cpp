@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "compiler/parse_values.h"
+#include "compiler/settings.h"
 #include "tests/scratch_folder.h"
 
 namespace citykiln {
@@ -110,16 +112,16 @@ TEST(Spec, ACylinderHasARadius) {
 
 TEST(Spec, RefusesACompressionThatTheTargetCannotRead) {
   Outputs outputs;
-  EXPECT_TRUE(fits_target(outputs));
+  EXPECT_TRUE(check_target(outputs));
   outputs.compress = Compression::kMeshopt;
-  const Result<Done> refused = fits_target(outputs);
+  const Result<Done> refused = check_target(outputs);
   ASSERT_FALSE(refused);
   EXPECT_EQ(to_string(refused.error()),
             "--compress: meshopt cannot be read by the target generic; add --target three, cesium or unity");
   outputs.target = Target::kThree;
-  EXPECT_TRUE(fits_target(outputs));
+  EXPECT_TRUE(check_target(outputs));
   outputs.target = Target::kGeneric, outputs.glb = false;
-  EXPECT_TRUE(fits_target(outputs)) << "without .glb tiles the target matters to nothing";
+  EXPECT_TRUE(check_target(outputs)) << "without .glb tiles the target matters to nothing";
 }
 
 TEST(Spec, IsUnchangedByInvalidValues) {
@@ -173,11 +175,11 @@ TEST(SpecFile, ErrorsNameFileAndPlace) {
 
 TEST(Spec, IsCompleteWithAMapAndAFolder) {
   CompileSpec spec;
-  EXPECT_FALSE(is_complete(spec));
+  EXPECT_FALSE(check_complete(spec));
   spec.map_path = "a.osm";
-  EXPECT_FALSE(is_complete(spec));
+  EXPECT_FALSE(check_complete(spec));
   spec.outputs.folder = "out";
-  EXPECT_TRUE(is_complete(spec));
+  EXPECT_TRUE(check_complete(spec));
 }
 
 TEST(Spec, StrictTakesCodes) {

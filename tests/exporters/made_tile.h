@@ -4,6 +4,7 @@
 #include <random>
 
 #include "compiler/bake/image_uvs.h"
+#include "compiler/materials/texture_cache.h"
 
 namespace citykiln::exporters {
 
@@ -162,7 +163,7 @@ inline bake::BakedTile made_textured_tile(std::uint32_t seed) {
   tile.instanced[0].primitives.back().features.clear();
   const Material shown[] = {Material::kGrass, Material::kWater, Material::kRock, Material::kStone,
                             Material::kPlatedBark};
-  tile.textures = materials::textures_of(shown, 0.05, seed);
+  tile.textures = materials::TextureCache(seed).textures_of(shown, 0.05);
   return tile;
 }
 

@@ -22,7 +22,7 @@ void check_tree(const std::string& text) {
   Result<lsystems::TreeParameters> tree = lsystems::read_weber_penn(text, "fuzz.tree");
   if (!tree) return check_error(tree.error());
   const lsystems::GrownTree grown = lsystems::grow_tree(*tree, 1);
-  if (grown.skeleton.segments.size() + grown.skeleton.instances.size() > lsystems::kMostTreeParts) std::abort();
+  if (grown.skeleton.segments.size() + grown.skeleton.instances.size() > lsystems::kMostPlantParts) std::abort();
   lsystems::check_skeleton(grown.skeleton);
   if (grown.stopped) return;
   const lsystems::GrownTree again = lsystems::grow_tree(*tree, 1);

@@ -5,6 +5,6 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   citykiln::verify::CheckResults results;
-  (void)citykiln::verify::read_tileset(std::string(reinterpret_cast<const char*>(data), size), "raw", results);
+  (void)citykiln::verify::check_tileset_file(std::string(reinterpret_cast<const char*>(data), size), "raw", results);
   return 0;
 }

@@ -25,14 +25,14 @@ struct TownHouse : testing::Test {
 Vec3 area_vector_sum_m2(const Derivation& derivation) {
   Vec3 sum;
   for (const Terminal& terminal : derivation.terminals)
-    for (const Face& face : terminal.faces) sum = sum + area_vector_m2(face) * 0.5;
+    for (const Face& face : terminal.faces) sum = sum + double_area_vector_m2(face) * 0.5;
   return sum;
 }
 
 double derived_volume_m3(const Derivation& derivation) {
   double sum = 0;
   for (const Terminal& terminal : derivation.terminals)
-    for (const Face& face : terminal.faces) sum += dot(area_vector_m2(face) * 0.5, face.outer.front()) / 3;
+    for (const Face& face : terminal.faces) sum += dot(double_area_vector_m2(face) * 0.5, face.outer.front()) / 3;
   return sum;
 }
 

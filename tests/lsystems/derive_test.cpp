@@ -198,6 +198,23 @@ TEST(Limits, HoldForDecompositionAndNumbers) {
   EXPECT_LE(derive(wide, options).string.values.size(), 4'000u);
 }
 
+TEST(Limits, AreNamedIfTheInterpretationForAQueryExceedsThem) {
+  DeriveOptions options;
+  options.limits.symbols = 1'000;
+  const LSystem large = system_of("axiom: F?H(0)\ninterpretation:\nmaximum depth: 9\nF -> FFFFFFFFFF");
+  const Derivation derivation = derive(large, options);
+  ASSERT_TRUE(derivation.limit_exceeded);
+  EXPECT_EQ(derivation.limit_exceeded->kind, LimitKind::kSymbols);
+  EXPECT_EQ(limit_line(large, *derivation.limit_exceeded),
+            "x.lsys: stopped at step 0: the string would have more than 1000 symbols");
+  options.limits.work = 50;
+  std::string text = "axiom: F?H(0)\ninterpretation:\n";
+  for (int i = 0; i < 100; ++i) text += "F : 1 > 2 -> G\n";
+  const Derivation slow = derive(system_of(text), options);
+  ASSERT_TRUE(slow.limit_exceeded);
+  EXPECT_EQ(slow.limit_exceeded->kind, LimitKind::kWork);
+}
+
 TEST(Troubles, StandForNumbersWithoutValue) {
   const LSystem system = system_of("axiom: A(0)A(2)A(0)\nA(x) -> F(1/x)G(sqrt(0-x)) ");
   const Derivation derivation = derive(system, {.steps = 1});

@@ -393,7 +393,7 @@ TEST(Leaves, HaveTheAreaOfTheirPolygons) {
   // an arrow head, which is not convex
   const std::vector<Vec2> ring{{0.5, 0.5}, {0, 2}, {0, 0}, {2, 0}};
   double area = 0;
-  for (const Triangle& t : ears_of(ring)) {
+  for (const Triangle& t : triangulate_ring(ring)) {
     const double twice = cross(ring[t[1]] - ring[t[0]], ring[t[2]] - ring[t[0]]);
     EXPECT_GT(twice, 0);
     area += twice / 2;

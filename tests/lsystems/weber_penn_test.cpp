@@ -164,7 +164,7 @@ TEST(WeberPenn, TreesAreBounded) {
   EXPECT_EQ(tree_error_of(three), "x.tree: expected at most 4000000 stems, found parameters for 1001001001");
   const GrownTree large = grow_tree(tree_of("Levels = 2\n1Branches = 100000\n1CurveRes = 64\n"), 0);
   EXPECT_TRUE(large.stopped);
-  EXPECT_LE(large.skeleton.segments.size(), kMostTreeParts);
+  EXPECT_LE(large.skeleton.segments.size(), kMostPlantParts);
   EXPECT_FALSE(grow_tree(published("weeping_willow"), 0).stopped);
   // clones double with each of 63 segments
   EXPECT_TRUE(grow_tree(tree_of("Levels = 1\n0CurveRes = 64\n0SegSplits = 1\n"), 0).stopped);

@@ -61,5 +61,17 @@ TEST(Turntable, GoesAroundOnceAtTheSameDistance) {
   for (const Camera& camera : cameras) EXPECT_EQ(camera.vertical_fov_deg, 40);
 }
 
+TEST(Turntable, KeepsTheLensTheFocusAndTheVerticalOfTheFirstCamera) {
+  Camera first{{10, 0, 5}, {0, 0, 1}, 40};
+  first.lens_radius_m = 0.01, first.focus_m = 7, first.up = {0.6, 0, 0.8};
+  const auto cameras = turntable(first, {.frames = 4});
+  EXPECT_EQ(cameras[0].up, first.up);
+  EXPECT_LT(length(cameras[1].up - Vec3{0, 0.6, 0.8}), 1e-9);
+  for (const Camera& camera : cameras) {
+    EXPECT_EQ(camera.lens_radius_m, 0.01);
+    EXPECT_EQ(camera.focus_m, 7);
+  }
+}
+
 }  // namespace
 }  // namespace citykiln::preview

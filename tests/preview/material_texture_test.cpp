@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "compiler/materials/texture_cache.h"
 #include "preview/scene/world.h"
 #include "tests/preview/near_colours.h"
 #include "tests/preview/solids.h"
@@ -66,7 +67,7 @@ bake::BakedTile field_of_rows(Material material) {
   tile.primitives = {floor({0, 0, 0}, {32, 32, 0}, material)};
   for (const bake::Float3& at : tile.primitives[0].positions) tile.primitives[0].uvs.push_back({at[1], at[0]});
   const Material shown[] = {material};
-  tile.textures = materials::textures_of(shown, 0.05, 1);
+  tile.textures = materials::TextureCache(1).textures_of(shown, 0.05);
   return tile;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "compiler/materials/texture_cache.h"
 #include "tests/preview/solids.h"
 
 namespace citykiln::preview {
@@ -105,7 +106,7 @@ TEST(World, SharedMeshesShowTheirTilesTextures) {
   bake::BakedTile tile;
   tile.features = {OsmId{}};
   tile.instanced = {{"pine_0", {bark}, {{0, 0, 0}, {10, 0, 0}}, {{0, 0, 0, 1}, {0, 0, 0, 1}}, {1, 0.5f}, {0, 0}}};
-  tile.textures = materials::textures_of(std::array{Material::kPlatedBark}, 0.05, 1);
+  tile.textures = materials::TextureCache(1).textures_of(std::array{Material::kPlatedBark}, 0.05);
   const World world(std::span(&tile, 1), {0, 0, 0});
   const auto light_at = [&](double x, double y) { return world.first_hit({x, y, 5}, {0, 0, -1}, 0)->albedo[1]; };
   double least = 1, most = 0;

@@ -27,7 +27,8 @@ PLACES = {
 
 # boundaries that are no areas are in no region's file; relations that are no areas are in none either
 # elements farther outside of the extent than the halo are in no region (compiler/regions/regions.md)
-NOT_IN_REGIONS = {"source/area", "OutsideBounds", "BrokenArea", "IncompleteArea", "MissingMember", "RelationWithoutTags"}
+# spans of power lines are counted by the region of their way, which knows the supports within its halo only
+NOT_IN_REGIONS = {"source/area", "map/unread", "UnknownKind", "wires/span", "OutsideBounds", "BrokenArea", "IncompleteArea", "MissingMember", "RelationWithoutTags"}
 
 
 def within_bounds(account):

@@ -12,7 +12,7 @@ import unittest
 from citykiln_program import IS_FULL, PROGRAM, ROOT, TOWN, TOWN_MIDDLE, ProgramTest, report_of, run, sha256
 
 MOMENTS = 12 if IS_FULL else 5
-LEVELS = "1,2.5,5"
+LEVELS = "1,2.5,5" if IS_FULL else "2.5,5,10"
 
 
 def town():
@@ -103,8 +103,9 @@ class Runs(ProgramTest):
     def test_tiles_of_other_settings_are_baked_again(self):
         out = self.folder / "out"
         self.killed_with_tiles(out)
-        self.town("out", "1,2.5,6")
-        self.assertEqual(contents(out), contents(self.town("whole", "1,2.5,6")))
+        other = LEVELS + ",12"
+        self.town("out", other)
+        self.assertEqual(contents(out), contents(self.town("whole", other)))
 
     def test_a_damaged_tile_of_an_interrupted_run_is_baked_again(self):
         new = contents(self.whole())

@@ -346,6 +346,15 @@ class DamageIsFound(ProgramTest):
     def test_a_tile_at_another_place(self):
         self.replace(self.tile, "xformOp:translate = (0,", "xformOp:translate = (1,")
         self.assertCheckFinds(self.tile, "is at another place than in the scene")
+        self.replace(self.scene, "xformOp:translate = (0,", "xformOp:translate = (1,")
+        self.assertCheckFinds(self.scene, "usd/tiles/0_0.usda is not at the origin of usd/tiles/0_0_L0.usdc")
+
+    def test_a_turned_face(self):
+        _, place, _ = self.plain_array("faceVertexIndices", 15)
+        first, second = struct.unpack_from("<ii", self.level.read_bytes(), place)
+        self.patch(place, "<i", second)
+        self.patch(place + 4, "<i", first)
+        self.assertCheckFinds(self.level, "the meshes of", "are others than those of the .glb")
 
     def test_an_index_out_of_range(self):
         path, place, _ = self.plain_array("faceVertexIndices", 15)
@@ -364,6 +373,17 @@ class DamageIsFound(ProgramTest):
     def test_a_moved_instance(self):
         _, place, _ = self.plain_array("positions", 10**9)
         self.patch(place, "<f", -5000.0)
+        self.assertCheckFinds(self.level, "the instances of", "are others than those of the .glb")
+
+    def test_a_larger_instance(self):
+        _, place, _ = self.plain_array("scales", 10**9)
+        self.patch(place, "<f", 3.0)
+        self.assertCheckFinds(self.level, "the instances of", "are others than those of the .glb")
+
+    def test_a_turned_instance(self):
+        _, place, _ = self.plain_array("orientations", 10**9)
+        half, = struct.unpack_from("<e", self.level.read_bytes(), place)
+        self.patch(place, "<e", half + 0.01 if half < 0.5 else half - 0.01)
         self.assertCheckFinds(self.level, "the instances of", "are others than those of the .glb")
 
     def test_a_texture_that_is_not_there(self):

@@ -15,8 +15,8 @@ namespace {
 
 // Lamps of streets, whose arms rise above the lamp's height.
 constexpr double kStreetLampTop_m = props::kTallestStreetLamp_m + 0.5;
-// Crowns are at most as wide as plants are tall; arms of lamps and tree pits are shorter.
-constexpr double kCrown_m = plants::kTallestPlant_m / 2, kBeside_m = 4;
+// The reach of crowns, and an upper bound of that of lamps' arms and tree pits.
+constexpr double kCrown_m = plants::kCrownReach * plants::kTallestPlant_m, kBeside_m = 4;
 
 void grow(Bounds& bounds, const Bounds& more) {
   bounds.plan.grow(more.plan.min), bounds.plan.grow(more.plan.max);

@@ -63,7 +63,7 @@ Colour in_month(Material material, plants::Month month) {
 
 // The colour of a class at the origin: with straw and bare ground in dry climates, otherwise as in the month.
 Colour colour_of_cover(map::LandCoverClass cover, const scene::Header& header) {
-  const climate::ClimateMix own(header.climate.own);
+  const climate::ClimateMix own(header.climate.origin_class);
   const ground::DryShares dry = ground::dry_shares(cover, own, local_month_of(header));
   const Material material = map::values_of(cover).material;
   if (dry == ground::DryShares{}) return in_month(material, month_of(header));

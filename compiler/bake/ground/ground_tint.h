@@ -25,7 +25,7 @@ bool is_paved(map::LandCoverClass surface);
 bool has_soft_border(map::LandCoverClass surface);
 
 /// The tint of a surface in a month: the tint of a field's crop (seasonal_tints.inc), or the brightness of an area.
-/// Both are drawn at random from the surface's id and the seed. Paved ground has no tint.
+/// Both are drawn at random from the surface's id and the seed, in the material's range. Paved ground has no tint.
 TintFactor surface_tint(const ground::LandCoverPolygon& surface, materials::Material material, std::uint64_t seed,
                         plants::Month month = plants::kMidsummer);
 
@@ -33,7 +33,7 @@ TintFactor surface_tint(const ground::LandCoverPolygon& surface, materials::Mate
 TintFactor seasonal_tint(plants::Month month, materials::Material material);
 
 /// The tint of a place: noise of brightness and, on vegetation, of dryness, with wavelengths of 35 to 300 m. It depends
-/// on the place and the seed only, so neighbouring tiles agree.
+/// on the place, the material and the seed only, so neighbouring tiles agree.
 TintFactor place_tint(Vec2 place_m, materials::Material material, std::uint64_t seed);
 
 /// The product of both tints, in the form of vertex colours (COLOR_0).

@@ -111,10 +111,53 @@ void drop_plants(BakedTile& tile, const simplify::TriangleTree& terrain) {
   const std::vector<Corners> canopies = corners_of(tile, is_plant);
   constexpr double kPrecision_m = 1;
   tile.plant_error_m = std::max(tile.plant_error_m, distance_bound_m(canopies, terrain, {.precision_m = kPrecision_m}));
-  for (const InstancedMesh& plants : tile.instanced)
-    tile.plant_error_m = std::max(tile.plant_error_m, height_bound_m(plants));
+  const auto are_plants = [](const InstancedMesh& mesh) { return layer_of(mesh) == Layer::kPlants; };
+  for (const InstancedMesh& mesh : tile.instanced)
+    if (are_plants(mesh)) tile.plant_error_m = std::max(tile.plant_error_m, height_bound_m(mesh));
   std::erase_if(tile.primitives, is_plant);
-  tile.instanced.clear();
+  std::erase_if(tile.instanced, are_plants);
+}
+
+// The triangles of one copy of a mesh.
+std::vector<Corners> corners_of(const InstancedMesh& mesh, std::size_t copy) {
+  const Float4& turn = mesh.rotations[copy];
+  const Vec3 axis{turn[0], turn[1], turn[2]}, at = widened(mesh.translations[copy]);
+  const auto placed = [&](Vec3 p) {
+    p = p * mesh.scales[copy];
+    return at + p + cross(axis, cross(axis, p) + p * turn[3]) * 2;
+  };
+  std::vector<Corners> all;
+  for (const Primitive& p : mesh.primitives)
+    for (const FaceOf& t : p.triangles) {
+      const Corners c = corners_of(p, t);
+      all.push_back({placed(c.a), placed(c.b), placed(c.c)});
+    }
+  return all;
+}
+
+template <typename Value>
+void keep_copies(std::vector<Value>& values, const std::vector<bool>& is_kept) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (is_kept[i]) values[kept++] = values[i];
+  values.resize(kept);
+}
+
+// Removes lamps and things within the tolerance of the terrain. Returns the largest of their distances.
+double drop_near_copies(BakedTile& tile, const simplify::TriangleTree& terrain, const simplify::BoundOptions& options) {
+  double farthest_m = 0;
+  for (InstancedMesh& mesh : tile.instanced) {
+    std::vector<bool> is_kept(mesh.translations.size());
+    for (std::size_t i = 0; i < is_kept.size(); ++i) {
+      const double away_m = distance_bound_m(corners_of(mesh, i), terrain, options);
+      is_kept[i] = away_m > options.most_m;
+      if (!is_kept[i]) farthest_m = std::max(farthest_m, away_m);
+    }
+    keep_copies(mesh.translations, is_kept), keep_copies(mesh.rotations, is_kept);
+    keep_copies(mesh.scales, is_kept), keep_copies(mesh.features, is_kept);
+  }
+  std::erase_if(tile.instanced, [](const InstancedMesh& mesh) { return mesh.translations.empty(); });
+  return farthest_m;
 }
 
 }  // namespace
@@ -158,11 +201,11 @@ void drop_near_terrain(BakedTile& joined, double tolerance_m) {
     if (is_part(p))
       for (const FaceOf& t : p.triangles) by_part[parts.part_at(p.positions[t[0]])].push_back(corners_of(p, t));
   constexpr double kPrecision = 0x1p-5;
-  double farthest_m = 0;
+  const simplify::BoundOptions options{.precision_m = kPrecision * tolerance_m, .most_m = tolerance_m};
+  double farthest_m = drop_near_copies(joined, terrain, options);
   std::set<Index> near;
   for (const auto& [part, triangles] : by_part) {
-    const double away_m =
-        distance_bound_m(triangles, terrain, {.precision_m = kPrecision * tolerance_m, .most_m = tolerance_m});
+    const double away_m = distance_bound_m(triangles, terrain, options);
     if (away_m > tolerance_m) continue;
     near.insert(part), farthest_m = std::max(farthest_m, away_m);
   }

@@ -22,9 +22,9 @@ void remove_inner_skirts(BakedTile& joined, const std::set<scene::TileKey>& tile
 /// @param square  The joined tile's square in plan. Vertices on its border stay, so that neighbouring tiles still meet.
 void simplify_terrain(BakedTile& joined, const Box2& square, double tolerance_m);
 
-/// Removes all plants, and the parts of buildings, structures and props that lie within the tolerance of ground, roads
-/// and water. A part is a connected set of triangles. Adds the certified distance of removed parts to error_m.
-/// plant_error_m becomes at least the distance of the removed plants.
+/// Removes all plants, and the lamps, things and parts of buildings, structures and props that lie within the tolerance
+/// of ground, roads and water. A part is a connected set of triangles. Adds the certified distance of removed parts,
+/// lamps and things to error_m. plant_error_m becomes at least the distance of the removed plants.
 void drop_near_terrain(BakedTile& joined, double tolerance_m);
 
 /// Removes features that no vertex and no instance has. Index 0, the id for "no element", stays.

@@ -288,7 +288,7 @@ void add_wall(Mesh& wall, GridPoint a, GridPoint b, std::uint32_t group, std::ui
 }
 
 void raise(std::vector<Block>& blocks, const ground::CoverFaces& plan, const Heights& heights) {
-  const auto group_of = [&](std::uint32_t f) { return plan.cover_faces[plan.of_face[f]].surface; };
+  const auto group_of = [&](std::uint32_t f) { return plan.cover_faces[plan.of_face[f]].polygon; };
   for (std::uint32_t f = 0; f < plan.of_face.size(); ++f) {
     const std::uint32_t group = group_of(f);
     if (group == kFree) continue;

@@ -10,7 +10,8 @@
 namespace citykiln::commands {
 
 /// Compiles a region of a plan into PLAN/regions/X_Y. If an earlier task of this program has done so from equal inputs
-/// and settings, and the outputs exist, prints that and returns at once. Continues an interrupted task.
+/// and settings, and the outputs exist, prints that and returns at once. Continues an interrupted task. Changes the
+/// working folder of the process to that of the plan.
 /// @param region  The region's name, "X_Y".
 /// @param own     Settings besides those of the plan; only --threads is allowed.
 /// Errors are also written to the state of the region (region_state.h).

@@ -47,7 +47,7 @@ StoreValue store_bytes(std::size_t& bytes);
 bool asks_for_cells(const LoadRequest& request);
 
 /// Reads the manifest and replaces its sky by the requested one. Errors: a manifest that cannot be read or has no
-/// tiles; a time that does not parse.
+/// tiles; a time that does not parse; clouds that cannot be read.
 Result<scene::Scene> read_scene(const LoadRequest& request);
 
 /// Returns the cells of a scene, as fine as the pictures need. For a single camera at rest, cells that are neither in
@@ -57,7 +57,7 @@ std::shared_ptr<const preview::CellSource> cells_for(scene::Scene scene, const V
 
 /// Returns one line of text about the cells: their number, time and memory.
 std::string text_of(const preview::CellCounters& counters, std::size_t budget_bytes);
-/// Returns these numbers, and more, as a JSON object.
+/// Returns the counters as a JSON object, without preparing_s and prototype_bytes.
 nlohmann::ordered_json json_of(const preview::CellCounters& counters, std::size_t budget_bytes);
 
 }  // namespace citykiln::commands

@@ -56,8 +56,8 @@ struct TileTree {
 };
 
 /// Reads the list of a folder's .glb tiles (or of its 3D Tiles, if it has no .glb tiles), and the coarse tiles. The box
-/// of a .glb tile is the box of its coarse level, widened by the error. Errors: a folder without a finished run,
-/// without tiles, or without the requested ones.
+/// of a .glb tile is the box of its coarse level, widened by that level's tolerance. Errors: a folder without a
+/// finished run, without tiles, or without the requested ones.
 Result<TileTree> read_tile_tree(const LoadRequest& request, const OnProgress& on_progress);
 
 /// Returns the header of a manifest; empty if the file is missing or holds none of the tiles. No manifest holds the

@@ -21,8 +21,8 @@ struct PlaceToShow {
   std::string picture;   ///< The path of the PNG to write.
 };
 
-/// Renders a picture of each place. Rays choose the camera: low and from the sunny side if nothing hides the place
-/// there, else from above.
+/// Renders a picture of each place. Rays choose the camera: the first that sees the place, of 16 directions from the
+/// south on, at 14, 25, 40 and 60 degrees above the horizon; if all are hidden, from 82 degrees.
 ///
 /// Recipes are generated only near the places, with errors of up to two pixels. Pictures do not depend on each other.
 /// Errors: a file that cannot be written, a tile that cannot be read. Cost: two to three seconds of one core per

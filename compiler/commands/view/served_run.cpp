@@ -22,6 +22,12 @@ constexpr std::array<std::pair<std::string_view, const char*>, 9> kTypes = {
      {".png", "image/png"},
      {".jpg", "image/jpeg"}}};
 
+// True if a header Host names this machine: "127.0.0.1:8000" or "localhost:8000". Pages of others, whose names may be
+// made to lead here, have other hosts.
+bool is_own_host(std::string_view host, int port) {
+  return host == fmt::format("127.0.0.1:{}", port) || host == fmt::format("localhost:{}", port);
+}
+
 }  // namespace
 
 ServedRun::ServedRun(std::string folder, const exporters::FileList& files) {
@@ -35,10 +41,6 @@ ServedRun::Answer ServedRun::answer(std::string_view host, std::string_view path
   const auto found = files_.find(path == "/" ? std::string_view(exporters::kPageIndexName) : path.substr(1));
   if (found == files_.end()) return {};
   return {200, found->second.c_str(), media_type_of(found->first)};
-}
-
-bool is_own_host(std::string_view host, int port) {
-  return host == fmt::format("127.0.0.1:{}", port) || host == fmt::format("localhost:{}", port);
 }
 
 const char* media_type_of(std::string_view name) {

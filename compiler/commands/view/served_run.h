@@ -21,7 +21,7 @@ class ServedRun {
     const char* type = "";  ///< Its media type.
   };
 
-  /// @param host  The header Host.
+  /// @param host  The header Host: "127.0.0.1:PORT" or "localhost:PORT" name this machine.
   /// @param path  Decoded, such as "/page/page.json"; "/" is index.html.
   /// @param port  The port of the server.
   Answer answer(std::string_view host, std::string_view path, int port) const;
@@ -29,10 +29,6 @@ class ServedRun {
  private:
   std::map<std::string, std::string, std::less<>> files_;  ///< By name in the run: the path.
 };
-
-/// True if a header Host names this machine: "127.0.0.1:8000" or "localhost:8000". Pages of others, whose names may be
-/// made to lead here, have other hosts.
-bool is_own_host(std::string_view host, int port);
 
 /// Returns the media type by the ending of a name.
 const char* media_type_of(std::string_view name);

@@ -9,7 +9,7 @@
 #include "compiler/contract/parse.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/plane/plane.h"
-#include "compiler/spec.h"
+#include "compiler/parse_values.h"
 
 namespace citykiln::commands {
 

@@ -1,7 +1,6 @@
 #include "compiler/ground/cover/land_cover_index.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -39,7 +38,7 @@ Sorted sort_edges(const LandCoverIndex& land_cover, const LandCoverPolygon& surf
   const int across = range.last_column - range.first_column + 1;
   for (const Ring& ring : surface.rings)
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-      const Box2 edge = box_of(std::array{ring[j], ring[i]});
+      const Box2 edge = box_of_segment(ring[j], ring[i]);
       if (!edge.touches(land_cover.box)) continue;
       const BucketRange near = land_cover.range(edge);
       for_each_bucket(near, [&](int c, int r) {
@@ -80,7 +79,7 @@ struct Windings {
   }
 
   void add_edge(Vec2 a, Vec2 b) {
-    const BucketRange rows = land_cover.range(box_of(std::array{a, b}));
+    const BucketRange rows = land_cover.range(box_of_segment(a, b));
     const int last = std::min(rows.last_row + 1, range.last_row);
     for (int r = std::max(rows.first_row, range.first_row); r <= last; ++r) {
       const double y = land_cover.corner_of(0, r).y;
@@ -247,7 +246,7 @@ std::uint32_t land_cover_at(const LandCoverIndex& land_cover, Vec2 p) {
   assert(land_cover.box.contains(p));
   const int column = land_cover.column(p.x), row = land_cover.row(p.y);
   for (const BucketEntry& entry : entries_at(land_cover, column, row))
-    if (covers_point(land_cover, entry, land_cover.corner_of(column, row), p)) return entry.surface;
+    if (covers_point(land_cover, entry, land_cover.corner_of(column, row), p)) return entry.polygon;
   return kNoLandCover;
 }
 

@@ -15,7 +15,7 @@ inline constexpr std::uint32_t kNoLandCover = 0xffffffffu;
 
 /// A polygon in one bucket: its winding number at the bucket's south-west corner, and its edges near the bucket.
 struct BucketEntry {
-  std::uint32_t surface = 0;                     ///< Index of the polygon in LandCoverIndex::surfaces.
+  std::uint32_t polygon = 0;                     ///< Index of the polygon in LandCoverIndex::surfaces.
   std::int32_t winding = 0;                      ///< Winding number of its rings about that corner.
   std::int32_t priority = 0;                     ///< Priority of its class: the higher one is on top.
   std::uint32_t first_edge = 0, edge_count = 0;  ///< Range in LandCoverIndex::edges.

@@ -64,7 +64,7 @@ CoverFace region_from(CoverFaces& all, std::span<const Border> borders, std::uin
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t beyond = face.neighbours[i];
       if (beyond == kNoFace) cover_face.touches_cell_border = true;
-      if (face.is_constrained[i]) cover_face.surface = surface_by(borders, all.net, f, i);
+      if (face.is_constrained[i]) cover_face.polygon = surface_by(borders, all.net, f, i);
       if (face.is_constrained[i] || beyond == kNoFace || all.of_face[beyond] != kNoFace) continue;
       all.of_face[beyond] = number;
       open.push_back(beyond);
@@ -248,10 +248,10 @@ std::vector<Border> borders_left(const MergingRegions& all) {
       if (!faces[f].is_constrained[i]) continue;
       const auto [a, b] = edge_of(all.net, f, i);
       const std::uint32_t beyond = faces[f].neighbours[i];
-      const std::uint32_t here = all.cover_faces[merged_region_of(all, all.of_face[f])].surface;
+      const std::uint32_t here = all.cover_faces[merged_region_of(all, all.of_face[f])].polygon;
       if (beyond == kNoFace) left.push_back({std::min(a, b), std::max(a, b), here, here, true});
       if (beyond == kNoFace || b < a) continue;
-      const std::uint32_t there = all.cover_faces[merged_region_of(all, all.of_face[beyond])].surface;
+      const std::uint32_t there = all.cover_faces[merged_region_of(all, all.of_face[beyond])].polygon;
       if (here != there) left.push_back({a, b, here, there, false});
     }
   std::ranges::sort(left, is_before);
@@ -287,7 +287,7 @@ MergedSlivers merge_slivers(const CoverFaces& between, double thickness_m,
     turns.pop();
     const CoverFace& cover_face = all.cover_faces[turn.cover_face];
     const bool is_stale = cover_face.merged_into != turn.cover_face || cover_face.twice_area != turn.twice_area;
-    if (is_stale || cover_face.touches_cell_border || !may_merge(cover_face.surface)) continue;
+    if (is_stale || cover_face.touches_cell_border || !may_merge(cover_face.polygon)) continue;
     const double reach_m = face_bound_m(all, turn.cover_face, thickness_m);
     if (reach_m > thickness_m) continue;
     const std::uint32_t neighbour = closest_neighbour(all, turn.cover_face);
@@ -300,7 +300,7 @@ MergedSlivers merge_slivers(const CoverFaces& between, double thickness_m,
   merged.borders = borders_left(all);
   for (std::uint32_t r = 0; r < all.cover_faces.size(); ++r)
     if (all.cover_faces[r].merged_into != r &&
-        all.cover_faces[merged_region_of(all, r)].surface != all.cover_faces[r].surface)
+        all.cover_faces[merged_region_of(all, r)].polygon != all.cover_faces[r].polygon)
       merged.area_m2 += all.cover_faces[r].own_m2;
   return merged;
 }

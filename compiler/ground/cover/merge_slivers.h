@@ -13,7 +13,7 @@ namespace citykiln::ground {
 
 /// A face between borders: a connected set of triangles of one land cover polygon.
 struct CoverFace {
-  std::uint32_t surface = 0;
+  std::uint32_t polygon = 0;         ///< The number of its polygon, as in Border.
   std::uint32_t merged_into = 0;     ///< The face it was merged into; its own index while it stays.
   std::int64_t twice_area = 0;       ///< Twice its area, in square grid steps.
   double own_m2 = 0;                 ///< Its area without merged faces.

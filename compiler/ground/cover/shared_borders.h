@@ -13,8 +13,9 @@ namespace citykiln::ground {
 /// Two points, the lower first.
 using Edge = std::pair<Vec2, Vec2>;
 
-/// Returns the edges along which two different member polygons meet, sorted. Edges with the same member on both sides,
-/// or where members lie on top of each other, are left out. O(n log n).
+/// Returns the edges with members on both sides, sorted: rings of members run along them in both directions. The two
+/// sides may be one polygon. Edges with rings in one direction only, as where members lie on top of each other, are
+/// left out. O(n log n).
 /// @param members  Indices of polygons.
 std::vector<Edge> edges_between(std::span<const LandCoverPolygon> surfaces, std::span<const std::uint32_t> members);
 

@@ -1,7 +1,6 @@
 #include "compiler/ground/grading/bend_points.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -43,7 +42,7 @@ struct Pieces {
     if (i == 0 || i == count) return i == 0 ? a : b;
     return snapped(a + (b - a) * (static_cast<double>(i) / count));
   }
-  Box2 box(int i) const { return box_of(std::array{joint(i), joint(i + 1)}); }
+  Box2 box(int i) const { return box_of_segment(joint(i), joint(i + 1)); }
 };
 
 Pieces pieces_of(Vec2 a, Vec2 b, double most_m) {
@@ -169,7 +168,7 @@ std::vector<Vec2> bend_points_along(GradedHeights& heights, Vec2 a, Vec2 b, cons
   assert(limits.piece_m > 0 && limits.shortest_m > 0 && limits.error_m > 0);
   std::vector<Vec2> bends;
   const Box2 near = cell.widened(kNear_m);
-  if (distance(a, b) < limits.shortest_m || !box_of(std::array{a, b}).touches(near)) return bends;
+  if (distance(a, b) < limits.shortest_m || !box_of_segment(a, b).touches(near)) return bends;
   const Pieces pieces = pieces_of(std::min(a, b), std::max(a, b), limits.piece_m);
   Joints joints{heights, limits, pieces, {}};
   joints.grading.resize(static_cast<std::size_t>(pieces.count) + 1);

@@ -19,8 +19,9 @@
 // - Retaining walls, cliffs and dykes change the terrain before that (landforms). Across a step in the land, the slopes
 //   from roads and shores may rise or fall by the step's height more. Piers raise the land after it, above water.
 //
-// A height depends only on the terrain and on roads, water, bridges and tunnels whose edges are within kGrading_m of
-// the place. So tiles that are generated separately have equal heights at their common border, bit for bit.
+// A height depends only on the terrain, on roads, water, bridges and tunnels whose edges are within kGrading_m of the
+// place, and on landforms whose edges are within kLandformReach_m. So tiles that are generated separately have equal
+// heights at their common border, bit for bit.
 #pragma once
 
 #include <algorithm>
@@ -114,7 +115,7 @@ double land_m(const GradedTerrain& graded, Vec2 p);
 /// 1 m to each side of p. The others are normals of the terrain, smoothed over its grid squares.
 std::array<Vec3, kHeightLayers> normals_at(const GradedTerrain& graded, Vec2 p);
 
-/// True if a road, a structure or water may change the terrain in the box.
+/// True if a road, a structure, water or a landform may change the terrain in the box.
 bool has_grading(const GradedTerrain& graded, const Box2& box);
 
 }  // namespace citykiln::ground

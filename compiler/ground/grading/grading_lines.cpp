@@ -197,7 +197,7 @@ void add_landform_lines(const LandformIndex& landforms, LandformIndex::Piece pie
 }
 
 bool may_touch(const Line& line, const Box2& cell) {
-  return box_of(std::array{plane_point(line.first), plane_point(line.second)}).touches(cell.widened(1));
+  return box_of_segment(plane_point(line.first), plane_point(line.second)).touches(cell.widened(1));
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ double near_bucket_m(const Box2& box) {
   return std::max(box.width(), box.height()) <= kTile_m ? kNearBucket_m : kRoadBucket_m;
 }
 
-// Roads whose heights differ by less than kAlike_m are blended; from kParted_m on the higher one keeps its height to
-// its edge.
+// Roads are blended up to kAlike_m; from kParted_m on the higher one keeps its height to its edge. Both are limits of
+// spread_m(), and of the difference of two roads.
 constexpr double kAlike_m = 0.0625, kParted_m = 0.5;
 
 // Beyond all edges the weight falls with the cube of the distance, so the nearest road dominates; on a road this term
@@ -52,7 +52,7 @@ void add_segments(const roads::Road& road, double kerb_m, RoadInfluenceIndex& in
 
 double segment_reach_m(const GradedSegment& s) { return std::max(s.left_m, s.right_m) + kGrading_m; }
 
-Box2 reach_of(const GradedSegment& s) { return box_of(std::array{s.from, s.to}).widened(segment_reach_m(s)); }
+Box2 reach_of(const GradedSegment& s) { return box_of_segment(s.from, s.to).widened(segment_reach_m(s)); }
 
 // Returns false only where no place of the box is within the segment's influence.
 bool may_reach(const GradedSegment& s, const Box2& box) {

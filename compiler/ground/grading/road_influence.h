@@ -3,8 +3,8 @@
 // the axis, tilted.
 //
 // Where several roads are near, their heights are averaged with weights. So roads of similar height join without a
-// step. If one road is clearly higher (by some 0.5 m), both keep their own heights, and a wall joins them beside the
-// higher road's edge (kWallTop_m, kWallFoot_m).
+// step. If one road is clearly higher (blend() states the measure; two roads of equal weight by 1 m), both keep their
+// own heights, and a wall joins them beside the higher road's edge (kWallTop_m, kWallFoot_m).
 //
 //        A's own height     blended     B's own height
 //     |---------------------|=======|---------------------|
@@ -97,10 +97,10 @@ std::pmr::vector<RoadInfluence> road_influences_at(const RoadInfluenceIndex& ind
 struct RoadHeight {
   double z_m = 0, kerb_m = 0;  ///< Height of the kerbs' tops; depth of the carriageway below them.
 };
-/// Blends influences (at least one) by their weights into one continuous height. If all heights are within about 6 cm
-/// of their mean, the result is the weighted mean. If they differ by some 0.5 m or more, the higher road keeps its
-/// height, within a decimetre, up to kWallTop_m beyond its edge, and the lower road has its own height from kWallFoot_m
-/// on. Between these two cases the result is interpolated.
+/// Blends influences (at least one) by their weights into one continuous height. The measure is the weighted mean
+/// distance d of the heights from their weighted mean. Up to d = 0.0625 m the result is that mean. From d = 0.5 m on,
+/// the higher road keeps its height, within a decimetre, up to kWallTop_m beyond its edge, and the lower road has its
+/// own height from kWallFoot_m on. Between these two cases the result is interpolated.
 RoadHeight blend(std::span<const RoadInfluence> influences);
 
 }  // namespace citykiln::ground

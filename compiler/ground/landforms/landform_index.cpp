@@ -1,7 +1,6 @@
 #include "compiler/ground/landforms/landform_index.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "compiler/geometry/segment.h"
@@ -122,7 +121,7 @@ LandformIndex index_landforms(std::span<const Landform> forms) {
     const std::size_t count = is_area(form) ? 1 : form.axis.size() - 1;
     for (std::uint32_t s = 0; s < count; ++s) {
       index.pieces.push_back({f, s});
-      const Box2 box = is_area(form) ? box_of(form.axis) : box_of(std::array{form.axis[s], form.axis[s + 1]});
+      const Box2 box = is_area(form) ? box_of(form.axis) : box_of_segment(form.axis[s], form.axis[s + 1]);
       boxes.push_back(box.widened(form_reach_m(form)));
     }
   }

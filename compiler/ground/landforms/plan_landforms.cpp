@@ -23,8 +23,6 @@ constexpr double kMissingRise_m = 1;
 // Lower steps are left to the terrain.
 constexpr double kLeastStep_m = 0.25;
 
-double quantised_m(double z_m) { return std::floor(z_m / kProfileQuantum_m + 0.5) * kProfileQuantum_m; }
-
 // A place on an axis where a height is decided.
 struct FormPlace {
   double at_m;
@@ -49,9 +47,9 @@ std::vector<FormPlace> places_along(const Polyline& axis) {
 
 // Adds a knot; distances are whole eighths of a metre and increase.
 void add_knot(Profile& profile, double at_m, double z_m, double tilt) {
-  const double eighth_m = std::floor(at_m * 8 + 0.5) / 8;
+  const double eighth_m = snapped_to(0.125, at_m);
   if (!profile.empty() && profile.back().at_m >= eighth_m) return;
-  profile.push_back({eighth_m, quantised_m(z_m), std::floor(tilt / kTiltQuantum + 0.5) * kTiltQuantum});
+  profile.push_back({eighth_m, snapped_to(kProfileQuantum_m, z_m), snapped_to(kTiltQuantum, tilt)});
 }
 
 struct TerrainAcross {

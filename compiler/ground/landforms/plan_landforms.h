@@ -4,7 +4,8 @@
 //   kLandformReach_m on both sides. A kind without a height takes the rise that the slopes farther out do not explain.
 //   Halfway up, the step is at the mean height of both sides.
 // - A ridge's crest is its height above the mean of the terrain on both sides.
-// - A dam is level: at its tagged height above the lowest place of its axis, else as high as the lower one of its ends.
+// - A dam is level: at its tagged height above the lowest place of its axis, else as high as the lower one of its ends,
+//   but at least the height of its kind above that place.
 // - A deck is level, above the highest water along it. Without water a line becomes a low ridge, and an area is left
 //   out.
 #pragma once

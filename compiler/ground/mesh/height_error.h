@@ -38,8 +38,8 @@ WorstPoint worst_on_edge(const map::Heightfield& terrain, Vec3 a, Vec3 b);
 ///              metres; the ends are at multiples of 2^-10 m along it.
 WorstPoint worst_on_cell_border(const map::Heightfield& terrain, Vec3 a, Vec3 b);
 
-/// Returns the largest error at grid vertices inside a triangle (in plan, counter-clockwise), without its edges.
-/// O(vertices in its box).
+/// Returns the largest error at grid vertices in a triangle (in plan, counter-clockwise): inside it and on its edges,
+/// except on the sides of its box. O(vertices in its box).
 WorstPoint worst_inside(const map::Heightfield& terrain, const std::array<Vec3, 3>& corners);
 
 }  // namespace citykiln::ground

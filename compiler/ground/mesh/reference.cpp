@@ -266,7 +266,7 @@ std::array<Vec2, 4> corners_about(const Reference& reference, Vec2 p) {
 Vec2 nearest_vertex(const Reference& reference, Vec2 p) {
   if (reference.terrain != nullptr) return map::nearest_vertex(*reference.terrain, p);
   const auto& vertices = reference.triangulation.vertices();
-  return plane_point(vertices[nearest_point(reference.buckets, vertices, grid_point(p))]);
+  return plane_point(vertices[nearest_point_index(reference.buckets, vertices, grid_point(p))]);
 }
 
 }  // namespace citykiln::ground

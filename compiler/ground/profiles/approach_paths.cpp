@@ -16,7 +16,7 @@ namespace {
 using map::Track;
 
 bool may_merge(const Track& track) {
-  return track.passage == map::Passage::kGround && !is_graded(track.surface) &&
+  return track.passage == map::Passage::kGround && !has_profile(track.surface) &&
          map::values_of(track.surface).group == map::LandCoverGroup::kPath &&
          length_m(track.axis) <= kLongestApproach_m;
 }

@@ -130,7 +130,7 @@ void Clearer::push_up(std::span<const RampPush> pushes, std::span<const double> 
     const double top_m = height_along(graph, way, z_m, push.at_m) + push.shortfall_m;
     const double rise_m = top_m - height_along(graph, way, start_m, push.at_m);
     const double level_m = ramp_m({0, push.way, push.half_width_m});
-    const bool is_path = !is_graded(way.track->surface);
+    const bool is_path = !has_profile(way.track->surface);
     walk.from(
         starts_about(graph, push.way, push.at_m), 5 * std::max(rise_m, 0.0) + kCrest_m + level_m,
         [&](const Leg& leg) { return ramp_m(leg); },
@@ -167,7 +167,7 @@ bool Clearer::moves(const Crossing& c, Mover mover) const {
   if (passage_of(c.lower) != Passage::kTunnel) return false;
   if ((mover == Mover::kTunnelsUnderBridges) != (passage_of(c.upper) == Passage::kBridge)) return false;
   // no street is lowered with an underpass that ends on it
-  return graph.lines == Lines::kPaths || is_graded(graph.ways[c.lower].track->surface);
+  return graph.lines == Lines::kPaths || has_profile(graph.ways[c.lower].track->surface);
 }
 
 // Returns per crossing its storey: how many moving crossings are stacked below it (above it, for tunnels), with itself.

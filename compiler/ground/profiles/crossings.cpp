@@ -116,7 +116,7 @@ struct Finder {
   double joining_m(const Leg& leg) const {
     const Track& track = *graph.ways[leg.way].track;
     return (group_of(track) == LandCoverGroup::kRail ? kRailJoins
-            : is_graded(track.surface)               ? 1
+            : has_profile(track.surface)             ? 1
                                                      : kPathJoins) *
            leg.length_m;
   }
@@ -200,7 +200,7 @@ struct Finder {
 
   bool passes_a_mouth(const Track& upper, std::uint32_t lower, double at_m) const {
     const GraphWay& way = graph.ways[lower];
-    return way.track->passage == Passage::kTunnel && !leaves_ground(upper) && !is_graded(upper.surface) &&
+    return way.track->passage == Passage::kTunnel && !leaves_ground(upper) && !has_profile(upper.surface) &&
            std::min(at_m, graph.stations_of(way).back().at_m - at_m) < kMouth_m;
   }
 

@@ -13,8 +13,9 @@
 
 namespace citykiln::ground {
 
-/// Clearances from surface to surface, including a deck of 1 m: 4.5 m clear over roads, 5.5 m over rails (overhead
-/// wires, EBO), 2.5 m over paths. The deck of a path is kThinDeck_m thinner.
+/// Clearances from surface to surface, including a deck of 1 m: 4.5 m clear over roads, trams and farm tracks, 5.5 m
+/// over railways and funiculars (overhead wires, EBO), 2.5 m over paths. Over all of these but paths, the deck of a
+/// path is kThinDeck_m thinner.
 inline constexpr double kClearanceOverRoad_m = 5.5, kClearanceOverRail_m = 6.5, kClearanceOverPath_m = 3.5,
                         kThinDeck_m = 0.5;
 /// Clearance over rivers and standing water. Over streams narrower than kRiver_m it is smaller in proportion, at least
@@ -72,13 +73,18 @@ struct BelowBridges {
 /// - of corridors in buildings (paths in "tunnels" of layer 0 or above);
 /// - if a line runs within another's width within kJoined_m of its end (on the ground, or at the change from bridge to
 ///   tunnel) that lies on the other, or the other continues within kJoined_m as a bridge or tunnel of the same layer
-///   beside it: both come down side by side.
-/// Sorted by upper line, then by place. O(n log n) in lines off the ground.
+///   beside it: both come down side by side;
+/// - if the lines are connected within kJoined_m of it, or if a path that is not in the graph shares a node with the
+///   other line;
+/// - if a path on the ground passes within kMouth_m of a tunnel's mouth.
+/// Sorted by upper line, then by place. O(n log n) in vertices of all lines, plus bridges times vertices of areas of
+/// water.
 std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Features& features,
                                      const BelowBridges& below);
 
 /// Returns pairs of bridges, and of tunnels, with equal layers whose axes cross and that are not connected within
-/// kJoined_m. Sorted, unique. Corridors in buildings are left out. O(n log n) in lines off the ground.
+/// kJoined_m. Sorted, unique. Corridors in buildings are left out. O(n log n) in vertices of
+/// all lines.
 std::vector<UnorderedPair> find_unordered(const ProfileGraph& graph, const map::Features& features);
 
 /// Returns the missing clearance for heights by node; <= 0 if there is enough.

@@ -15,7 +15,7 @@ constexpr double kSteepMargin = 0.005;
 constexpr double kDugMargin_m = 2;
 
 bool is_decided(const ProfileGraph& graph, const GraphWay& way) {
-  return graph.lines == Lines::kGraded ? is_graded(way.track->surface) : leaves_ground(*way.track);
+  return graph.lines == Lines::kGraded ? has_profile(way.track->surface) : leaves_ground(*way.track);
 }
 
 double steepest_of(const ProfileGraph& graph, const GraphWay& way, std::span<const double> z_m) {

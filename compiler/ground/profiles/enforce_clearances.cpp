@@ -48,7 +48,7 @@ struct Enforcer {
   }
   // Paths are planned after roads: nothing on the ground moves for their bridges and tunnels.
   bool is_decided(std::uint32_t way) const {
-    return graph.lines == Lines::kPaths || (way != kNone && is_graded(graph.ways[way].track->surface));
+    return graph.lines == Lines::kPaths || (way != kNone && has_profile(graph.ways[way].track->surface));
   }
   bool rises(const Crossing& c, Upper upper) const;
   bool falls(const Crossing& c) const;
@@ -73,7 +73,8 @@ bool Enforcer::rises(const Crossing& c, Upper upper) const {
 bool Enforcer::falls(const Crossing& c) const {
   if (c.lower == kNone) return false;
   const Passage passage = passage_of(c.lower);
-  if (passage == Passage::kTunnel) return graph.lines == Lines::kPaths || is_graded(graph.ways[c.lower].track->surface);
+  if (passage == Passage::kTunnel)
+    return graph.lines == Lines::kPaths || has_profile(graph.ways[c.lower].track->surface);
   return passage == Passage::kGround && is_decided(c.upper);
 }
 
@@ -100,7 +101,7 @@ double Enforcer::cost_m(const Leg& leg, std::uint32_t from) const {
 void Enforcer::spread(const UnitPush& push, std::vector<double>& up_m) {
   const auto starts = starts_about(graph, push.way, push.at_m);
   if (std::ranges::all_of(starts, [&](const auto& start) { return up_m[units.of[start.second]] >= push.by_m; })) return;
-  const bool is_path = !is_graded(graph.ways[push.way].track->surface);
+  const bool is_path = !has_profile(graph.ways[push.way].track->surface);
   for (const auto& start : starts) reach(units.of[start.second], 0);
   while (!queue.empty()) {
     std::ranges::pop_heap(queue, std::greater<>());

@@ -25,7 +25,7 @@ const Row* row_of(LandCoverClass surface) {
 
 }  // namespace
 
-bool is_graded(LandCoverClass surface) { return row_of(surface) != nullptr; }
+bool has_profile(LandCoverClass surface) { return row_of(surface) != nullptr; }
 
 GradeRule grade_rule_of(LandCoverClass surface) {
   if (const Row* row = row_of(surface)) return row->rule;

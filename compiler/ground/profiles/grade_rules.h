@@ -11,9 +11,9 @@ struct GradeRule {
   double smooth_m = 0;  ///< Smoothing length: profiles do not follow waves shorter than about six times this.
 };
 
-/// True for classes of roads and rails, which have profiles. Foot paths, steps, bridleways and separate cycle paths
-/// follow the ground.
-bool is_graded(map::LandCoverClass surface);
+/// True for classes of roads and rails, which have height profiles on the ground too. Foot paths, steps, bridleways and
+/// separate cycle paths follow the ground, except at bridges and tunnels (plan_paths.h).
+bool has_profile(map::LandCoverClass surface);
 
 /// Returns the class's row of grade_rules.inc. Paths have no row; their bridges and tunnels have a limit of 50 %, since
 /// the steps of a footbridge are mostly mapped as part of it, or not at all.

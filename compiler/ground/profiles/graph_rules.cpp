@@ -8,7 +8,7 @@ std::vector<bool> nodes_of_graded(const ProfileGraph& graph) {
   std::vector<bool> nodes(graph.nodes.size());
   for (const GraphWay& way : graph.ways)
     for (const Station& station : graph.stations_of(way))
-      if (is_graded(way.track->surface)) nodes[station.node] = true;
+      if (has_profile(way.track->surface)) nodes[station.node] = true;
   return nodes;
 }
 

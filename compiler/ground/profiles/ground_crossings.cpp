@@ -1,7 +1,6 @@
 #include "compiler/ground/profiles/ground_crossings.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <map>
@@ -52,7 +51,7 @@ std::vector<GroundCrossing> ground_crossings(std::span<const GraphWay> ways) {
   constexpr double kBucket_m = 64;
   const std::vector<GroundSegment> segments = ground_segments(ways);
   std::vector<Box2> boxes;
-  for (const GroundSegment& s : segments) boxes.push_back(box_of(std::array{s.a, s.b}));
+  for (const GroundSegment& s : segments) boxes.push_back(box_of_segment(s.a, s.b));
   const BoxGrid grid = grid_of(boxes, kBucket_m);
   std::vector<GroundCrossing> crossings;
   for (std::size_t i = 0; i < segments.size(); ++i) {

@@ -31,7 +31,7 @@ void measure_grades(const ProfileGraph& graph, const Profiles& profiles, Profile
   }
   for (const auto& [surface, measure] : classes) {
     measures.classes.push_back(measure);
-    if (!is_graded(surface)) continue;
+    if (!has_profile(surface)) continue;
     measures.length_m += measure.length_m, measures.over_m += measure.over_m;
   }
 }

@@ -44,7 +44,7 @@ struct WrittenHeights {
     const Profile& profile = profile_of(profiles, way);
     if (!profile.empty()) return knot_at(profile, at_m).z_m;
     // roads without profile lie at 0, paths without on the ground
-    return is_graded(way.track->surface) || way.road == kNone ? 0 : below.ground_m(place_along(graph, way, at_m));
+    return has_profile(way.track->surface) || way.road == kNone ? 0 : below.ground_m(place_along(graph, way, at_m));
   }
 
   double shortfall_m(const Crossing& c) const {
@@ -89,7 +89,7 @@ std::vector<Decided> decided_heights(const ProfileGraph& paths, const ProfileGra
   std::ranges::sort(of_paths);
   std::vector<Decided> decided;
   for (const GraphWay& way : all.ways) {
-    if (!is_graded(way.track->surface)) continue;
+    if (!has_profile(way.track->surface)) continue;
     const std::vector<double> along = roads::distances_along(way.track->axis, 0);
     for (std::size_t v = 0; v < along.size(); ++v)
       if (std::ranges::binary_search(of_paths, way.track->node_ids[v]))

@@ -25,10 +25,11 @@ struct TerrainWithoutRoads {
 /// @param profiles  Final profiles of all other lines. The profiles of paths off the ground are replaced.
 /// @param terrain   Terrain and water before roads grade it.
 ///
-/// Guarantees: other lines stay. At map nodes paths have equal heights within kKnotError_m, and meet other lines within
-/// twice that. An approach path gets a profile only if it must move, or passes below another line. Reports
-/// kClearanceNotMet or kLayersContradict for all lines, and kCrossingWithoutOrder. Cannot fail. Depends on data within
-/// the distances of approach_paths(), kSpanEndRadius_m along bridges and tunnels, and kGrading_m.
+/// Guarantees: other lines stay. At map nodes profiles of paths have equal heights within kKnotError_m, and meet other
+/// lines within twice that. An approach path gets a profile only if clearances move it by more than kKnotError_m, if
+/// clearances and grade limits together move it by more than 0.25 m (a step of stairs), or if it passes below another
+/// line. Reports kClearanceNotMet or kLayersContradict for all lines, and kCrossingWithoutOrder. Cannot fail. Depends
+/// on data within the distances of approach_paths(), kSpanEndRadius_m along bridges and tunnels, and kGrading_m.
 Profiles plan_paths(const map::Features& features, Profiles profiles, const TerrainWithoutRoads& terrain,
                     Report& report);
 

@@ -46,7 +46,7 @@ PlannedSpans planned_spans(const map::Features& features, const Profiles& profil
   for (const map::Track& track : features.tracks) {
     if (!leaves_ground(track)) continue;
     const Profile& profile = profiles.off_ground[off++];
-    if (!is_graded(track.surface)) continue;
+    if (!has_profile(track.surface)) continue;
     roads::Road road = roads::road_of(track);
     road.profile = profile;
     if (track.passage == map::Passage::kBridge)

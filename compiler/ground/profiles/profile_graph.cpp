@@ -66,8 +66,8 @@ struct GraphBuilder {
 
 bool GraphBuilder::is_member(std::size_t t) const {
   const Track& track = features.tracks[t];
-  const bool is_path = is_approach[t] || (leaves_ground(track) && !is_graded(track.surface));
-  const bool is_line = leaves_ground(track) || is_graded(track.surface);
+  const bool is_path = is_approach[t] || (leaves_ground(track) && !has_profile(track.surface));
+  const bool is_line = leaves_ground(track) || has_profile(track.surface);
   return lines == Lines::kAll ? is_path || is_line : lines == Lines::kPaths ? is_path : is_line;
 }
 
@@ -82,7 +82,7 @@ void GraphBuilder::add_ways() {
     GraphWay way{.track = &track};
     if (leaves_ground(track)) way.off_ground = off++;
     if (!is_member(t)) {
-      if (leaves_ground(track) || is_graded(track.surface))
+      if (leaves_ground(track) || has_profile(track.surface))
         foreign.insert(foreign.end(), track.node_ids.begin(), track.node_ids.end());
       continue;
     }
@@ -319,7 +319,7 @@ void GraphBuilder::pin() {
   std::ranges::sort(off);
   for (std::size_t t = 0; t < features.tracks.size(); ++t) {
     const Track& track = features.tracks[t];
-    if (leaves_ground(track) || is_graded(track.surface) || off.empty()) continue;
+    if (leaves_ground(track) || has_profile(track.surface) || off.empty()) continue;
     if (is_approach[t] && lines != Lines::kGraded) continue;
     for (const std::int64_t id : track.node_ids) {
       auto found = std::ranges::lower_bound(off, id, {}, &std::pair<std::int64_t, std::uint32_t>::first);

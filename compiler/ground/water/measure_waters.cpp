@@ -19,6 +19,12 @@ struct StreamSample {
   double water_m;
 };
 
+// Returns the height of a stream's water at a distance along its whole way; without a profile, that of the terrain at
+// `there`, the place at that distance.
+double water_at_station_m(const roads::Strip& stream, double at_m, Vec2 there, const map::Heightfield& heights) {
+  return stream.profile.empty() ? height_m_at(heights, there) : knot_at(stream.profile, at_m).z_m;
+}
+
 std::vector<StreamSample> samples_of_stream(const roads::Strip& stream, const map::Heightfield& heights) {
   const std::vector<double> along = roads::distances_along(stream.axis, stream.start_along_m);
   std::vector<StreamSample> places;
@@ -83,10 +89,6 @@ std::size_t count_not_level(std::span<const LandCoverPolygon> surfaces) {
 }
 
 }  // namespace
-
-double water_at_station_m(const roads::Strip& stream, double at_m, Vec2 there, const map::Heightfield& heights) {
-  return stream.profile.empty() ? height_m_at(heights, there) : knot_at(stream.profile, at_m).z_m;
-}
 
 WaterMeasures measure_waters(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
                              const map::Heightfield& heights) {

@@ -15,18 +15,14 @@ namespace citykiln::ground {
 struct WaterMeasures {
   std::size_t streams = 0, standing = 0;
   std::size_t streams_that_rise = 0;  ///< Streams that rise along their axis, or to another at a common vertex.
-  std::size_t waters_not_level = 0;   ///< Pairs of polygons with a common edge and different levels (a dam).
+  std::size_t waters_not_level = 0;   ///< Common edges of two polygons with different levels (dams).
   double largest_rise_m = 0;
   double deepest_below_land_m = 0,
-         highest_above_land_m = 0;  ///< At knots and vertices of streams in the terrain's box.
+         highest_above_land_m = 0;  ///< At vertices of streams, and every 16 m between them, in the terrain's box.
 };
 
 /// Measures planned water. Streams without profile count as lying on the terrain. O(n log n).
 WaterMeasures measure_waters(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
                              const map::Heightfield& heights);
-
-/// Returns the height of a stream's water at a distance along its whole way.
-/// @param there  The place at that distance; a stream without profile has the terrain's height there.
-double water_at_station_m(const roads::Strip& stream, double at_m, Vec2 there, const map::Heightfield& heights);
 
 }  // namespace citykiln::ground

@@ -29,12 +29,13 @@ struct Waters {
 /// - Areas of rivers have no level: their heights follow from streams within the radius of influence (water_height.h).
 ///   Areas without a stream are level, like lakes.
 /// - A stream that would be farther from the terrain than max_depth_m() over more than kSustained grid steps gets no
-///   profile and lies on the terrain (kRiverOffTerrain), as its terrain, its course or the lake that it meets is wrong.
+///   profile and lies on the terrain, as its terrain, its course or the lake that it meets is wrong.
 /// - Heights depend on the terrain within two grid steps of water, and on the water connected to it. Without terrain (0
 ///   everywhere) the inputs are returned unchanged.
 ///
 /// Reports kSeaLevelOffShore, kShoreSpike, kRiverAreaWithoutAxis, kWaterwayReversed, kWaterwayCycle, kLakeLevelMoved,
-/// kRiverOffTerrain. Cannot fail. 0.1 s for Andorra.
+/// and kRiverOffTerrain for each stream whose fitted height at any station is over 10 m off the terrain, with or
+/// without profile. Cannot fail.
 Waters plan_water_heights(std::vector<LandCoverPolygon> surfaces, std::vector<roads::Strip> streams,
                           std::span<const Polyline> covered, const map::Heightfield& heights, Report& report);
 

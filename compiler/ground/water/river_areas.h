@@ -11,8 +11,8 @@
 
 namespace citykiln::ground {
 
-/// The largest influence radius of a stream. An area with a bank farther than this from every axis counts as without
-/// axis.
+/// The largest influence radius of a stream. An area with a bank farther than 790 m from every axis counts as without
+/// axis: 1.25 times the distance, and some more for the sampling of axes and banks, must not exceed this radius.
 inline constexpr double kMaxInfluence_m = 1008;
 /// Influence radii are multiples of this.
 inline constexpr double kInfluenceStep_m = 16;
@@ -27,8 +27,8 @@ struct RiverAreas {
 /// Assigns streams to areas. Areas that share borders share streams.
 /// @param box  Banks outside this box do not count.
 ///
-/// Guarantees: every place on a bank within the box is within 0.8 times the radius of a stream. O(n log n) in vertices
-/// and axes, plus banks times the axes with similar x.
+/// Guarantees: every place on a bank within the box, of an area with axis, is within 0.8 times the radius of a stream.
+/// O(n log n) in vertices and axes, plus banks times the axes with similar x.
 RiverAreas find_river_axes(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
                            const Box2& box);
 

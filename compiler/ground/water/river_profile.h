@@ -22,8 +22,8 @@ inline constexpr double kKnotTolerance_m = 0.02;
 /// @param line     A line with at least one station.
 /// @param heights  Heights by node.
 ///
-/// Guarantees: if the heights descend, so does the profile; it differs from them by less than kKnotTolerance_m; a level
-/// line has one knot. O(n log n) as a rule, O(n²) at worst.
+/// Guarantees: if the heights descend, so does the profile; it differs from them by less than
+/// kKnotTolerance_m + kProfileQuantum_m; a level line has one knot. O(n log n) as a rule, O(n²) at worst.
 Profile profile_of(const RiverLine& line, const RiverHeights& heights);
 
 }  // namespace citykiln::ground

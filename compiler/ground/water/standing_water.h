@@ -25,7 +25,7 @@ struct StandingWater {
   ObjectId id;          ///< The lowest id of its polygons.
   double level_m = 0;   ///< Level from the shore, 0 for the sea; a multiple of kProfileQuantum_m.
   double shore_m = 0;   ///< Length of the sampled shore, in whole metres.
-  bool is_sea = false;  ///< True for the sea, and for low docks and lagoons at its border.
+  bool is_sea = false;  ///< True for the sea, and for docks and lagoons at its border with shores up to 8 m.
 };
 
 struct StandingWaters {
@@ -50,7 +50,8 @@ Shore shore_of(std::span<const Ring> rings, const map::Heightfield& heights, std
 ///
 /// @param stands  Per polygon: true if it is standing water.
 /// Guarantees: does not depend on the order of polygons; for a water of one polygon, at most kShoreQuantile of the
-/// shore is below its level. Reports kSeaLevelOffShore for a sea whose shore is more than kSeaShore_m from 0.
+/// shore is below its level. Reports kSeaLevelOffShore for a sea whose shore (Shore::low_m) is more than 8 m
+/// from 0.
 StandingWaters find_standing_waters(std::span<const LandCoverPolygon> surfaces, const std::vector<bool>& stands,
                                     const map::Heightfield& heights, Report& report);
 

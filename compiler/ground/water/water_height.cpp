@@ -1,7 +1,6 @@
 #include "compiler/ground/water/water_height.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -49,7 +48,7 @@ void add_shores(WaterIndex& index, const LandCoverPolygon& surface) {
 
 // Returns the box that a piece influences, within the box of the index.
 Box2 influenced_box(const Box2& box, Vec2 a, Vec2 b, double influence_radius_m) {
-  const Box2 near = box_of(std::array{a, b}).widened(influence_radius_m);
+  const Box2 near = box_of_segment(a, b).widened(influence_radius_m);
   return {{std::max(near.min.x, box.min.x), std::max(near.min.y, box.min.y)},
           {std::min(near.max.x, box.max.x), std::min(near.max.y, box.max.y)}};
 }

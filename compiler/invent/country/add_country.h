@@ -16,6 +16,7 @@ void add_water(const Terrain& terrain, double side_m, InventedMap& map);
 /// and noise, rock where it is steep, heath beside woods, and between them fields and meadows with hedges, orchards,
 /// farm tracks and rows of trees.
 ///
+/// Lakes must be in the map already (add_water()). Tracks are written first, then wild cover, then fields.
 /// Roads are lines of the map with highway or railway; land of towns is areas with landuse, leisure, amenity or
 /// building. Guarantees: fields overlap neither each other, nor towns, water, or woods, and keep off roads.
 /// Cost: about 0.2 s a square kilometre.

@@ -237,7 +237,7 @@ Vec2 border_place(const RandomSequence& random, std::uint32_t index, double side
 
 void add_tracks(const Terrain& terrain, const CountrySettings& settings, double side_m, std::uint64_t seed,
                 InventedMap& map) {
-  const int wanted = static_cast<int>(settings.tracks_per_km * std::max(1.0, side_m * side_m / 1e6) + 0.5);
+  const int wanted = static_cast<int>(settings.tracks_per_km2 * std::max(1.0, side_m * side_m / 1e6) + 0.5);
   if (wanted == 0) return;
   const RandomSequence random(seed, {}, "tracks");
   const std::vector<Vec2> roads = road_vertices(map, side_m);

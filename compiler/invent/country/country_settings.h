@@ -14,7 +14,7 @@ struct CountrySettings {
   double hedge_share = 0.35;    ///< The share of borders of fields that have a hedge.
   double orchard_share = 0.06;  ///< The share of fields that are orchards.
   double tree_row_share = 0.2;  ///< The share of tracks with a row of trees.
-  double tracks_per_km = 2;     ///< Tracks that cross a square kilometre.
+  double tracks_per_km2 = 2;    ///< Tracks for each square kilometre of the map.
 };
 
 }  // namespace citykiln::invent

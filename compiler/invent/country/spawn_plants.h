@@ -28,8 +28,8 @@ struct Spawner {
   double low_scale = 0.75, high_scale = 1.25;
 };
 
-/// Returns the lattice point nearest to the spot's height, of those that keep off the border; of equal ones the one
-/// with the most level ground. O(n).
+/// Returns the lattice point with the least sum of the difference to the spot's height and the weighted unevenness of
+/// the ground, at least edge_m from the border; the middle of the world if edge_m is 0. O(n).
 Vec2 find_spot(const Terrain& terrain, const Spot& spot);
 
 /// Adds the plants of all spawners as single trees with species and height.

@@ -43,11 +43,6 @@ bool is_town_area(const Tags& tags) {
 
 }  // namespace
 
-std::string_view value_in(const Tags& tags, std::string_view key) {
-  const auto found = std::ranges::find(tags, key, &std::pair<std::string, std::string>::first);
-  return found == tags.end() ? std::string_view() : std::string_view(found->second);
-}
-
 double half_strip_m(const InventedLine& line) {
   if (!value_in(line.tags, "railway").empty()) return 6;
   const std::string_view road = value_in(line.tags, "highway");

@@ -7,6 +7,7 @@
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/polygon.h"
 #include "compiler/invent/invented_map.h"
+#include "compiler/invent/tags.h"
 #include "compiler/invent/terrain.h"
 
 namespace citykiln::invent {
@@ -34,13 +35,11 @@ class TakenLand {
   BoxGrid grid_;
 };
 
-/// Returns the value of a key; "" if the tags lack it.
-std::string_view value_in(const Tags& tags, std::string_view key);
-
 /// Returns half the width of the strip that a line of the map takes; 0 for lines that take none.
 double half_strip_m(const InventedLine& line);
 
-/// Returns the land of roads and railways of a map, and of its other areas where `with_areas`.
+/// Returns the strips of roads and railways of a map; with_areas also mapped land (landuse, leisure, amenity, building,
+/// natural, tourism, aeroway), rivers and the sea. Call index() before use.
 TakenLand taken_land_of(const InventedMap& map, const Terrain& terrain, bool with_areas);
 
 }  // namespace citykiln::invent

@@ -32,12 +32,12 @@ Lake hollow_about(std::uint32_t first, const Lattice& ground, const Lattice& fil
   return lake;
 }
 
-bool is_worth_it(const Lake& lake, const Lattice& lattice, double within_m) {
+bool is_worth_it(const Lake& lake, const Lattice& lattice, double square_side_m) {
   const double deepest_m = lake.level_m - *std::ranges::min_element(lake.beds_m);
   const bool is_large = lake.points.size() * lattice.step_m * lattice.step_m >= kLeastLake_m2;
   return is_large && deepest_m >= kLeastDepth_m && std::ranges::all_of(lake.points, [&](std::uint32_t i) {
            const Vec2 p = lattice.place(i);
-           return std::max(std::abs(p.x), std::abs(p.y)) < within_m / 2;
+           return std::max(std::abs(p.x), std::abs(p.y)) < square_side_m / 2;
          });
 }
 
@@ -56,7 +56,7 @@ Polygon shore_of(const Lake& lake, const Lattice& lattice) {
 
 }  // namespace
 
-std::vector<Lake> find_lakes(const Lattice& lattice, int count, double within_m) {
+std::vector<Lake> find_lakes(const Lattice& lattice, int count, double square_side_m) {
   std::vector<Lake> lakes;
   if (count == 0) return lakes;
   Lattice filled = lattice;
@@ -65,7 +65,7 @@ std::vector<Lake> find_lakes(const Lattice& lattice, int count, double within_m)
   for (std::uint32_t i = 0; i < lattice.size(); ++i) {
     if (is_marked[i] || filled.heights_m[i] - lattice.heights_m[i] < kLeastDepth_m) continue;
     Lake lake = hollow_about(i, lattice, filled, is_marked);
-    if (is_worth_it(lake, lattice, within_m)) lakes.push_back(std::move(lake));
+    if (is_worth_it(lake, lattice, square_side_m)) lakes.push_back(std::move(lake));
   }
   std::ranges::stable_sort(lakes, std::greater<>(), [](const Lake& lake) { return lake.points.size(); });
   if (lakes.size() > static_cast<std::size_t>(count)) lakes.resize(count);

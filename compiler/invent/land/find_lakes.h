@@ -17,8 +17,8 @@ struct Lake {
   Polygon shore;
 };
 
-/// Returns the largest hollows, at most `count`, that are at least 2 m deep and lie within a square about the middle.
-/// O(n log n).
-std::vector<Lake> find_lakes(const Lattice& lattice, int count, double within_m);
+/// Returns the largest hollows, at most `count`, that are at least 2 m deep and 4,000 m² large and lie within a square
+/// of this side about the middle. O(n log n).
+std::vector<Lake> find_lakes(const Lattice& lattice, int count, double square_side_m);
 
 }  // namespace citykiln::invent

@@ -7,16 +7,12 @@
 
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/segment.h"
+#include "compiler/invent/tags.h"
 
 namespace citykiln::invent {
 namespace {
 
 constexpr double kFarthestStreet_m = 40;
-
-std::string_view value_at(const Tags& tags, std::string_view key) {
-  const auto found = std::ranges::find(tags, key, &std::pair<std::string, std::string>::first);
-  return found == tags.end() ? std::string_view() : std::string_view(found->second);
-}
 
 bool has_address(std::string_view building) {
   return !building.empty() && building != "garage" && building != "garages" && building != "shed" &&
@@ -36,7 +32,7 @@ class Streets {
  public:
   explicit Streets(const InventedMap& map) : map_(map) {
     for (std::uint32_t i = 0; i < map.lines.size(); ++i)
-      if (!value_at(map.lines[i].tags, "name").empty() && !value_at(map.lines[i].tags, "highway").empty())
+      if (!value_in(map.lines[i].tags, "name").empty() && !value_in(map.lines[i].tags, "highway").empty())
         add_street(i);
     grid_ = grid_of(boxes_, kFarthestStreet_m);
   }
@@ -83,7 +79,7 @@ std::vector<StreetPlace> places_of_buildings(const InventedMap& map) {
   const Streets streets(map);
   std::vector<StreetPlace> places;
   for (std::uint32_t i = 0; i < map.areas.size(); ++i) {
-    if (!has_address(value_at(map.areas[i].tags, "building"))) continue;
+    if (!has_address(value_in(map.areas[i].tags, "building"))) continue;
     std::optional<StreetPlace> place = streets.nearest(box_of(map.areas[i].polygon.outer).centre());
     if (!place) continue;
     place->area = i;
@@ -103,7 +99,7 @@ void address_buildings(InventedMap& map) {
     const int number = place.is_left ? 1 + 2 * left++ : 2 + 2 * right++;
     Tags& tags = map.areas[place.area].tags;
     tags.emplace_back("addr:housenumber", std::to_string(number));
-    tags.emplace_back("addr:street", value_at(map.lines[place.line].tags, "name"));
+    tags.emplace_back("addr:street", value_in(map.lines[place.line].tags, "name"));
     std::ranges::sort(tags);
   }
 }

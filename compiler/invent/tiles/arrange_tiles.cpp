@@ -40,7 +40,7 @@ int opposite(int side) { return (side + 2) % kSides; }
 
 class Arranger {
  public:
-  Arranger(const TileSet& set, const Arrange& request) : set_(set), request_(request) {
+  Arranger(const TileSet& set, const TileGridRequest& request) : set_(set), request_(request) {
     for (std::size_t i = 0; i < set.turned.size(); ++i) {
       all_.insert(i);
       for (int side = 0; side < kSides; ++side) with_label_[side][set.turned[i].sides[side]].insert(i);
@@ -249,7 +249,7 @@ class Arranger {
   }
 
   const TileSet& set_;
-  const Arrange& request_;
+  const TileGridRequest& request_;
   TileBits all_;
   std::array<std::array<TileBits, kMostLabels>, kSides> with_label_{};
   std::vector<TileBits> domains_;
@@ -265,7 +265,7 @@ class Arranger {
 
 }  // namespace
 
-Result<TileGrid> arrange_tiles(const TileSet& set, const Arrange& request) {
+Result<TileGrid> arrange_tiles(const TileSet& set, const TileGridRequest& request) {
   std::size_t contradictions = 0, backtracks = 0;
   // cells that were fixed may exclude each other from afar: then fewer are
   for (const double part : {1.0, 0.5, 0.0}) {

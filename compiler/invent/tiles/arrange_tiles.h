@@ -10,7 +10,8 @@
 
 namespace citykiln::invent {
 
-struct Arrange {
+/// The size of a grid of tiles, and how noise begins it.
+struct TileGridRequest {
   int columns = 0, rows = 0;
   std::uint64_t seed = 0;
   double fixed_share = 0.02;  ///< The share of cells that the noise fixes first.
@@ -37,10 +38,10 @@ struct TileGrid {
 /// it until nothing changes. If no tile is left for a cell, the last decision is taken back; if this happens often,
 /// more decisions are.
 ///
-/// Guarantees: neighbours have equal labels on their common side; a function of the set and the request. Error: the set
-/// has no arrangement, or none was found within 50 backtracks a cell.
+/// Guarantees: neighbours have equal labels on their common side; a function of the set and the request. Error: no
+/// arrangement was found within 100,000 and 50 a cell backtracks, with all, half or none of the cells fixed first.
 /// Cost: about 2 µs a cell. Sources: Wang, "Proving theorems by pattern recognition II", 1961; Gumin,
 /// "WaveFunctionCollapse", 2016.
-Result<TileGrid> arrange_tiles(const TileSet& set, const Arrange& request);
+Result<TileGrid> arrange_tiles(const TileSet& set, const TileGridRequest& request);
 
 }  // namespace citykiln::invent

@@ -6,18 +6,14 @@
 #include <string>
 
 #include "compiler/invent/land/noise.h"
-#include "compiler/invent/street_names.h"
+#include "compiler/invent/tags.h"
 #include "compiler/invent/tiles/address_buildings.h"
 #include "compiler/invent/tiles/join_covers.h"
 #include "compiler/invent/tiles/join_lines.h"
+#include "compiler/invent/tiles/street_names.h"
 
 namespace citykiln::invent {
 namespace {
-
-std::string_view value_of(const Tags& tags, std::string_view key) {
-  const auto found = std::ranges::find(tags, key, &std::pair<std::string, std::string>::first);
-  return found == tags.end() ? std::string_view() : std::string_view(found->second);
-}
 
 /// Turns a place of the unit square counter-clockwise.
 Vec2 turned(Vec2 p, int turns) {
@@ -93,7 +89,7 @@ class TileCity {
   void name_streets(std::vector<InventedLine>& lines) const {
     std::uint32_t number = 0;
     for (InventedLine& line : lines) {
-      const std::string_view road = value_of(line.tags, "highway");
+      const std::string_view road = value_in(line.tags, "highway");
       const bool is_main = road == "primary" || road == "secondary" || road == "tertiary";
       if (!is_main && road != "residential" && road != "living_street" && road != "pedestrian") continue;
       line.tags.emplace_back("name", street_name(number++, is_main, seed_));

@@ -21,7 +21,8 @@ struct TagChoice {
   std::vector<std::string> values;
 };
 
-/// One object of a tile. Points are in sides of the square, x east, y north; a cover fills the square.
+/// One object of a tile. Points are from the square's south-west corner, 0 to 1, x east, y north; a cover fills the
+/// square.
 struct TileContent {
   ContentKind kind{};
   std::vector<TagChoice> tags;
@@ -35,8 +36,8 @@ inline constexpr int kSides = 4;
 struct Tile {
   std::string name;
   double weight = 1;
-  int turns = 1;                             ///< 1, 2 or 4 quarter turns that differ.
-  double low_noise = -1, high_noise = 1;     ///< It is more frequent where the noise is in this range.
+  int turns = 1;                             ///< How many turned copies differ: 1, 2 (equal after half a turn) or 4.
+  double low_noise = -1, high_noise = 1;     ///< 8 times as frequent where the noise is in this range.
   std::array<std::uint8_t, kSides> sides{};  ///< Indices into TileSet::labels.
   std::vector<TileContent> content;
 };

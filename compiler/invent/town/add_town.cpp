@@ -1,13 +1,13 @@
 #include "compiler/invent/town/add_town.h"
 
 #include "compiler/geometry/trig.h"
+#include "compiler/invent/tags.h"
 #include "compiler/invent/town/block_contents.h"
 #include "compiler/invent/town/houses.h"
 #include "compiler/invent/town/railway.h"
 #include "compiler/invent/town/roundabouts.h"
 #include "compiler/invent/town/street_sections.h"
 #include "compiler/invent/town/street_things.h"
-#include "compiler/invent/town/tags.h"
 #include "compiler/invent/town/town_layout.h"
 
 namespace citykiln::invent {

@@ -18,7 +18,7 @@ struct TownSettings {
 };
 
 /// Adds the town on a terrain: main roads, streets, paths, a railway, land use, buildings with addresses, parks,
-/// things. Terrain may be raised or lowered under roads by nothing here: compiling does that.
+/// things. The terrain is not changed: compile grades it under roads.
 void add_town(const Terrain& terrain, const TownSettings& settings, InventedMap& map);
 
 }  // namespace citykiln::invent

@@ -33,7 +33,8 @@ class BlockRoom {
   /// only. Takes a strip along each.
   std::vector<Polyline> take_paths(std::size_t count);
 
-  /// Adds points at random free places, one on each `each_m2`.
+  /// Tries one random place for each each_m2 of the box of the land; adds a point where it is free and 4.5 m from
+  /// others.
   void scatter(InventedMap& map, const Tags& tags, double each_m2, double margin_m, double gap_m);
   /// Adds points along the border of the land, inset_m inside, step_m apart, where there is room.
   void line_border(InventedMap& map, const Tags& tags, double inset_m, double step_m);

@@ -10,6 +10,11 @@
 namespace citykiln::invent {
 namespace {
 
+// Dead ends are this long at least, in metres.
+constexpr double kLeastDeadEnd_m = 42;
+// The least angle between two streets at a junction that growth makes: its cosine (50°).
+constexpr double kLeastAngleCosine = 0.643;
+
 constexpr double kGrowStep_m = 11;
 /// Streets join what lies this far ahead.
 constexpr double kLookAhead_m = 24;
@@ -20,6 +25,15 @@ constexpr double kParallelCosine = 0.766;
 
 /// Dead ends up to this length remain as they are.
 constexpr double kLongEnd_m = 140;
+
+/// The distance between streets that run in a family's direction, in metres.
+double street_spacing_m(const TownPlan& plan, Vec2 p, int family) {
+  const double density = plan.density.at(p);
+  const double wide = plan.settings.kind == TownKind::kVillage ? 0.9 : 1;
+  if (density > 0.58) return family == 0 ? 86 : 124;
+  if (density > 0.3) return (family == 0 ? 72 : 150) * wide;
+  return (family == 0 ? 78 : 175) * wide;
+}
 
 struct Seed {
   std::uint32_t vertex = 0;
@@ -384,14 +398,6 @@ class Growth {
 };
 
 }  // namespace
-
-double street_spacing_m(const TownPlan& plan, Vec2 p, int family) {
-  const double density = plan.density.at(p);
-  const double wide = plan.settings.kind == TownKind::kVillage ? 0.9 : 1;
-  if (density > 0.58) return family == 0 ? 86 : 124;
-  if (density > 0.3) return (family == 0 ? 72 : 150) * wide;
-  return (family == 0 ? 78 : 175) * wide;
-}
 
 void grow_streets(const TownPlan& plan, const StreetField& field, StreetGraph& graph) {
   Growth(plan, field, graph).run();

@@ -10,19 +10,11 @@
 
 namespace citykiln::invent {
 
-/// Dead ends are this long at least, in metres.
-inline constexpr double kLeastDeadEnd_m = 42;
-/// The least angle between two streets at a junction that growth makes: its cosine (50°).
-inline constexpr double kLeastAngleCosine = 0.643;
-
 /// Adds the streets of a town to its main roads.
 ///
 /// Guarantees: the graph stays connected if it was, as all that grows begins on it; segments meet at vertices only.
 /// Source: Parish, Müller, "Procedural Modeling of Cities", SIGGRAPH 2001, section 3.2 (growth, and snapping by local
 /// constraints). Cost: O(streets).
 void grow_streets(const TownPlan& plan, const StreetField& field, StreetGraph& graph);
-
-/// The distance between streets that run in a family's direction, in metres.
-double street_spacing_m(const TownPlan& plan, Vec2 p, int family);
 
 }  // namespace citykiln::invent

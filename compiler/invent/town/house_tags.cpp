@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "compiler/invent/town/tags.h"
+#include "compiler/invent/tags.h"
 
 namespace citykiln::invent {
 namespace {

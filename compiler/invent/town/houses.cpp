@@ -7,10 +7,10 @@
 #include "compiler/geometry/centroid.h"
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/segment.h"
+#include "compiler/invent/tags.h"
 #include "compiler/invent/town/addresses.h"
 #include "compiler/invent/town/footprints.h"
 #include "compiler/invent/town/house_tags.h"
-#include "compiler/invent/town/tags.h"
 
 namespace citykiln::invent {
 namespace {

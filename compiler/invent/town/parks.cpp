@@ -3,9 +3,9 @@
 #include "compiler/geometry/centroid.h"
 #include "compiler/geometry/line_part.h"
 #include "compiler/geometry/trig.h"
+#include "compiler/invent/tags.h"
 #include "compiler/invent/town/house_tags.h"
 #include "compiler/invent/town/street_graph.h"
-#include "compiler/invent/town/tags.h"
 
 namespace citykiln::invent {
 namespace {

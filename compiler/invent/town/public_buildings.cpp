@@ -3,9 +3,9 @@
 #include <array>
 
 #include "compiler/geometry/centroid.h"
+#include "compiler/invent/tags.h"
 #include "compiler/invent/town/house_tags.h"
 #include "compiler/invent/town/street_graph.h"
-#include "compiler/invent/town/tags.h"
 
 namespace citykiln::invent {
 namespace {

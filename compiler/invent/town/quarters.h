@@ -31,11 +31,12 @@ enum class BlockUse : std::uint8_t {
 inline bool has_lots(BlockUse use) { return use < BlockUse::kPark; }
 
 struct TownBlock {
-  Ring ring;     ///< Along the axes of its streets; empty if it is open land.
-  Polygon land;  ///< Without the streets; empty if there is none.
+  Ring ring;  ///< Along the axes of its streets; empty if it is open land.
+  Polygon
+      land;  ///< The largest piece without streets, holes filled; empty if there is none or the block exceeds 40 ha.
   double area_m2 = 0;
   Vec2 middle;
-  bool is_whole = true;  ///< No dead end and no water cuts the land.
+  bool is_whole = true;  ///< The land is not empty, and no dead end, water or railway lies in it.
   BlockUse use = BlockUse::kHouses;
 };
 

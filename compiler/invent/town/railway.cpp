@@ -5,11 +5,11 @@
 
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/trig.h"
+#include "compiler/invent/tags.h"
 #include "compiler/invent/town/draws.h"
 #include "compiler/invent/town/house_tags.h"
 #include "compiler/invent/town/least_cost_path.h"
 #include "compiler/invent/town/road_curve.h"
-#include "compiler/invent/town/tags.h"
 
 namespace citykiln::invent {
 namespace {

@@ -13,7 +13,7 @@ struct StreetEdge {
   Polyline axis;                        ///< Their positions.
   std::uint32_t street = 0;
   bool is_bridge = false;
-  std::uint32_t left_block = kNoBlock, right_block = kNoBlock;  ///< Indices of TownBlocks::rings.
+  std::uint32_t left_block = kNoBlock, right_block = kNoBlock;  ///< Indices of StreetBlocks::rings.
 };
 
 /// Closed walks about the land between streets.
@@ -24,8 +24,8 @@ struct StreetBlocks {
   std::vector<char> has_dead_end;  ///< For each ring: 1 if a dead end lies in it.
 };
 
-/// Returns the edges, in the order of their first segments. Streets, bridges and junctions end edges; so does a change
-/// of street.
+/// Returns the edges, in the order of their first segments. An edge ends at a junction, at a dead end, where a bridge
+/// begins or ends, and where another street begins.
 std::vector<StreetEdge> street_edges(const StreetGraph& graph);
 
 /// Returns the blocks of a graph, and fills the blocks of edges.

@@ -11,13 +11,6 @@ namespace {
 
 constexpr double kStreetBucket_m = 32;
 
-Box2 box_between(Vec2 a, Vec2 b) {
-  Box2 box;
-  box.grow(a);
-  box.grow(b);
-  return box;
-}
-
 }  // namespace
 
 Vec2 on_place_grid(Vec2 p) { return snapped_to(kPlaceStep_m, p); }
@@ -74,7 +67,7 @@ int StreetGraph::column(double x) const {
 }
 
 void StreetGraph::put_in_buckets(std::uint32_t segment) {
-  const Box2 box = box_between(position(segments_[segment].a), position(segments_[segment].b));
+  const Box2 box = box_of_segment(position(segments_[segment].a), position(segments_[segment].b));
   for (int row = column(box.min.y); row <= column(box.max.y); ++row)
     for (int i = column(box.min.x); i <= column(box.max.x); ++i)
       buckets_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i)]
@@ -96,7 +89,7 @@ std::vector<std::uint32_t> StreetGraph::near(const Box2& box) const {
 std::optional<StreetHit> StreetGraph::first_hit(std::uint32_t from, Vec2 to) const {
   const Vec2 p = position(from);
   std::optional<StreetHit> first;
-  for (const std::uint32_t segment : near(box_between(p, to))) {
+  for (const std::uint32_t segment : near(box_of_segment(p, to))) {
     const StreetSegment& s = segments_[segment];
     if (s.a == from || s.b == from) continue;
     const auto shares = crossing_shares(p, to, position(s.a), position(s.b));
@@ -108,7 +101,7 @@ std::optional<StreetHit> StreetGraph::first_hit(std::uint32_t from, Vec2 to) con
 
 bool StreetGraph::is_clear(std::uint32_t from, std::uint32_t to) const {
   const Vec2 a = position(from), b = position(to);
-  for (const std::uint32_t segment : near(box_between(a, b))) {
+  for (const std::uint32_t segment : near(box_of_segment(a, b))) {
     const StreetSegment& s = segments_[segment];
     if (s.a == from || s.b == from || s.a == to || s.b == to) continue;
     if (crossing_shares(a, b, position(s.a), position(s.b))) return false;
@@ -119,7 +112,7 @@ bool StreetGraph::is_clear(std::uint32_t from, std::uint32_t to) const {
 std::uint32_t StreetGraph::nearest_vertex(Vec2 p, double within_m) const {
   std::uint32_t nearest = kNoStreetVertex;
   double least_m = within_m;
-  for (const std::uint32_t segment : near(box_between(p, p).widened(within_m)))
+  for (const std::uint32_t segment : near(box_of_segment(p, p).widened(within_m)))
     for (const std::uint32_t vertex : {segments_[segment].a, segments_[segment].b})
       if (const double d = distance(position(vertex), p); d < least_m) {
         least_m = d;

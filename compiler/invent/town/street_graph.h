@@ -43,8 +43,7 @@ struct StreetHit {
 
 inline constexpr std::uint32_t kNoStreetVertex = 0xffffffffu;
 
-/// The steps of coordinates of all that is invented. Larger than those of map files, so that places stay different
-/// there.
+/// The steps of coordinates of towns. Larger than those of map files, so that places stay different there.
 inline constexpr double kPlaceStep_m = 1.0 / 32;
 Vec2 on_place_grid(Vec2 p);
 

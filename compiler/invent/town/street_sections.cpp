@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "compiler/invent/town/tags.h"
+#include "compiler/invent/tags.h"
 
 namespace citykiln::invent {
 namespace {

@@ -4,9 +4,9 @@
 #include <array>
 
 #include "compiler/geometry/line_part.h"
+#include "compiler/invent/tags.h"
 #include "compiler/invent/town/draws.h"
 #include "compiler/invent/town/street_sections.h"
-#include "compiler/invent/town/tags.h"
 
 namespace citykiln::invent {
 namespace {

@@ -11,9 +11,9 @@
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
+#include "compiler/invent/tags.h"
 #include "compiler/invent/town/railway.h"
 #include "compiler/invent/town/street_sections.h"
-#include "compiler/invent/town/tags.h"
 #include "compiler/parcels/divide.h"
 
 namespace citykiln::invent {

@@ -12,7 +12,8 @@ namespace citykiln::invent {
 /// Returns the name of a place that does not exist, made of syllables: "Welkow", "Harbenau".
 std::string place_name(std::uint64_t seed, std::uint64_t ordinal);
 
-/// Gives every street a name of its own: stem and ending, or a place that it seems to lead to.
+/// Gives streets names: stem and ending, or a place that it seems to lead to. A name that another street has is drawn
+/// again, at most 12 times.
 void name_streets(const TownPlan& plan, StreetGraph& graph);
 
 }  // namespace citykiln::invent

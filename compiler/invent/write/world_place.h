@@ -30,7 +30,7 @@ class WorldPlace {
   /// Returns the place of a point of the plane.
   LonLatDegrees degrees_of(Vec2 p) const;
   MapPlace map_place_of(Vec2 p) const;
-  /// Returns west, south, east and north of the largest box in degrees inside a square about the middle.
+  /// Returns the south-west and north-east corners of the largest box in degrees inside a square about the middle.
   std::array<MapPlace, 2> box_inside(double side_m) const;
 
  private:

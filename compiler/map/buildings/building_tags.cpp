@@ -118,7 +118,7 @@ constexpr double kNoWall_m = 0.25;
 
 double untagged_height_m(const Footprint& footprint, double level_m, double class_height_m, double area_m2) {
   if (footprint.levels > 0) return std::max(1.0, footprint.levels * level_m);
-  if (!footprint.is_height_assumed) return kNoWall_m;
+  if (!footprint.has_default_height) return kNoWall_m;
   if (footprint.min_height_m > 0 && footprint.roof.height_m > 0) return 1;  // mostly roof
   return class_height_m > 0 ? class_height_m : height_by_area_m(area_m2);
 }
@@ -164,7 +164,7 @@ void read_heights(const ReadContext& context, OsmId id, source::Range tags, cons
   footprint.has_roof_in_height = height_m.has_value();
   // a roof without storeys below it stands on the ground
   const bool is_all_roof = levels == 0 && footprint.roof.height_m > 0 && !footprint.is_open;
-  footprint.is_height_assumed = !height_m && footprint.levels == 0 && !is_all_roof;
+  footprint.has_default_height = !height_m && footprint.levels == 0 && !is_all_roof;
   footprint.height_m = snapped(height_m.value_or(0));
   const double storey_m = measured_storey_m(footprint);
   footprint.storey_m = storey_m > 0 ? storey_m : values.level_m;

@@ -34,9 +34,9 @@ void complete_part(const Footprint& outline, Footprint& part) {
   const Footprint as_read = part;
   if (part.min_levels > 0) part.min_height_m = snapped(part.min_levels * part.storey_m);
   if (!part.has_roof_in_height && part.levels > 0) set_height_by_levels(part);
-  if (part.is_height_assumed && outline.height_m > part.min_height_m) {
+  if (part.has_default_height && outline.height_m > part.min_height_m) {
     part.height_m = outline.height_m, part.levels = outline.levels;
-    part.has_roof_in_height = outline.has_roof_in_height, part.is_height_assumed = outline.is_height_assumed;
+    part.has_roof_in_height = outline.has_roof_in_height, part.has_default_height = outline.has_default_height;
   }
   if (part.min_height_m < part.height_m) return;
   part.height_m = as_read.height_m, part.min_height_m = as_read.min_height_m;

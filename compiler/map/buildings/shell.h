@@ -12,7 +12,7 @@ inline constexpr double kShellWall_m = 0.5;
 /// unchanged if it has holes, or if it leaves no single room of at least 2 m² between the walls.
 Polygon shell_walls(const Polygon& polygon);
 
-/// Changes a footprint's tags into those of a shell: without a roof shape, without windows, of stone (ruin) or concrete
+/// Changes a footprint's tags into those of a shell: with a flat roof, without windows, of stone (ruin) or concrete
 /// unless a wall material is tagged. Its polygon stays unchanged (shell_walls()).
 /// @param is_ruin           True for a ruin, false for a building under construction.
 /// @param is_height_tagged  True if the height is tagged; else a ruin becomes one storey (3 m) high.

@@ -55,9 +55,9 @@ Flight flight_of(const Footprint& steps, const Footprint* outline) {
     flight.bottom_at_m = std::max(flight.bottom_at_m, dot(flight.down, p));
   }
   const double run_m = flight.bottom_at_m - flight.top_at_m;
-  if (steps.is_height_assumed && steps.roof.height_m == 0)
+  if (steps.has_default_height && steps.roof.height_m == 0)
     flight.high_m = flight.low_m + std::min(steps.height_m - steps.min_height_m, run_m * kStepRise_m / kStepDepth_m);
-  else if (steps.is_height_assumed)
+  else if (steps.has_default_height)
     flight.high_m = flight.low_m + steps.roof.height_m;
   else if (steps.roof.height_m > 0 && steps.has_roof_in_height)
     flight.low_m = std::max(flight.low_m, flight.high_m - steps.roof.height_m);
@@ -92,7 +92,7 @@ std::vector<Footprint> treads_of(const Footprint& steps, const Footprint* outlin
       tread.polygon = std::move(polygon);
       tread.height_m = snapped(flight.high_m - rise_m * (i / count));
       tread.has_roof_in_height = tread.has_roof_shape = true, tread.roof = {};
-      tread.is_height_assumed = false;
+      tread.has_default_height = false;
       treads.push_back(std::move(tread));
     }
   }

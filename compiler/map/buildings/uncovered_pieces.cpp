@@ -10,7 +10,7 @@
 namespace citykiln::map {
 namespace {
 
-// A part may begin a little below the eaves that it stands on.
+// A part may begin a little below the eaves that it stands on, and end a little above the outline that stands on it.
 constexpr double kOnEaves_m = 0.25;
 // The height of an untagged roof that the building's height includes.
 constexpr double kAssumedRoof_m = 3;
@@ -26,6 +26,7 @@ double outline_eaves_m(const Footprint& f) {
 }
 
 bool covers(const Footprint& part, const Footprint& outline) {
+  if (outline.min_height_m > 0 && part.height_m < outline.min_height_m + kOnEaves_m) return false;
   return part.min_height_m == 0 || part.min_height_m < outline_eaves_m(outline) - kOnEaves_m;
 }
 

@@ -20,7 +20,8 @@ namespace citykiln::map {
 /// piece has the outline's tags, height and roof. Footprint::outline of parts and pieces names their outline. Pieces
 /// count as split in `account`.
 ///
-/// A part that begins at its outline's eaves or above stands on the outline and covers nothing. Pieces smaller than
+/// A part that begins at its outline's eaves or above stands on the outline and covers nothing, and so does one that
+/// ends at the outline's lower end or below, such as the steps of a monument. Pieces smaller than
 /// kLeastPiece_m2, and strips narrower than kSliver_m, come from imprecise drawing and are left out. The result does
 /// not depend on the order of the footprints. Cost: that of overlay() for each outline with parts.
 /// @param outlines  part_outlines() of the footprints.

@@ -23,8 +23,8 @@ struct MapBox {
 };
 
 /// Returns the box in the extract's header. Without one, it returns the box of the nodes of buildings, else of roads,
-/// without the outermost 2 % in each direction, if there are 400 nodes or more; else of all nodes of ways and all nodes
-/// with tags. Nodes of stray groups do not count. An extract without nodes gives zeros.
+/// without the outermost 1 % on each of the four sides, if there are 400 nodes or more; else of all nodes of ways and
+/// all nodes with tags. Nodes of stray groups do not count. An extract without nodes gives zeros.
 ///
 /// A group is a set of nodes with an empty margin of kGroupCell_deg or more around it. Neighbouring nodes of a way are
 /// nearer to each other, except on ferries and power lines. A group is stray if it has less than 1 % of the nodes, or

@@ -90,7 +90,7 @@ double axis_from_backward_edge_m(const LaneTags& tags, const Carriageway& road) 
 constexpr double kLeastWidth_m = 0.3, kMostWidth_m = 80;
 
 // A row of parked cars that no tag states.
-constexpr double kParkedRow_m = 2.5;
+constexpr double kUntaggedParking_m = 2.5;
 
 double inside_m(const PerFlow<std::vector<RoadsideLane>>& roadsides) {
   double sum = 0;
@@ -130,7 +130,7 @@ bool is_credible(double width_m, const PerFlow<std::vector<RoadsideLane>>& roads
   double beside_m = inside_m(roadsides);
   for (const Flow flow : kFlows)
     if (std::ranges::all_of(roadsides[flow], [](const RoadsideLane& beside) { return beside.lane.is_raised; }))
-      beside_m += kParkedRow_m;
+      beside_m += kUntaggedParking_m;
   return width_m - beside_m <= kWidestLane_m * moving.counted;
 }
 

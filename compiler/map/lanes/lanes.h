@@ -4,9 +4,10 @@
 //   1. lanes:forward, lanes:backward, lanes:both_ways over lanes; lanes over the number of entries of …:lanes lists
 //   2. bicycle:lanes, bus:lanes, psv:lanes over lanes:bus, lanes:psv, busway, cycleway
 //   3. …:left and …:right over …:both over the key alone; parking:… over parking:lane:…
-//   4. width:lanes over width over est_width over the class's widths (regional_widths.inc, track_rules.inc). Lanes are
-//      never narrower than kNarrowestLane_m of lane_rules.inc, except for a single lane. A width that would give each
-//      lane of lanes=* more than kWidestLane_m, beside two rows of parked cars, is that of the whole street and ignored
+//   4. width:lanes over width over est_width over the class's widths (regional_widths.inc, track_rules.inc). A width
+//      gives each lane that width:lanes does not state kNarrowestLane_m of lane_rules.inc at least, except a lane that
+//      is alone on the carriageway. A width that would give each lane of lanes=* more than kWidestLane_m, even with a
+//      row of parked cars on each side that has no lane beside the moving ones, is that of the whole street and ignored
 //
 // Defaults without tags:
 //   - pavements, verges, shoulders, parking and cycle lanes exist only if tagged

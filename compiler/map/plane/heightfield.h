@@ -24,7 +24,9 @@ struct Heightfield {
   Vec2 step_m{64, 64};                ///< East and north; whole multiples of kStepUnit_m.
   int columns = 0, rows = 0;          ///< Vertices, at least 2 each.
   std::vector<std::int32_t> heights;  ///< In units of kHeightQuantum_m, row by row, row 0 the southernmost.
-  double resampling_error_m = 0;  ///< Largest vertical distance from a source sample that is not void to the surface.
+  /// Largest vertical distance from a source sample that is not void to the surface, rounded up to kHeightQuantum_m.
+  /// Only rasters in degrees are measured; 0 if there is none.
+  double resampling_error_m = 0;
   bool operator==(const Heightfield&) const = default;
 
   double height_m_at_vertex(int i, int j) const {

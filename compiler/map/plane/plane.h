@@ -12,6 +12,7 @@ namespace citykiln::map {
 /// noise.
 inline constexpr double kMapStep_m = 0x1p-7;
 
+/// A place in degrees on WGS84. In a map across 180° longitudes go on to 200° (source/across_180.h).
 struct LonLat {
   double lon_deg = 0, lat_deg = 0;
   bool operator==(const LonLat&) const = default;
@@ -29,7 +30,7 @@ class Plane {
 
   LonLat origin() const;
   Vec2 forward(LonLat place) const;  ///< Plane metres, not snapped.
-  LonLat backward(Vec2 p) const;
+  LonLat backward(Vec2 p) const;     ///< The inverse; longitudes from -180 to 180, also in a map across 180°.
   /// Returns forward(), snapped to kMapStep_m. Every CPU gives the same result, as points within 1e-5 step of a tie are
   /// computed again in higher precision.
   Vec2 snapped_forward(source::Location place) const;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "compiler/map/features.h"
@@ -10,7 +11,13 @@
 
 namespace citykiln::map {
 
-/// A thing on the map, and the row that fits it.
+/// A row, and the value of the first tag that it tests; a null row if none fits.
+struct MatchedThing {
+  const ThingRow* row = nullptr;
+  std::string_view value;
+};
+
+/// A thing on the map, and the first row that fits it.
 struct FoundThing {
   ObjectId id;
   source::Range tags;

@@ -1,4 +1,4 @@
-// Reads things that are mapped as points, by the table of things.
+// Reads things that are mapped as points, lines and areas, by the table of things.
 #pragma once
 
 #include <vector>
@@ -15,11 +15,11 @@ struct LocatedThings {
   std::vector<ThingFeature> supports_beyond;  ///< Nodes of power lines outside of it.
 };
 
-/// Returns the nodes that have a row in the table and are not read as points with a body (trees, lamps), with the roads
-/// and rails that they belong to. A tag that cannot be read is diagnosed kBadTagValue. Dropped: kOutsideBounds, and
-/// what standing.h says. Ledger "map/thing". O(nodes · rows + points of tracks).
+/// Returns what find_things() finds, with the roads and rails that its nodes belong to. A tag that cannot be read is
+/// diagnosed kBadTagValue. Dropped: kOutsideBounds, what standing.h says, and nodes of bridges and tunnels. Ledger
+/// "map/thing". O(elements · rows of their keys + n log n), n: points of tracks, barriers and power lines.
 ///
-/// @param features  Their tracks, points, barriers and power lines are used.
+/// @param features  The features that were read before things.
 ///
 /// Source: wiki.openstreetmap.org, Key:direction: "forward" is for traffic along the way.
 LocatedThings locate_things(const ReadContext& context, const ThingTable& table, const Features& features);

@@ -6,7 +6,6 @@
 #include <array>
 
 #include "compiler/contract/parse.h"
-#include "compiler/contract/split.h"
 
 namespace citykiln::map {
 namespace {
@@ -127,12 +126,6 @@ ThingTable merged(ThingTable own, const ThingTable& shipped) {
 std::optional<std::string_view> matched_value(const ThingRow& row,
                                               const std::function<std::string_view(std::string_view)>& value_of) {
   return fitting_value(row.tags, value_of);
-}
-
-MatchedThing match(const ThingTable& table, const std::function<std::string_view(std::string_view)>& value_of) {
-  for (const ThingRow& row : table)
-    if (const auto value = matched_value(row, value_of)) return {&row, *value};
-  return {};
 }
 
 }  // namespace citykiln::map

@@ -65,19 +65,10 @@ Result<ThingTable> read_thing_table(std::string_view text, const std::string& fi
 /// Returns the rows of `own`, then those of `shipped` whose names `own` does not have.
 ThingTable merged(ThingTable own, const ThingTable& shipped);
 
-/// Returns the value of the first tag that a row tests; nothing if the row does not fit. The first test of each list
-/// is of a value that is there, so a row can only fit an element with one of these keys.
+/// Returns fitting_value() of the row's tests; nothing if the row does not fit. The first test of each list is of a
+/// value that is there, so a row can only fit an element with one of these keys.
 /// @param value_of  Returns the value of a key, "" if it is not tagged.
 std::optional<std::string_view> matched_value(const ThingRow& row,
                                               const std::function<std::string_view(std::string_view)>& value_of);
-
-/// A row and the value of the first tag that it tests.
-struct MatchedThing {
-  const ThingRow* row = nullptr;
-  std::string_view value;
-};
-
-/// Returns the first row that fits; a null row if none does.
-MatchedThing match(const ThingTable& table, const std::function<std::string_view(std::string_view)>& value_of);
 
 }  // namespace citykiln::map

@@ -211,8 +211,7 @@ std::vector<Sample> blue_noise(std::uint64_t seed, const Box2& box, const LeastS
   std::vector<Sample> samples;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Candidate& c = candidates[i];
-    const Vec2 p = c.sample.at;
-    const bool is_here = p.x >= box.min.x && p.y >= box.min.y && p.x < box.max.x && p.y < box.max.y;
+    const bool is_here = box.contains_half_open(c.sample.at);
     if (is_here && states[i] == State::kAccepted && c.share_draw < c.sample.density.share) samples.push_back(c.sample);
   }
   return samples;

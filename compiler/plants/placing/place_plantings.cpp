@@ -112,7 +112,7 @@ void for_each_plant(const Planting& planting, const Box2& box, double share, con
       if (draw.unit(kKeptDraw) >= share) continue;
       const double x = static_cast<double>(plant) + jitter * (draw.unit(kAlongDraw) - 0.5);
       const double y = static_cast<double>(row) + jitter * (draw.unit(kAcrossDraw) - 0.5);
-      if (const Vec2 at = snapped(grid.at(x, y)); is_in_half_open(box, at)) visit(at, draw);
+      if (const Vec2 at = snapped(grid.at(x, y)); box.contains_half_open(at)) visit(at, draw);
     }
 }
 

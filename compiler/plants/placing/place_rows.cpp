@@ -44,7 +44,7 @@ void place_row(PlacedPlants& placed, const TreeRow& row, const TreeClearanceInde
     const RandomSequence draw(context.seed, stable_id(stable_id(row.id), "tree", number), "tree");
     const double height_m = mean_m * draw.between(1 - kRowHeightSpread, 1 + kRowHeightSpread, kHeightDraw);
     trees.push_back({at, crown_clearance_m(context.species[species], height_m)});
-    if (is_in_half_open(context.box, at)) place_plant(placed, context, species, at, height_m, draw, row.id.osm);
+    if (context.box.contains_half_open(at)) place_plant(placed, context, species, at, height_m, draw, row.id.osm);
   }
 }
 

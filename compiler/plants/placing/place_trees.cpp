@@ -69,7 +69,7 @@ std::vector<TreeClearance> place_trees(PlacedPlants& placed, std::span<const Tre
   for (const Tree& tree : trees) {
     const std::optional<Vec2> at = place_of_tree(context.surfaces, tree.at);
     // a moved tree belongs to the tile of its new place
-    const bool is_here = is_in_half_open(context.box, at.value_or(tree.at));
+    const bool is_here = context.box.contains_half_open(at.value_or(tree.at));
     if (is_here) ++account.in;
     if (is_here && !at) report.drop(account, Code::kTreeOnRoad, tree.id.osm, inside_m(context.surfaces, tree.at));
     if (!at) continue;

@@ -24,7 +24,7 @@ double least_spacing_m(const WoodIndex& woods, const Box2& block) {
        row <= bucket(block.max.y - land_cover.corner.y, land_cover.rows); ++row)
     for (std::uint32_t e = land_cover.bucket_starts[static_cast<std::size_t>(row) * land_cover.columns + first];
          e < land_cover.bucket_starts[static_cast<std::size_t>(row) * land_cover.columns + last + 1]; ++e) {
-      const std::uint32_t wood = woods.of_surface[land_cover.entries[e].surface];
+      const std::uint32_t wood = woods.of_surface[land_cover.entries[e].polygon];
       if (wood == ground::kNoLandCover) continue;
       const double spacing_m = woods.densities[wood].spacing_m;
       least_m = least_m > 0 ? std::min(least_m, spacing_m) : spacing_m;

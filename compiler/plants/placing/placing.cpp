@@ -53,10 +53,6 @@ void place_plant(PlacedPlants& placed, const PlacingContext& context, Species sp
   place_plant_along(placed, context, species, at, height_m, direction_of(draw.unit(kYawDraw)), draw, feature);
 }
 
-bool is_in_half_open(const Box2& box, Vec2 p) {
-  return p.x >= box.min.x && p.y >= box.min.y && p.x < box.max.x && p.y < box.max.y;
-}
-
 bool is_blocked_ground(const ground::LandCoverIndex& land_cover, Vec2 p) {
   const std::uint32_t top = ground::land_cover_at(land_cover, p);
   if (top == ground::kNoLandCover) return false;

@@ -21,11 +21,11 @@ namespace citykiln::plants {
 using PlacedPlants = std::map<Prototype, std::vector<Placement>>;
 
 /// The least distance of trunks of woods and plantings to roads, paths, rails, water, buildings and other land cover of
-/// priority kLeastObstaclePriority or more.
+/// priority kLeastObstaclePriority or more. Plantings up to 2 m tall keep 0.25 m.
 inline constexpr double kTrunkClearance_m = 1.25;
 
 /// The lowest priority (map/land_cover_classes.inc) of land cover without trunks: water, pitches, squares, paths,
-/// rails, roads and buildings.
+/// rails, roads and buildings. The sea is below it and keeps no trunk away.
 inline constexpr int kLeastObstaclePriority = 50;
 
 /// The influence radius of land cover on the trees of woods: polygons must be known up to this distance beyond the box.
@@ -66,12 +66,9 @@ void place_plant(PlacedPlants& placed, const PlacingContext& context, Species sp
 void place_plant_along(PlacedPlants& placed, const PlacingContext& context, Species species, Vec2 at, double height_m,
                        Vec2 along, const RandomSequence& draw, OsmId feature);
 
-/// Returns places at equal distances of about `spacing_m` along an axis, including its ends; the ends of a closed axis
-/// are one place. The axis is longer than 0.
+/// Returns places at equal distances of at most `spacing_m` along an axis, including its ends; the ends of a closed
+/// axis of four points or more are one place. The axis is longer than 0.
 std::vector<Vec2> spaced_along(const Polyline& axis, double spacing_m);
-
-/// True if the box without its upper sides contains a position.
-bool is_in_half_open(const Box2& box, Vec2 p);
 
 /// True if the topmost land cover at a position is a carriageway, rail, building or water, where no plant stands.
 /// Pedestrian streets may have plants.

@@ -38,7 +38,8 @@ struct HedgeLine {
   OsmId feature;
 };
 
-/// Adds the pieces of a hedge along its axis, each as long as it is high. Ignores land cover. O(length).
+/// Adds the pieces of a hedge along its axis, of equal lengths, at most as long as the hedge is high. A closed axis has
+/// no gap. Ignores land cover. O(length).
 void place_hedge(PlacedPlants& placed, const HedgeLine& hedge, const PlacingContext& context);
 
 }  // namespace citykiln::plants

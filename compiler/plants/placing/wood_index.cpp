@@ -1,7 +1,6 @@
 #include "compiler/plants/placing/wood_index.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "compiler/geometry/segment.h"
@@ -69,7 +68,7 @@ CorridorIndex index_corridors(std::span<const PowerLineCorridor> corridors, cons
   std::vector<Box2> boxes;
   for (const PowerLineCorridor& lane : corridors)
     for (std::size_t i = 0; i + 1 < lane.axis.size(); ++i) {
-      const Box2 about = box_of(std::array{lane.axis[i], lane.axis[i + 1]}).widened(lane.width_m / 2);
+      const Box2 about = box_of_segment(lane.axis[i], lane.axis[i + 1]).widened(lane.width_m / 2);
       if (!about.touches(box)) continue;
       sorted.segments.push_back({lane.axis[i], lane.axis[i + 1], lane.width_m / 2});
       boxes.push_back(about);

@@ -174,7 +174,7 @@ InCell in_cell(const Canopy& canopy, Vec2 p) {
 
 bool is_below(const Canopy& canopy, Vec2 p) {
   const InCell in = in_cell(canopy, p);
-  return is_in_half_open(canopy.box, p) &&
+  return canopy.box.contains_half_open(p) &&
          canopy.is_whole[static_cast<std::size_t>(in.row) * canopy.columns + static_cast<std::size_t>(in.column)];
 }
 

@@ -1,4 +1,4 @@
-// Leaf clusters: fewer, larger cards. All cards in a cell of space are replaced by one.
+// Leaf clusters: fewer, larger cards. All cards of one spray in a cell of space are replaced by one.
 //
 //     ⌿ ⍀ │ ─ ⌿          ╱        a cell's card shows a spray where it has the area of the cell's cards, and a
 //     ⍀ ─ ⌿ │ ⍀    ->   ╱         clump of sprays where it is smaller
@@ -17,7 +17,8 @@ struct Clusters {
   double error_m = 0;
 };
 
-/// Replaces a foliage's cards by one for each cell of space.
+/// Replaces a foliage's cards by one for each spray and cell of space, so that no card stands for both leaves and
+/// fruit.
 ///
 /// @param width_m  The largest width of a cell, and the largest distance by which leaves may move; > 0.
 ///

@@ -28,8 +28,9 @@ struct PrototypeMesh {
   double error_per_m = 0;         ///< The error of a plant 1 m tall.
 };
 
-/// Returns the mesh of a plant that keeps the tolerance when scaled to `height_m`. Empty with error 1 if the tolerance
-/// is at least the height; empty without error if the season leaves no plant.
+/// Returns the mesh of a plant that keeps the tolerance when scaled to `height_m`. Empty if nothing has grown, or if
+/// the tolerance is at least the plant's height in the season; the error is then that height as a share of the summer's
+/// (SeasonState::height_share): 0 if the season leaves no plant.
 ///
 /// @param grown                  The plant's stems and leaves.
 /// @param species                The species of the plant; decides between hull and box.

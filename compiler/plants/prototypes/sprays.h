@@ -18,7 +18,7 @@ inline constexpr double kSprayTexel = 1.0 / kSprayTexels;
 /// Returns the width of a spray of length 1; 1 for an unknown name.
 double width_of_spray(std::string_view name);
 
-/// True if a name is not the name of a spray: all other names stand for round fruit.
+/// True if a name is not empty (blades) and not the name of a spray: all other names stand for round fruit.
 bool is_fruit(std::string_view name);
 
 /// Returns the picture of a spray: leaves on both sides of a twig with its tip at the top, in three shades of grey that

@@ -10,7 +10,9 @@ namespace citykiln::plants {
 struct StemMesh {
   Mesh mesh;
   std::vector<Vec2> uvs;  ///< One per position, as in lsystems::PlantMesh::bark; empty if bark_m is 0.
-  double error_m = 0;     ///< The Hausdorff distance to round stems, not counting those left out.
+  /// An upper bound of the Hausdorff distance to round stems, not counting those left out. At joints of tubes it is an
+  /// estimate, 1.5 times the largest measured distance.
+  double error_m = 0;
 };
 
 /// Meshes stems. A stem whose radius is below the tolerance is left out if it carries nothing thicker. A radius above

@@ -68,10 +68,9 @@ std::optional<Corner> corner_between(const ArmLine& arm, const ArmLine& next) {
     // side by side with a gap from the start
     if (dot(gap, left_of(arm.along)) > 0) return std::nullopt;
     constexpr double kNever = std::numeric_limits<double>::infinity();
-    return Corner{kNever, kNever, kParallelSine, 1};
+    return Corner{kNever, kNever, kParallelSine};
   }
-  return Corner{std::max(0.0, cross(gap, next.along) / sine), std::max(0.0, cross(gap, arm.along) / sine), sine,
-                cosine};
+  return Corner{std::max(0.0, cross(gap, next.along) / sine), std::max(0.0, cross(gap, arm.along) / sine), sine};
 }
 
 }  // namespace citykiln::roads

@@ -33,7 +33,7 @@ std::vector<std::uint32_t> next_at_node(std::span<const ArmLine> lines);
 /// The intersection of the left edge of an arm with the right edge of the next arm counter-clockwise.
 struct Corner {
   double along_arm_m = 0, along_next_m = 0;  ///< Distances along the arms from their nodes; at least 0.
-  double sine = 1, cosine = 0;               ///< Sine and cosine of the angle between the arms.
+  double sine = 1;                           ///< Sine of the angle between the arms.
 };
 
 /// Returns the corner between two arms; nothing if the angle between them is over 160 degrees, as such a corner needs

@@ -67,6 +67,15 @@ std::size_t count_beyond(const Polyline& edge, const TangentPoint& touch) {
   return edge.size() - std::min(inner, edge.size() - 1);
 }
 
+// Appends the points of a fillet's arc, from kerb to kerb, snapped; one point if the radius is 0.
+void add_fillet(const Fillet& fillet, Ring& ring) {
+  ring.push_back(snapped(fillet.arm.at));
+  if (fillet.radius_m == 0) return;
+  add_arc(fillet.centre, unit(fillet.arm.at - fillet.centre), unit(fillet.next.at - fillet.centre), fillet.radius_m, 3,
+          ring);
+  ring.push_back(snapped(fillet.next.at));
+}
+
 Turn rounded(const Polyline& left, const Polyline& right, const Fillet& fillet) {
   Turn turn{count_beyond(left, fillet.arm), right.size() - count_beyond(right, fillet.next), {}};
   add_fillet(fillet, turn.between);
@@ -162,14 +171,6 @@ void add_arc(Vec2 centre, Vec2 from, Vec2 to, double radius_m, int halvings, Rin
   add_arc(centre, from, middle, radius_m, halvings - 1, ring);
   ring.push_back(snapped(centre + middle * radius_m));
   add_arc(centre, middle, to, radius_m, halvings - 1, ring);
-}
-
-void add_fillet(const Fillet& fillet, Ring& ring) {
-  ring.push_back(snapped(fillet.arm.at));
-  if (fillet.radius_m == 0) return;
-  add_arc(fillet.centre, unit(fillet.arm.at - fillet.centre), unit(fillet.next.at - fillet.centre), fillet.radius_m, 3,
-          ring);
-  ring.push_back(snapped(fillet.next.at));
 }
 
 std::optional<Ring> corner_ring(const ArmPath& arm, const ArmPath& next, const Fillet& fillet) {

@@ -41,9 +41,6 @@ std::optional<Ring> trace_outline_unchecked(const Junction& junction, std::span<
 std::vector<Ring> stroke_pieces(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
                                 const JunctionArms& junction_arms);
 
-/// Appends the points of a fillet's arc, from kerb to kerb, snapped; one point if the radius is 0.
-void add_fillet(const Fillet& fillet, Ring& ring);
-
 /// Returns the area between two axes and their fillet: the corner and half of either arm. Simple, counter-clockwise,
 /// snapped. Nothing if it would cross itself, for example if the arms cross.
 std::optional<Ring> corner_ring(const ArmPath& arm, const ArmPath& next, const Fillet& fillet);

@@ -38,9 +38,9 @@ struct MarkingAtlas {
 /// @param tolerance_m  The tile's tolerance.
 ///
 /// Texels are as large as the tolerance, at least kFinestTexel_m, and divide kLayoutLength_m. If the image would exceed
-/// kWidest_texels they grow until it fits: at 3 cm 245 m of strips fit side by side (24 carriageways of 10 m), at 6 cm
-/// 490 m, at 12 cm 980 m, less 8 texels a layout. If kCoarsestTexel_m is too small (more than 290 carriageways of 10
-/// m), the last layouts get no column.
+/// kWidest_texels they grow until it fits: at 3 cm 245 m of strips fit side by side, at 6 cm 490 m, at 12 cm
+/// 980 m, less 8 texels a layout: 23 carriageways of 10 m at 3 cm. If kCoarsestTexel_m is too small (more than 292
+/// carriageways of 10 m), the last layouts get no column.
 ///
 /// Guarantees: columns and their gutters never overlap; the maximum width holds; same bytes on every machine.
 /// O(texels).

@@ -14,7 +14,8 @@
 //   buffers, bays                 hatched; a line every 6 m, every 3 m angled or every 2.4 m perpendicular to the kerb
 //   crossings, rails              zebra or two broken lines; rails on sleepers, in the street, or in asphalt
 //
-// Quiet streets (residential, service, pedestrian) have no lines between cars, unpaved ones no paint at all.
+// Quiet streets (residential, service, pedestrian) have no lines between cars, except where lanes merge and between
+// lanes of one direction before a junction with control or arrows. Unpaved streets have no paint at all.
 #pragma once
 
 #include "compiler/roads/markings/mark.h"

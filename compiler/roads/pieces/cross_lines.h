@@ -45,7 +45,8 @@ struct Slices {
 ///                         changes farther away move no edge on the border.
 ///
 /// Guarantees: the two lines of a slice do not cross; neighbouring slices share their line unless the bend is open. A
-/// stretch that would end within a bend ends at the bend's vertex. O(points + stretches).
+/// stretch that would end within a bend ends at the bend's vertex. O(points · (stretches + bends of the
+/// edges)).
 Slices slices_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches, double left_m,
                  double right_m, std::span<const LaneChange> changes, double tile_m);
 

@@ -7,7 +7,7 @@
 
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/ring_crossing.h"
-#include "compiler/geometry/snap.h"
+#include "compiler/roads/generate.h"
 #include "compiler/roads/network.h"
 
 namespace citykiln::roads {
@@ -90,19 +90,6 @@ std::vector<TrafficIsland> island_in(std::span<const Road> roads, const std::vec
   return {{id, is_planted ? map::LandCoverClass::kVerge : map::LandCoverClass::kIsland, std::move(ring)}};
 }
 
-// A 16-gon. cos and sin of k · 22.5° as literals, so that every CPU agrees.
-Ring disk_about(Vec2 centre, double radius_m) {
-  constexpr double kC1 = 0.9238795325112867, kC2 = 0.7071067811865476, kC3 = 0.3826834323650898;
-  constexpr Vec2 kQuarter[] = {{1, 0}, {kC1, kC3}, {kC2, kC2}, {kC3, kC1}};
-  Ring ring;
-  for (int quarter = 0; quarter < 4; ++quarter)
-    for (Vec2 direction : kQuarter) {
-      for (int turn = 0; turn < quarter; ++turn) direction = left_of(direction);
-      ring.push_back(snapped(centre + direction * radius_m));
-    }
-  return ring;
-}
-
 // Islands at marked nodes. A node of several streets belongs to the one with the lowest id.
 std::vector<TrafficIsland> islands_at_nodes(std::span<const Road> roads) {
   std::map<std::pair<Vec2, map::LandCoverClass>, ObjectId> nodes;
@@ -117,7 +104,7 @@ std::vector<TrafficIsland> islands_at_nodes(std::span<const Road> roads) {
   std::vector<TrafficIsland> islands;
   for (const auto& [node, id] : nodes) {
     const bool is_loop = node.second == map::LandCoverClass::kTrafficIsland;
-    islands.push_back({id, node.second, disk_about(node.first, is_loop ? kLoopIsland_m : kPaintedCircle_m)});
+    islands.push_back({id, node.second, sixteen_gon(node.first, is_loop ? kLoopIsland_m : kPaintedCircle_m)});
   }
   return islands;
 }

@@ -23,7 +23,7 @@ namespace citykiln::roads {
 struct PieceEnd {
   double left_m = 0, right_m = 0;              ///< Offsets of the strip's edges from the axis, to the left positive.
   double left_along_m = 0, right_along_m = 0;  ///< Distances along the axis, from PieceFrame::at, of the line's ends.
-  double v_m = 0;
+  double v_m = 0;                              ///< v of the line: its distance along the way from RoadStretch::zero_m.
 };
 
 /// The position of a piece in its strip, from which uv_at() computes texture coordinates.

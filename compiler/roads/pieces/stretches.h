@@ -21,7 +21,8 @@ struct JunctionInterval {
   bool is_change = false;            ///< True if only the width changes there, so that traffic does not stop.
 };
 
-/// Returns for each road its parts in street junctions, sorted along it. O(n log n).
+/// Returns for each road its parts in street junctions, sorted along it. Roads that run through a junction
+/// (has_through_road()) have no part in it; junctions of which arms are missing have none at all. O(n log n).
 std::vector<std::vector<JunctionInterval>> junction_intervals_of(std::span<const Road> roads,
                                                                  std::span<const Junction> junctions);
 

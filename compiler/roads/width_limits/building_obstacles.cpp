@@ -1,7 +1,6 @@
 #include "compiler/roads/width_limits/building_obstacles.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -177,7 +176,7 @@ void add_meetings(const Edge& segment, const Edge& wall, std::vector<double>& sh
 void find_passages(ObstacleSearch& search, std::size_t segment, const Polygon& footprint,
                    std::vector<Steps>& passages) {
   const Edge axis{search.road.axis[segment], search.road.axis[segment + 1]};
-  const Box2 box = box_of(std::array{axis.a, axis.b});
+  const Box2 box = box_of_segment(axis.a, axis.b);
   if (!box.touches(box_of(footprint.outer))) return;
   const double from_m = search.along_m[segment], length_m = search.along_m[segment + 1] - from_m;
   constexpr auto kSteps = static_cast<std::int32_t>(kPassage_m / kStep_m);
@@ -202,7 +201,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_near(const Road& road
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   const double reach_m = max_offset_m(road);
   for (std::uint32_t segment = 0; segment + 1 < road.axis.size(); ++segment) {
-    const Box2 box = box_of(std::array{road.axis[segment], road.axis[segment + 1]}).widened(reach_m);
+    const Box2 box = box_of_segment(road.axis[segment], road.axis[segment + 1]).widened(reach_m);
     for (const std::uint32_t footprint : footprints.near(box)) pairs.emplace_back(footprint, segment);
   }
   std::sort(pairs.begin(), pairs.end());
@@ -245,9 +244,9 @@ BuildingObstacles find_building_obstacles(const Road& road, const StripEnds& end
       find_passages(search, pairs[end].second, footprint, passages);
     for (std::size_t pair = i; pair < end; ++pair) {
       const std::uint32_t segment = pairs[pair].second;
-      const Box2 box = box_of(std::array{road.axis[segment], road.axis[segment + 1]}).widened(reach_m);
+      const Box2 box = box_of_segment(road.axis[segment], road.axis[segment + 1]).widened(reach_m);
       for_each_wall(footprint, [&](const Edge& wall) {
-        if (box_of(std::array{wall.a, wall.b}).touches(box)) add_beside(search, passages, segment, ends, wall);
+        if (box_of_segment(wall.a, wall.b).touches(box)) add_beside(search, passages, segment, ends, wall);
       });
     }
   }

@@ -48,8 +48,8 @@ Coefficients coefficients_at(const Air& air, double nm) {
 double molecules_phase(double cosine) { return 3 / (16 * std::numbers::pi) * (1 + cosine * cosine); }
 
 double aerosols_phase(double cosine) {
-  constexpr double kSquared = kForward * kForward;
-  const double base = 1 + kSquared - 2 * kForward * cosine;
+  constexpr double kSquared = kAsymmetry * kAsymmetry;
+  const double base = 1 + kSquared - 2 * kAsymmetry * cosine;
   return (1 - kSquared) / (4 * std::numbers::pi * base * std::sqrt(base));
 }
 

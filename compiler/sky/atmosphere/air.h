@@ -38,8 +38,8 @@ Densities densities_at(const Air& air, double height_m);
 /// Returns the coefficients at a wavelength.
 Coefficients coefficients_at(const Air& air, double nm);
 
-/// The mean cosine of scattering by aerosols.
-inline constexpr double kForward = 0.76;  ///< The mean cosine of scattering by aerosols.
+/// The asymmetry parameter of aerosols: the mean cosine of the angle by which they deflect light.
+inline constexpr double kAsymmetry = 0.76;
 /// Returns the phase function of molecules (Rayleigh) at the cosine of the angle of deflection: scattering per
 /// steradian, with an integral of 1 over the sphere.
 double molecules_phase(double cosine);

@@ -35,7 +35,8 @@ struct Columns {
   float molecules = 0, aerosols = 0, ozone = 0;
 };
 
-/// Returns e^x for x <= 0, within 2e-6; 0 below -87. It has no branches, so that loops are vectorised.
+/// Returns e^x for x <= 0, with an absolute error below 2e-6; e^-87 below -87. It has no branches, so that loops are
+/// vectorised.
 inline float exponential_below(float x) {
   const float clamped = x < -87.0f ? -87.0f : x;
   const float power = clamped * 1.44269504f;

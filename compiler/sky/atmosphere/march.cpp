@@ -23,8 +23,8 @@ PhaseMoments phase_moments(double z, double x) {
     const int degree = kMomentDegrees[i];
     const double shared = basis[i] * kAdditionFactors[i] * (2 * degree + 1) / (4 * kPi);
     constexpr double kOfMolecules[] = {1, 0, 0.1, 0, 0};
-    constexpr double kOfAerosols[] = {1, kForward, kForward * kForward, kForward * kForward * kForward,
-                                      kForward * kForward * kForward * kForward};
+    constexpr double kOfAerosols[] = {1, kAsymmetry, kAsymmetry * kAsymmetry, kAsymmetry * kAsymmetry * kAsymmetry,
+                                      kAsymmetry * kAsymmetry * kAsymmetry * kAsymmetry};
     phase.molecules[i] = static_cast<float>(shared * kOfMolecules[degree]);
     phase.aerosols[i] = static_cast<float>(shared * kOfAerosols[degree]);
   }
@@ -94,7 +94,7 @@ void march(const LitAir& lit, const MarchedSources& sources, const AirRay& ray, 
 }
 
 double aerosols_glow(double cosine) {
-  constexpr double g = kForward * kForward;
+  constexpr double g = kAsymmetry * kAsymmetry;
   const double x = cosine, x2 = x * x;
   const double base = 1 + g * g - 2 * g * x, all = (1 - g * g) / (base * std::sqrt(base));
   const double held = 1 + 3 * g * x + 5 * g * g * (3 * x2 - 1) / 2 + 7 * g * g * g * x * (5 * x2 - 3) / 2 +

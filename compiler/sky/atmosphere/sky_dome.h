@@ -21,7 +21,8 @@ struct AirPath {
 class SkyDome {
  public:
   /// Computes the tables. Cost: 0.2 s.
-  /// @param irradiance  The source's irradiance outside of the atmosphere, relative to the sun's.
+  /// @param eye_height_m  Above sea level; clamped to 0 to 20,000 m.
+  /// @param irradiance    The source's irradiance outside of the atmosphere, relative to the sun's.
   SkyDome(const LitAir& lit, Vec3 to_source, double eye_height_m, double irradiance);
 
   /// Returns the radiance of the sky in a unit direction, without the source's disk; below the horizon, the radiance at

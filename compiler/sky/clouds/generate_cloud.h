@@ -23,9 +23,9 @@ struct CloudParticle {
 struct CloudParticles {
   std::vector<CloudParticle> spheres;  ///< The larger ones first.
   double finest_m = 0;                 ///< Particles of smaller radii were left out, in metres of the layer's frame.
-  /// The largest error of the optical depth along any ray, relative to the cloud with all its particles: the optical
-  /// depth of a length of kMissedDiameters diameters of the largest particle that was left out. 0 if no particle was
-  /// left out.
+  /// An estimate of the largest error of the optical depth along a ray, compared with the cloud with all its particles:
+  /// the optical depth of a length of kMissedDiameters diameters of the largest particle that was left out. It is
+  /// measured, not a bound. 0 if no particle was left out.
   double depth_error = 0;
 };
 

@@ -67,10 +67,10 @@ std::string set_key(CloudLayer& layer, const std::string& key, const json& value
   return "";
 }
 
-Result<CloudLayer> layer_of(const json& value, const std::string& path, std::size_t index) {
+Result<CloudLayer> layer_of(const json& value, const std::string& path, std::size_t index, std::uint64_t seed) {
   const auto error = [&](const std::string& what) { return Error{path, fmt::format("layer {}: {}", index + 1, what)}; };
   if (!value.is_object() || !value.contains("kind")) return error("expected an object with a \"kind\"");
-  CloudLayer layer;
+  CloudLayer layer{.seed = seed};
   for (const auto& [key, item] : value.items())
     if (const std::string wrong = set_key(layer, key, item); !wrong.empty()) return error(wrong);
   if (!is_sound(layer))
@@ -81,7 +81,7 @@ Result<CloudLayer> layer_of(const json& value, const std::string& path, std::siz
   return layer;
 }
 
-Result<std::vector<CloudLayer>> read_file(const std::string& path) {
+Result<std::vector<CloudLayer>> read_file(const std::string& path, std::uint64_t seed) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error)
@@ -96,7 +96,7 @@ Result<std::vector<CloudLayer>> read_file(const std::string& path) {
     return Error{path, fmt::format("has {} layers; expected at most {}", text["layers"].size(), kMostCloudLayers)};
   std::vector<CloudLayer> layers;
   for (const json& value : text["layers"]) {
-    Result<CloudLayer> layer = layer_of(value, path, layers.size());
+    Result<CloudLayer> layer = layer_of(value, path, layers.size(), seed);
     if (!layer) return layer.error();
     layers.push_back(*layer);
   }
@@ -107,7 +107,7 @@ Result<std::vector<CloudLayer>> read_file(const std::string& path) {
 
 Result<std::vector<CloudLayer>> read_clouds(const std::string& name_or_path, double ground_m, std::uint64_t seed) {
   if (auto layers = named(name_or_path, ground_m, seed)) return std::move(*layers);
-  return read_file(name_or_path);
+  return read_file(name_or_path, seed);
 }
 
 }  // namespace citykiln::sky

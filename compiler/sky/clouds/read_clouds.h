@@ -16,9 +16,9 @@ namespace citykiln::sky {
 ///
 /// Heights in files are metres above sea level, winds m/s towards east and north. All keys but `kind` are optional.
 /// @param ground_m  Mean height of the ground, above sea level. Named skies are placed over it.
+/// @param seed      The seed of named skies, and of layers of a file that give none.
 /// Errors, each in one line: a file that is missing, malformed or larger than 64 kB; an unknown key; a number out of
 /// its limits.
-/// @param seed  The seed of layers that give none.
 Result<std::vector<CloudLayer>> read_clouds(const std::string& name_or_path, double ground_m, std::uint64_t seed);
 
 }  // namespace citykiln::sky

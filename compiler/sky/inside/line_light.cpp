@@ -12,7 +12,7 @@ namespace {
 double arcsine_rad(double sine) { return arctangent2_deg(sine, std::sqrt(std::max(0.0, 1 - sine * sine))) * kPi / 180; }
 
 // The integral of cos(theta) (a cos(theta) + b sin(theta)) up to an angle of this sine.
-double radiosity_up_to(double a, double b, double sine) {
+double irradiance_up_to(double a, double b, double sine) {
   const double cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
   return (a * (arcsine_rad(sine) + sine * cosine) + b * sine * sine) / 2;
 }
@@ -54,7 +54,8 @@ Vec3 direction_to(const SeenLine& line, double sine) {
 
 double irradiance(const SeenLine& line, Vec3 normal) {
   const double a = dot(normal, line.across), b = dot(normal, line.along);
-  return std::max(0.0, radiosity_up_to(a, b, line.high_sine) - radiosity_up_to(a, b, line.low_sine)) / line.distance_m;
+  return std::max(0.0, irradiance_up_to(a, b, line.high_sine) - irradiance_up_to(a, b, line.low_sine)) /
+         line.distance_m;
 }
 
 }  // namespace citykiln::sky

@@ -7,7 +7,7 @@
 //                      \   |  /
 //                        place
 //
-// Radiosity of a segment is then an integral of cos(theta) (a cos(theta) + b sin(theta)) / h, in closed form, with a
+// Irradiance by a segment is then an integral of cos(theta) (a cos(theta) + b sin(theta)) / h, in closed form, with a
 // and b the parts of the normal across and along the line. Compare Nishita, Okamura, Nakamae, "Shading models for point
 // and linear light sources", ACM TOG 4(2), 1985, who integrate from ends above the horizon only.
 #pragma once

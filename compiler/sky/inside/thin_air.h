@@ -16,12 +16,13 @@ namespace citykiln::sky {
 /// The fall of Inside with which air at the ground is five times as dense as at the axis: the logarithm of 5.
 inline constexpr double kUsualFall = 1.6094379124341003;
 
-/// Returns the density of air at a place, with 1 at z = 0. @param p  In the frame of map/plane/cylinder.h.
+/// Returns the density of air at a place, relative to that at the distance R (the cylinder's radius) from the axis.
+/// @param p  A point of the bent world, as map::at() returns it; not plane metres.
 double density_at(const Inside& inside, Vec3 p);
 
 /// Returns the column of air along a ray, as metres of air of density 1.
-/// @param from, direction  In the frame of the cylinder; a unit vector. The ray should stay within the cylinder;
-/// outside of it air is denser yet. Error: below 1e-10 of the value. 0.1 µs.
+/// @param from, direction  In the frame of density_at(); `direction` is a unit vector. The ray should stay within the
+/// cylinder; outside of it air is denser yet. Error: below 1e-10 of the value. 0.1 µs.
 double column_m(const Inside& inside, Vec3 from, Vec3 direction, double distance_m);
 
 }  // namespace citykiln::sky

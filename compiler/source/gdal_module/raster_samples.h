@@ -9,10 +9,11 @@ class GDALDataset;
 
 namespace citykiln::source::gdal {
 
-/// Returns the heights of the window, row by row. Voids (the file's nodata value, -32768, transparent pixels,
-/// non-finite values) become NaN. Without an encoding height_m = scale * value + offset of the one band; terrarium:
-/// value = 256 R + G + B / 256 - 32768; mapbox: value = -10000 + 0.1 * (65536 R + 256 G + B). Errors: bands that do not
-/// fit the encoding, unreadable data.
+/// Returns the heights of the window, row by row: height_m = scale * value + offset, by the spec. Voids become NaN.
+/// Without an encoding the value is that of the first band, after the band's own scale and offset; voids are the file's
+/// nodata value, -32768, non-finite values and those beyond 1e9. terrarium: value = 256 R + G + B / 256 - 32768;
+/// mapbox: value = -10000 + 0.1 * (65536 R + 256 G + B); voids are transparent pixels. Errors: bands that do not fit
+/// the encoding, unreadable data.
 Result<std::vector<float>> read_samples(GDALDataset& dataset, const PixelWindow& window, const RasterSpec& spec);
 
 }  // namespace citykiln::source::gdal

@@ -60,8 +60,8 @@ Result<PixelWindow> window_of(const Raster& raster, const LonLatBox& box) {
   return PixelWindow{column, row, column_count, row_count};
 }
 
-PixelWindow thinned(PixelWindow window, const Raster& raster, double spacing_m) {
-  const double longer_m = std::max(raster.spacing_m.x, raster.spacing_m.y);
+PixelWindow thinned(PixelWindow window, Vec2 samples_m, double spacing_m) {
+  const double longer_m = std::max(samples_m.x, samples_m.y);
   if (!(longer_m > 0) || window.columns == 0) return window;
   // a raster of a single sample has no spacing to speak of
   const int most = std::max(1, std::max(window.columns, window.rows));

@@ -20,7 +20,7 @@ Result<PixelWindow> window_of(const Raster& raster, const LonLatBox& box);
 
 /// Selects every n-th sample of a window, with the largest n whose samples are not farther apart than `spacing_m`; at
 /// least 1.
-/// @param raster  Its spacing_m is used.
-PixelWindow thinned(PixelWindow window, const Raster& raster, double spacing_m);
+/// @param samples_m  The distances between the file's samples to the east and north.
+PixelWindow thinned(PixelWindow window, Vec2 samples_m, double spacing_m);
 
 }  // namespace citykiln::source::gdal

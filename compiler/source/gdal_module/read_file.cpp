@@ -159,7 +159,10 @@ Result<Raster> read(const RasterSpec& spec, const LonLatBox* box, double spacing
     if (!needed) return needed.error();
     window = *needed;
   }
-  if (spacing_m > 0) raster.spacing_m = sample_spacing_m(raster), window = thinned(window, raster, spacing_m);
+  // before the file is cut: equal for all windows
+  const Vec2 whole_m = window.columns > 0 ? sample_spacing_m(raster) : Vec2{};
+  if (spacing_m > 0) window = thinned(window, whole_m, spacing_m);
+  raster.file_spacing_m = std::min(whole_m.x, whole_m.y) * window.stride;
   cut_to_window(window, raster);
   if (raster.columns == 0) return raster;
   Result<std::vector<float>> heights_m = read_samples(**dataset, window, spec);

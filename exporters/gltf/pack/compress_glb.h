@@ -11,8 +11,9 @@
 
 namespace citykiln::exporters {
 
-/// Returns a .glb with packed meshes. Images, tables and instances stay as they are. The bytes do not depend on the
-/// number of threads.
+/// Returns a .glb with packed meshes. Images and tables stay as they are; without Draco, nodes, instances and textures
+/// are scaled by the steps of 16 bit attributes (narrow_attributes.h). The bytes do not depend on the number of
+/// threads.
 /// @param plain  The output of build_glb(): each attribute has an accessor with a buffer view of its own. Positions and
 ///              uvs on the grids of packed meshes (quantise.h) stay exact.
 /// @param compression  Not kNone.

@@ -20,7 +20,8 @@ double rounding_m(std::span<const bake::Primitive> primitives);
 /// - uvs on images become multiples of the largest power of two that is at most a texel / kUvStepsPerTexel.
 /// - uvs on textures are moved by whole periods, object by object, so that they begin in the first one,
 ///   and become multiples of packed_texture_step_m().
-/// - Vertices that have become equal are shared (share_vertices.h); triangles without area are dropped.
+/// - Vertices that have become equal are shared (share_vertices.h). Triangles that then use a vertex twice are dropped,
+///   but none if the primitive would lose all.
 ///
 /// Guarantees: equal positions stay equal, also between tiles or levels with the same step, so borders meet. Quantising
 /// twice changes nothing more. Accepts any tile. O(n).

@@ -89,6 +89,14 @@ std::size_t add_cloud_layer(GlbBuilder& f, const CloudMeshes& layer, std::size_t
   return number;
 }
 
+// A cell's diagonal in the layer's frame, in plane metres: cirrus is stretched along the wind.
+double surface_error_m(std::span<const CloudMeshes> layers, double cell_m) {
+  constexpr double kDiagonal = 1.7320508075688772;
+  double stretch = 1;
+  for (const CloudMeshes& layer : layers) stretch = std::max(stretch, sky::frame_of(layer.layer).stretch);
+  return cell_m * kDiagonal * stretch;
+}
+
 Json plane_of(const scene::Header& header) {
   return {{"lon_0", header.origin.lon_deg},
           {"lat_0", header.origin.lat_deg},
@@ -115,7 +123,7 @@ std::vector<std::byte> encode_clouds(std::span<const CloudMeshes> layers, const 
                {"translation", {origin.x, origin.z, 0.0 - origin.y}},
                {"extras",
                 {{"cell_m", cell_m},
-                 {"error_m", cell_m * 1.7320508075688772},
+                 {"error_m", surface_error_m(layers, cell_m)},
                  {"particle_m", particle_m},
                  {frame.empty() ? "plane" : "frame", frame.empty() ? plane_of(header) : Json(frame)}}}};
   f.add("nodes", nullptr);

@@ -72,7 +72,7 @@ void add_layer_node(GlbBuilder& f, Layer layer, std::span<const Primitive> primi
   Json node = {{"name", name_of(layer)}};
   const std::size_t number = f.add("nodes", nullptr);
   root["children"].push_back(number);
-  if (f.options.split == Split::kBuilding && layer == Layer::kBuildings)
+  if (f.options.split == NodeSplit::kBuilding && layer == Layer::kBuildings)
     add_buildings(f, primitives, node);
   else if (!primitives.empty())
     node["mesh"] = add_mesh(f, node["name"], primitives);
@@ -100,7 +100,7 @@ void add_layers(GlbBuilder& f, Json& root) {
 
 void add_nodes(GlbBuilder& f, Json root) {
   f.add("nodes", nullptr);
-  if (f.options.split != Split::kTile) {
+  if (f.options.split != NodeSplit::kTile) {
     add_layers(f, root);
   } else {
     if (!f.tile.primitives.empty()) root["mesh"] = add_mesh(f, "tile", f.tile.primitives);

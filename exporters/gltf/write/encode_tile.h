@@ -19,7 +19,8 @@ struct EncodedTile {
   std::vector<std::byte> glb;
   std::vector<SharedFile> shared;  ///< Files that it refers to, with Layout::kShared.
   double error_m = 0;
-  std::uint64_t triangles = 0;  ///< The number in the file: packing drops triangles without area.
+  /// The number in the file, without triangles that packing drops (quantise.h).
+  std::uint64_t triangles = 0;
 };
 
 /// Returns the .glb of a tile. Packed tiles are quantised first (quantise.h), so that their stated error holds.

@@ -16,7 +16,7 @@ namespace citykiln::exporters {
 /// | property | type           | value                                                        | noData |
 /// |----------|----------------|--------------------------------------------------------------|--------|
 /// | id       | UINT64         | id of the OpenStreetMap element                              |        |
-/// | type     | UINT8          | 0 none, 1 node, 2 way, 3 relation                            |        |
+/// | type     | UINT8          | 0 none, 1 node, 2 way, 3 relation, 4 lot                     |        |
 /// | class    | ENUM of UINT16 | its class, "Apartments"; the enum lists the tile's, sorted   | none   |
 /// | name     | STRING         | name=*                                                       | ""     |
 /// | height_m | FLOAT32        | from foot to top: buildings, barriers, lamps, single plants  | 0      |

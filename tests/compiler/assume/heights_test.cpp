@@ -36,7 +36,7 @@ TEST(AssumedHeights, AreWholeStoreysAsLevelsWouldSay) {
       map::features_of(house(1, 0, fmt::format("building=house building:levels={}", f.levels)));
   EXPECT_EQ(f.height_m, footprint_of(tagged, 1).height_m);
   EXPECT_EQ(f.storey_m, footprint_of(tagged, 1).storey_m);
-  EXPECT_FALSE(f.is_height_assumed);
+  EXPECT_FALSE(f.has_default_height);
   EXPECT_FALSE(f.has_roof_in_height);
   EXPECT_TRUE(has(f.assumed, Assumption::kHeights));
 }

@@ -80,6 +80,42 @@ TEST(ViewLevels, EachObjectIsInOnePart) {
   }
 }
 
+// A flat tile of four by four cells at height 0, seen from 140 m above one of its places.
+struct TileFromAbove {
+  scene::Scene scene{};
+  View view{{200, 200, 140}, 900};
+
+  TileFromAbove() {
+    scene.header.extent = {{0, 0}, {kHillyTile_m, kHillyTile_m}}, scene.header.tile_m = kHillyTile_m;
+    scene.chunks.emplace_back().heights = {{-64, -64}, {16, 16}, 41, 41, std::vector<std::int32_t>(41 * 41), 0};
+  }
+  scene::Chunk& chunk() { return scene.chunks[0]; }
+  // the finest of the levels in which the tile is baked
+  int finest_part() const {
+    const ViewLevels levels = levels_for(scene, view);
+    return levels_of_parts(levels, scene.header, scene.chunks[0]).front();
+  }
+};
+
+TEST(ViewLevels, APartIsFineEnoughForATallThing) {
+  TileFromAbove tile;
+  EXPECT_GT(tile.finest_part(), 0);
+  tile.chunk().things = {{.at = {200, 200}, .form = {.kind = "wind_turbine", .height_m = 140}}};
+  EXPECT_EQ(tile.finest_part(), 0);
+}
+
+TEST(ViewLevels, APartIsFineEnoughForATallLamp) {
+  TileFromAbove tile;
+  tile.chunk().lamps = {{.at = {200, 200}, .height_m = 140}};
+  EXPECT_EQ(tile.finest_part(), 0);
+}
+
+TEST(ViewLevels, APartIsFineEnoughForWires) {
+  TileFromAbove tile;
+  tile.chunk().wire_spans = {{.wires = {{.from = {200, 100, 140}, .to = {200, 300, 140}, .sag_m = 2, .radius_mm = 9}}}};
+  EXPECT_EQ(tile.finest_part(), 0);
+}
+
 TEST(ViewLevels, BothCellsOfASideHaveOneToleranceThere) {
   for (const double pixel_error : {0.25, 1.0, 8.0}) {
     const scene::Scene scene = scene_of_four_tiles();

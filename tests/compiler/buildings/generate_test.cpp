@@ -71,6 +71,16 @@ TEST(Generate, DropsWhatIsLowerThanTheTolerance) {
 }
 
 // Roof structures made by rules count.
+TEST(Generate, KeepsThinSlabsAboveTheGround) {
+  // steps of a monument, such as w131446862 of Berlin: without all of them its base hangs in the air
+  Building slab = with_court(false);
+  slab.top_m = slab.bottom_m + 0.36;
+  EXPECT_FALSE(bare(slab, 0.5).meshes.empty());
+  EXPECT_TRUE(open_edges(bare(slab, 0.5)).empty());
+  slab.stands_on_ground = true;
+  EXPECT_TRUE(bare(slab, 0.5).meshes.empty());
+}
+
 TEST(Generate, KeepsBuildingsWithHigherRoofStructures) {
   Building b = with_court(true);
   b.style = Style::kBarn;

@@ -37,7 +37,7 @@ MassModel made(const Building& building, double tolerance_m = 0.02) {
 // Twice the vector area, which is 0 for closed surfaces.
 Vec3 sum_of(const std::vector<Face>& faces) {
   Vec3 sum;
-  for (const Face& face : faces) sum = sum + area_vector_m2(face);
+  for (const Face& face : faces) sum = sum + double_area_vector_m2(face);
   return sum;
 }
 

@@ -15,14 +15,14 @@ TEST(ClimateClass, IsFoundByItsName) {
 
 TEST(ClimateClass, HasNoSeasonOfLeavesInTheTropics) {
   for (const ClimateClass climate : {ClimateClass::kAf, ClimateClass::kAm, ClimateClass::kAs, ClimateClass::kAw})
-    for (std::uint8_t month = 1; month <= 12; ++month) EXPECT_EQ(month_by_leaves(climate, LocalMonth{month}), 6);
+    for (std::uint8_t month = 1; month <= 12; ++month) EXPECT_EQ(equivalent_month(climate, LocalMonth{month}), 6);
 }
 
 TEST(ClimateClass, HasLeavesLaterAndShorterWhereWintersAreLong) {
-  EXPECT_EQ(month_by_leaves(ClimateClass::kCfb, kApril), 4);
-  EXPECT_LT(month_by_leaves(ClimateClass::kDfc, kApril), 4);
-  EXPECT_GT(month_by_leaves(ClimateClass::kDfc, kOctober), 10);
-  EXPECT_LT(month_by_leaves(ClimateClass::kCsa, kOctober), 10);
+  EXPECT_EQ(equivalent_month(ClimateClass::kCfb, kApril), 4);
+  EXPECT_LT(equivalent_month(ClimateClass::kDfc, kApril), 4);
+  EXPECT_GT(equivalent_month(ClimateClass::kDfc, kOctober), 10);
+  EXPECT_LT(equivalent_month(ClimateClass::kCsa, kOctober), 10);
 }
 
 TEST(ClimateClass, HasStrawInDrySummersAndAllYearInDeserts) {

@@ -10,13 +10,14 @@ namespace citykiln::climate {
 namespace {
 
 // A plane about a place; a degree has 111.2 km.
-auto degrees_about(Degrees origin) {
+auto degrees_about(LonLatDegrees origin) {
   return [origin](Vec2 at) {
-    return Degrees{origin.lon + at.x / 111200 / std::cos(origin.lat * 3.14159265 / 180), origin.lat + at.y / 111200};
+    return LonLatDegrees{origin.lon + at.x / 111200 / std::cos(origin.lat * 3.14159265 / 180),
+                         origin.lat + at.y / 111200};
   };
 }
 
-constexpr Degrees kRome{12.5, 41.9}, kLagos{3.39, 7.9};
+constexpr LonLatDegrees kRome{12.5, 41.9}, kLagos{3.39, 7.9};
 
 double share_of(const ClimateMix& mix, ClimateClass climate) {
   return mix.mean([&](ClimateClass each) { return each == climate ? 1.0 : 0.0; });
@@ -24,7 +25,7 @@ double share_of(const ClimateMix& mix, ClimateClass climate) {
 
 TEST(ClimateField, HasTheOriginsClassAndSoundNodes) {
   const ClimateField field = make_climate_field({{-1024, -1024}, {1024, 1024}}, degrees_about(kRome));
-  EXPECT_EQ(field.own, ClimateClass::kCsa);
+  EXPECT_EQ(field.origin_class, ClimateClass::kCsa);
   EXPECT_TRUE(is_sound(field));
   EXPECT_EQ(field.nodes.size(), 9u);
 }
@@ -44,7 +45,7 @@ TEST(ClimateField, FollowsTheTableWithinTheSpacingOfItsNodes) {
   double largest = 0;
   for (double y = 0; y < 500000; y += 3000)
     for (const double x : {100.0, 40000.0, 79000.0}) {
-      const Degrees at = degrees_of({x, y});
+      const LonLatDegrees at = degrees_of({x, y});
       const ClimateMix mix = climate_mix_at(field, {x, y}), exact = climate_mix_at(at.lon, at.lat);
       for (const ClimateShare& each : exact.shares())
         largest = std::max(largest, std::abs(each.share - share_of(mix, each.climate)));
@@ -73,7 +74,7 @@ TEST(ClimateField, IsOneClassWhereItIsUniform) {
 TEST(ClimateField, IsNotSoundWithOtherNumbers) {
   const ClimateField sound = uniform_climate(ClimateClass::kBWh);
   ClimateField field = sound;
-  field.own = ClimateClass::kCount;
+  field.origin_class = ClimateClass::kCount;
   EXPECT_FALSE(is_sound(field));
   field = sound, field.columns = 0;
   EXPECT_FALSE(is_sound(field));

@@ -90,7 +90,7 @@ TEST(AddCountry, TracksMeetRoadsInEqualPoints) {
   const Terrain terrain = land(2);
   InventedMap map = village();
   const std::size_t roads = map.lines.size();
-  add_country(terrain, {.tracks_per_km = 8}, kSide_m, 2, map);
+  add_country(terrain, {.tracks_per_km2 = 8}, kSide_m, 2, map);
   std::map<Vec2, int> uses;
   for (const InventedLine& line : map.lines)
     for (const Vec2 p : line.axis) ++uses[p];

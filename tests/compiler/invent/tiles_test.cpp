@@ -106,7 +106,7 @@ TEST(ArrangeTiles, ASetWithoutArrangementIsAnError) {
 
 TEST(ArrangeTiles, AFunctionOfTheSeed) {
   const TileSet set = shipped();
-  const Arrange request{.columns = 25, .rows = 25, .seed = 8};
+  const TileGridRequest request{.columns = 25, .rows = 25, .seed = 8};
   EXPECT_EQ(arrange_tiles(set, request)->tiles, arrange_tiles(set, request)->tiles);
   EXPECT_NE(arrange_tiles(set, request)->tiles, arrange_tiles(set, {.columns = 25, .rows = 25, .seed = 9})->tiles);
 }

@@ -67,6 +67,20 @@ TEST(AddYards, BarriersLeavePathsDrivesHousesAndPavementsFree) {
   EXPECT_GT(barriers, 30);
 }
 
+TEST(AddYards, PlantsKeepOffBarriers) {
+  int plants = 0;
+  for (const CountryGroup group : kGroups) {
+    const map::Features town = town_with_yards(made_town(group));
+    for (const map::PointFeature& point : town.points) {
+      if (point.kind != map::PointKind::kTree) continue;
+      ++plants;
+      for (const map::Barrier& barrier : town.barriers)
+        EXPECT_GE(distance_to_polyline(barrier.axis, point.at), 0.74) << point.at.x << ' ' << point.at.y;
+    }
+  }
+  EXPECT_GT(plants, 50);
+}
+
 TEST(AddYards, NeighboursHaveOneBorderBetweenThem) {
   const map::Features town = town_with_yards(made_town(CountryGroup::kNorthAmerica));
   // between the houses 3 and 4, behind their fronts

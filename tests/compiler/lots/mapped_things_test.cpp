@@ -15,10 +15,10 @@ double clear_of_junction_m(map::LandCoverClass surface) {
   Report report;
   const std::vector<roads::Road> roads = roads::plan(town, report);
   const MappedThings mapped = mapped_things(town, roads, roads::plan_junctions(roads, report), {});
-  EXPECT_FALSE(mapped.crossings.all.empty());
+  EXPECT_FALSE(mapped.junction_zones.all.empty());
   double half_m = 0;
   for (const roads::Road& road : roads) half_m = std::max(half_m, roads::width_m(road) / 2);
-  return -clearance_m(mapped.crossings, {0, 0}, 100) - half_m;
+  return -clearance_m(mapped.junction_zones, {0, 0}, 100) - half_m;
 }
 
 TEST(MappedThings, CrossingsOfStreetsNeedSightAndOthersTheirOutline) {
@@ -41,7 +41,7 @@ TEST(MappedThings, CornersOfJunctionsReachFarAtSmallAngles) {
   const auto outlines = roads::outline_junctions(junctions, roads, 1);
   for (const Polygon& outline : outlines[0])
     for (const Vec2 p : outline.outer) {
-      EXPECT_LT(clearance_m(mapped.crossings, p, 10), -0.9 * kBesideCorner_m) << p.x << " " << p.y;
+      EXPECT_LT(clearance_m(mapped.junction_zones, p, 10), -0.9 * kBesideCorner_m) << p.x << " " << p.y;
       farthest_m = std::max(farthest_m, length(p));
     }
   EXPECT_GT(farthest_m, 8);

@@ -19,7 +19,7 @@ TEST(PlanLots, EveryHouseAlongAStreetHasALot) {
     EXPECT_EQ(lots[i].main, i);
     EXPECT_EQ(lots[i].kind, LotKind::kDetached);
     // less what lies under the pavement
-    EXPECT_NEAR(lots[i].house_m, 8 + kUnderPavement_m, 0.01);
+    EXPECT_NEAR(lots[i].setback_m, 8 + kUnderPavement_m, 0.01);
     EXPECT_GT(dot(lots[i].frame.inward, Vec2{0, 1}), 0.99);
   }
 }
@@ -76,9 +76,9 @@ TEST(PlanLots, LandThatIsMappedMoreFinelyIsInNoLot) {
 TEST(PlanLots, APathAlongAStreetIsItsPavement) {
   map::Features town = made_town();
   town.tracks.push_back(path(2, {{-150, 8}, {0, 8}, {150, 8}}));
-  for (const Lot& lot : lots_of_town(town)) EXPECT_NEAR(lot.house_m, 4 + kUnderPavement_m, 0.01);
+  for (const Lot& lot : lots_of_town(town)) EXPECT_NEAR(lot.setback_m, 4 + kUnderPavement_m, 0.01);
   town.tracks.back().axis = {{-150, 30}, {150, 30}};
-  for (const Lot& lot : lots_of_town(town)) EXPECT_NEAR(lot.house_m, 8 + kUnderPavement_m, 0.01);
+  for (const Lot& lot : lots_of_town(town)) EXPECT_NEAR(lot.setback_m, 8 + kUnderPavement_m, 0.01);
 }
 
 }  // namespace

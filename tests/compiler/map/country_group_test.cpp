@@ -135,6 +135,16 @@ TEST(CountryGroup, OfEachNameHasATown) {
   EXPECT_TRUE(names.empty());
 }
 
+TEST(CountryGroup, BeyondTheAntimeridianLongitudesGoOn) {
+  // maps across 180 degrees have longitudes up to 200
+  EXPECT_EQ(country_group_at({180, -16.8}), CountryGroup::kOceania) << "Taveuni";
+  EXPECT_EQ(country_group_at({180.2, -16.8}), CountryGroup::kOceania) << "Rabi";
+  EXPECT_EQ(country_group_at({186.8, 64.4}), CountryGroup::kEasternEurope) << "Provideniya";
+  EXPECT_EQ(country_group_at({199.9, 58}), CountryGroup::kNorthAmerica) << "the Bering Sea";
+  for (const double lon_deg : {180.0, 181.0, 187.5, 199.0})
+    EXPECT_EQ(country_group_at({lon_deg, -20}), country_group_at({lon_deg - 360, -20})) << lon_deg;
+}
+
 TEST(CountryGroup, IsCentralEuropeOutsideOfTheWorld) {
   for (const LonLat place : {LonLat{0, 0}, LonLat{200, 95}, LonLat{-300, 10}})
     EXPECT_EQ(country_group_at(place), CountryGroup::kCentralEurope);

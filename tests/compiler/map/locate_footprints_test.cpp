@@ -150,6 +150,19 @@ double total_area_m2(const std::vector<Footprint>& footprints) {
   return sum_m2;
 }
 
+TEST(LocateFootprints, StepsBelowAnOutlineDoNotReplaceIt) {
+  Report report;
+  // a monument, as w56226088 of Berlin: steps, the base as outline, a drum on it
+  const std::vector<Footprint> footprints = built(R"(
+    a1 2:2 18:2 18:18 2:18 building=yes min_height=1.8 height=9.2
+    a2 0:0 20:0 20:20 0:20 building:part=yes height=1.8 roof:shape=flat
+    a3 4:4 16:4 16:16 4:16 building:part=yes min_height=9.2 height=18)",
+                                                  report);
+  ASSERT_EQ(footprints.size(), 3u);
+  EXPECT_EQ(footprints[0].id.osm.id, 1);
+  EXPECT_NEAR(area_m2(footprints[0].polygon), 256, 0.1);
+}
+
 TEST(LocateFootprints, WhatNoPartCoversKeepsTheOutlinesHeightAndRoof) {
   Report report;
   const auto f = built(R"(

@@ -1,11 +1,17 @@
 #include "compiler/map/resample.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <span>
+#include <string>
+#include <vector>
 
+#include "compiler/source/read_raster.h"
 #include "tests/compiler/map/map_text.h"
+#include "tests/scratch_folder.h"
 
 namespace citykiln::map {
 namespace {
@@ -166,11 +172,35 @@ TEST(Resample, ADemElsewhereIsAnErrorThatNamesTheFile) {
 
 TEST(Resample, ARasterThatComesNotNearAndHasNoSamplesIsNoCrash) {
   // what read_raster gives for a heightmap beyond the window
-  const Raster empty{"far.hgt", "", 0, 0, {}, {13, 0.001, 0, 52, 0, -0.001}, "", {90, 90}};
+  const Raster empty{"far.hgt", "", 0, 0, {}, {13, 0.001, 0, 52, 0, -0.001}, "", {0, 0}};
   Report report;
   EXPECT_FALSE(resample(std::vector{empty}, Plane(kTestOrigin), kRegion, report));
   const Heightfield field = field_of({empty, raster_of(slope_m)}, report);
   EXPECT_NEAR(height_m_at(field, {0, 0}), 700, 0.1);
+  EXPECT_EQ(field.step_m, field_of({raster_of(slope_m)}, report).step_m);
+}
+
+// An ASCII grid of 40 by 40 samples, 0.0005 degrees apart, at one height.
+std::string level_grid(double west_deg, double south_deg, int height_m) {
+  std::string text =
+      fmt::format("ncols 40\nnrows 40\nxllcorner {}\nyllcorner {}\ncellsize 0.0005\n", west_deg, south_deg);
+  for (int i = 0; i < 40 * 40; ++i) text += fmt::format("{}{}", height_m, i % 40 < 39 ? ' ' : '\n');
+  return text;
+}
+
+TEST(Resample, AFileFarAwayDoesNotChangeTheSteps) {
+  const ScratchFolder folder;
+  const std::vector<source::RasterSpec> specs = {{.path = folder.write("near.asc", level_grid(7.41, 43.72, 700))},
+                                                 {.path = folder.write("far.asc", level_grid(13.4, 52.5, 30))}};
+  const source::LonLatBox window{7.415, 43.725, 7.425, 43.735};
+  Report report;
+  const auto both = source::read_heightmaps(specs, &window, report),
+             one = source::read_heightmaps(std::span(specs).first(1), &window, report);
+  ASSERT_TRUE(both && one);
+  const Heightfield field = field_of(*both, report), alone = field_of(*one, report);
+  EXPECT_GT(alone.step_m.x, 35);
+  EXPECT_EQ(field.step_m, alone.step_m);
+  EXPECT_EQ(field.heights, alone.heights);
 }
 
 TEST(Resample, SingleRowsAndColumnsAreEnough) {

@@ -16,8 +16,10 @@ TileNote made_note() {
                .instances = 2};
   note.diagnosed.add(Code::kRuleErrors, {OsmType::kWay, -5}, 0.1 + 0.2);
   note.diagnosed.add_at(Code::kToleranceNotMet, {1.5, -2.25}, 7);
+  note.diagnosed.add_pair(Code::kRuleErrors, {OsmType::kWay, 1}, {OsmType::kRelation, 2}, 3);
+  note.diagnosed.add_tag(Code::kRuleErrors, {OsmType::kWay, 1}, "man_made", "mast");
   Account& account = note.diagnosed.account("bake", "derived lamp");
-  account.in = 3, account.split = 1, account.out = 2, account.merged = 1;
+  account.in = 6, account.split = 1, account.out = 2, account.merged = 1, account.without_body = 3;
   note.diagnosed.drop(account, Code::kBelowTolerance, {OsmType::kNode, 9});
   return note;
 }
@@ -30,10 +32,13 @@ TEST(TileNote, ReadsBackWhatItWrote) {
   EXPECT_EQ(back->tile.file.name, "glb/-1_2_L3.glb");
   EXPECT_EQ(back->tile.tile, (scene::TileKey{-1, 2}));
   EXPECT_EQ(back->tile.error_m, 1.0 / 3);
-  ASSERT_EQ(back->diagnosed.diagnoses().size(), 3u);
+  ASSERT_EQ(back->diagnosed.diagnoses().size(), 5u);
   EXPECT_EQ(back->diagnosed.diagnoses()[0].object, (OsmId{OsmType::kWay, -5}));
   EXPECT_EQ(back->diagnosed.diagnoses()[0].size, 0.1 + 0.2);
   EXPECT_EQ(back->diagnosed.diagnoses()[1].at_m, (std::array{1.5, -2.25}));
+  EXPECT_EQ(back->diagnosed.diagnoses()[2].other, (OsmId{OsmType::kRelation, 2}));
+  EXPECT_EQ(back->diagnosed.diagnoses()[3].tag, "man_made=mast");
+  EXPECT_EQ(back->diagnosed.ledger().at("bake/derived lamp").without_body, 3u);
   EXPECT_EQ(back->diagnosed.ledger().at("bake/derived lamp").dropped.at(Code::kBelowTolerance), 1u);
   EXPECT_TRUE(back->diagnosed.balances());
 }

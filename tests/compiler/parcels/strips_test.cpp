@@ -10,7 +10,8 @@ namespace {
 // Walks along a chain until it returns or ends.
 std::vector<std::uint32_t> chain_from(const Strips& strips, std::uint32_t first) {
   std::vector<std::uint32_t> chain;
-  for (std::uint32_t f = first; f != kNone && chain.size() <= strips.frontages.size(); f = strips.frontages[f].next) {
+  for (std::uint32_t f = first; f != kNoIndex && chain.size() <= strips.frontages.size();
+       f = strips.frontages[f].next) {
     if (!chain.empty() && f == first) return chain;
     chain.push_back(f);
   }
@@ -27,7 +28,7 @@ TEST(Strips, AChainRunsAroundADeadEnd) {
 TEST(Strips, EdgesOfACornerMeet) {
   const Strips strips = strips_of({street(1, {{0, 0}, {50, 0}, {50, 50}})});
   const Frontage& before = strips.frontages[0];  // the left side of the first segment
-  ASSERT_NE(before.next, kNone);
+  ASSERT_NE(before.next, kNoIndex);
   EXPECT_TRUE(before.is_corner);
   EXPECT_EQ(before.b, (Vec2{46, 4}));
   EXPECT_EQ(strips.frontages[before.next].a, before.b);
@@ -35,7 +36,7 @@ TEST(Strips, EdgesOfACornerMeet) {
 
 TEST(Strips, OutsideOfABendTheEdgesAreContinued) {
   const Strips strips = strips_of({street(1, {{0, 0}, {50, 0}, {90, 20}})});
-  for (const Frontage& f : strips.frontages) EXPECT_TRUE(f.next == kNone || f.b == strips.frontages[f.next].a);
+  for (const Frontage& f : strips.frontages) EXPECT_TRUE(f.next == kNoIndex || f.b == strips.frontages[f.next].a);
 }
 
 TEST(Strips, EachBlockOfACrossingHasAChain) {

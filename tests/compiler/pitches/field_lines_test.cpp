@@ -42,8 +42,8 @@ TEST(FieldLines, LinesLieInTheField) {
     const HalfSize half = half_size_of(field);
     for (const FieldLine& line : lines_of(field))
       for (const Vec2 p : line.path) {
-        EXPECT_LE(std::abs(p.x), half.e_m + 1e-6) << rules_of(field.kind).name;
-        EXPECT_LE(std::abs(p.y), half.s_m + 1e-6) << rules_of(field.kind).name;
+        EXPECT_LE(std::abs(p.x), half.to_end_line_m + 1e-6) << rules_of(field.kind).name;
+        EXPECT_LE(std::abs(p.y), half.to_side_line_m + 1e-6) << rules_of(field.kind).name;
       }
   }
 }
@@ -75,7 +75,7 @@ TEST(FieldLines, ThreePointLinesKeepTheirDistanceFromTheSides) {
   double widest_m = 0;
   for (const FieldLine& line : lines_of("T e-1.575,0 6.75 s-0.9", half))
     for (const Vec2 p : line.path) widest_m = std::max(widest_m, std::abs(p.y));
-  EXPECT_NEAR(widest_m, half.s_m - 0.9, 1e-6);
+  EXPECT_NEAR(widest_m, half.to_side_line_m - 0.9, 1e-6);
 }
 
 TEST(FieldLines, GoalsAreAtBothEndsAndFaceTheField) {

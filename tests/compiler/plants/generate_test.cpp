@@ -315,6 +315,20 @@ TEST(PlaceHedge, PutsPiecesAsLongAsHighAlongTheLine) {
   }
 }
 
+TEST(PlaceHedge, ClosesAClosedLine) {
+  const PlantedWood scene;
+  const ground::LandCoverIndex map = index_land_cover(scene.surfaces, kWoodBox.widened(kInfluenceRadius_m));
+  const ground::GradedTerrain ground(scene.heights());
+  PlacedPlants placed;
+  const Polyline axis = {{-200, 100}, {-188, 100}, {-188, 91}, {-200, 91}, {-200, 100}};
+  place_hedge(placed, {axis, 1.5, {OsmType::kWay, 6}}, {map, ground, kWoodBox, 7, kWoodLatitude_deg, kWoodClimate});
+  // 42 m in pieces of 1.5 m, the last one from (-200, 98.5) to (-200, 100)
+  ASSERT_EQ(count_of(placed, Species::kHedge), 28u);
+  EXPECT_TRUE(std::ranges::any_of(sorted_placements(placed), [](const Placement& piece) {
+    return distance(in_plan(piece.at), {-200, 99.25}) < 0.01;
+  }));
+}
+
 TEST(Generate, DropsSingleTreesOnBuildingsAndWaterAndBalances) {
   Report report;
   const auto tree = [](std::int64_t id, Vec2 at) {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "compiler/climate/climate_at.h"
+#include "compiler/plants/tree_line.h"
 
 namespace citykiln::plants {
 namespace {
@@ -80,7 +81,6 @@ TEST(SpeciesMix, TreeLinesFallTowardsThePoles) {
   EXPECT_EQ(belt_m_at(52.5, 40), 790);
   EXPECT_EQ(belt_m_at(0, 40), belt_m_at(30, 40));
   // Körner 2012: 3,600 m in the subtropics, 1,000 m at 60°, 300 m at 70°
-  constexpr double kTreeLine_m = 2350;
   EXPECT_NEAR(kTreeLine_m - belt_m_at(30, 0), 3600, 10);
   EXPECT_NEAR(kTreeLine_m - belt_m_at(60, 0), 1000, 50);
   EXPECT_NEAR(kTreeLine_m - belt_m_at(70, 0), 300, 50);

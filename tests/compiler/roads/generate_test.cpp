@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compiler/geometry/overlay.h"
+#include "compiler/geometry/snap.h"
 #include "compiler/roads/network.h"
 #include "compiler/roads/trim.h"
 #include "tests/compiler/roads/made_road.h"
@@ -31,6 +32,18 @@ TEST(RoadStrip, CoversItsAxisAsWideAsItIs) {
   EXPECT_DOUBLE_EQ(rings_area_m2(stroke_of(road_of_6_m({{0, 0}, {100, 0}}))), 600);
   // a right bend to the left: the inner corner counts once, the outer one is filled
   EXPECT_NEAR(rings_area_m2(stroke_of(road_of_6_m({{0, 0}, {100, 0}, {110, 50}}))), 6 * (100 + std::sqrt(2600.0)), 0.2);
+}
+
+TEST(SixteenGon, LiesWithinItsCircleByLessThanTwoPerCent) {
+  const Ring ring = sixteen_gon({8, -4}, 10);
+  ASSERT_EQ(ring.size(), 16u);
+  EXPECT_GT(signed_area_m2(ring), 0);
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    EXPECT_NEAR(distance(ring[i], {8, -4}), 10, 0.001);
+    EXPECT_EQ(ring[i], snapped(ring[i]));
+    const Vec2 middle = (ring[i] + ring[(i + 1) % ring.size()]) * 0.5;
+    EXPECT_GT(distance(middle, {8, -4}), 9.8);
+  }
 }
 
 TEST(RoadStrip, IsMadeOfCounterClockwiseRings) {

@@ -119,5 +119,15 @@ TEST(Clouds, NamesAndFilesGiveLayers) {
   EXPECT_FALSE(read_clouds("none.json", 0, 0));
 }
 
+TEST(Clouds, LayersOfAFileHaveTheGivenSeedUnlessTheyStateOne) {
+  const ScratchFolder folder;
+  const std::string path =
+      folder.write("clouds.json", R"({"layers": [{"kind": "cumulus"}, {"kind": "stratus", "seed": 3}]})");
+  const auto layers = read_clouds(path, 0, 7);
+  ASSERT_TRUE(layers && layers->size() == 2);
+  EXPECT_EQ(layers->front().seed, 7U);
+  EXPECT_EQ(layers->back().seed, 3U);
+}
+
 }  // namespace
 }  // namespace citykiln::sky

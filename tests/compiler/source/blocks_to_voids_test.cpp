@@ -18,7 +18,7 @@ using Land = std::function<double(double, double)>;
 // Heights at whole columns and rows, 30 m apart.
 Raster raster_over(int columns, int rows, const Land& land, double spacing_m = 30) {
   Raster raster;
-  raster.columns = columns, raster.rows = rows, raster.spacing_m = {spacing_m, spacing_m};
+  raster.columns = columns, raster.rows = rows, raster.file_spacing_m = spacing_m;
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) raster.heights_m.push_back(static_cast<float>(land(column, row)));
   return raster;

@@ -80,6 +80,14 @@ TEST(JoinRasters, TakesTheFirstSampleInOverlaps) {
   EXPECT_EQ(joined[0].credit, "someone");
 }
 
+TEST(JoinRasters, TheSpacingForMendingIsTheSmallestOfTheParts) {
+  const Raster whole = degree(40, 30);
+  Raster north = cut(whole, 0, 0, 40, 12), south = cut(whole, 0, 12, 40, 18);
+  north.file_spacing_m = 67, south.file_spacing_m = 68;
+  for (const auto& parts : {std::vector{north, south}, std::vector{south, north}})
+    EXPECT_EQ(join_rasters(parts).front().file_spacing_m, 67);
+}
+
 TEST(JoinRasters, KeepsOtherGridsApartAndInOrder) {
   const Raster whole = degree(40, 30), west = cut(whole, 0, 0, 17, 30), east = cut(whole, 17, 0, 23, 30);
   Raster shifted = east, finer = east, elsewhere = east, other_system = east;

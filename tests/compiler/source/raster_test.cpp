@@ -6,6 +6,7 @@
 
 #include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
+#include "compiler/source/spikes_to_voids.h"
 #include "tests/compiler/source/extract_text.h"
 
 namespace citykiln::source {
@@ -199,6 +200,41 @@ TEST(ReadRaster, WindowFarAwayNeedsNoSamples) {
   const Raster raster = read_ascii(kAscii, {}, &far);
   EXPECT_EQ(raster.columns, 0);
   EXPECT_TRUE(raster.heights_m.empty());
+}
+
+// 30 by 200 samples of level land with one spike near the northern end; between 80 and 84 degrees north the spacing to
+// the east shrinks from 390 to 230 m.
+std::string arctic_land(int spike_m) {
+  std::string text = "ncols 30\nnrows 200\nxllcorner 10\nyllcorner 80\ncellsize 0.02\n";
+  for (int row = 0; row < 200; ++row)
+    for (int column = 0; column < 30; ++column)
+      text += fmt::format("{}{}", row == 8 && column == 15 ? spike_m : 0, column < 29 ? ' ' : '\n');
+  return text;
+}
+
+TEST(ReadRaster, WindowsOfAFileAreMendedAsTheWhole) {
+  const LonLatBox north{10.2, 83.8, 10.4, 83.9};
+  for (const int spike_m : {150, 180}) {
+    const std::string text = arctic_land(spike_m);
+    const Raster whole = read_ascii(text), window = read_ascii(text, {}, &north);
+    EXPECT_EQ(whole.file_spacing_m, whole.spacing_m.x);
+    EXPECT_EQ(window.file_spacing_m, whole.file_spacing_m);
+    EXPECT_LT(window.spacing_m.x, 0.85 * whole.spacing_m.x);
+    Report of_whole, of_window;
+    spikes_to_voids(whole, of_whole), spikes_to_voids(window, of_window);
+    // the threshold is 167 m at the middle of the file and 136 m at the middle of the window
+    EXPECT_EQ(of_whole.diagnoses().size(), spike_m == 180 ? 1u : 0u);
+    EXPECT_EQ(of_window.diagnoses().size(), of_whole.diagnoses().size());
+  }
+}
+
+TEST(ReadRaster, TheSpacingOfAThinnedFileIsThatOfItsSamples) {
+  const ScratchFolder folder;
+  const RasterSpec spec{.path = folder.write("a.asc", arctic_land(0))};
+  const Result<Raster> all = read_raster(spec, nullptr), third = read_raster(spec, nullptr, 7000);
+  ASSERT_TRUE(all && third);
+  ASSERT_EQ(third->columns, 10);
+  EXPECT_EQ(third->file_spacing_m, 3 * all->file_spacing_m);
 }
 
 TEST(ReadRaster, FileWithoutReferenceSystemMustBeInDegrees) {

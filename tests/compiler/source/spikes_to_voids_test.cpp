@@ -26,7 +26,7 @@ double chance(int a, int b, int seed) {
 
 Raster raster_of_spacing(int columns, int rows, double spacing_m, const std::function<double(int, int)>& height_m) {
   Raster raster;
-  raster.columns = columns, raster.rows = rows, raster.spacing_m = {spacing_m, spacing_m};
+  raster.columns = columns, raster.rows = rows, raster.file_spacing_m = spacing_m;
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column)
       raster.heights_m.push_back(static_cast<float>(height_m(column, row)));

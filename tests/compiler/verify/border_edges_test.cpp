@@ -12,9 +12,9 @@ TEST(BorderEdges, AreTheGroundEdgesOnTheLine) {
   ground.features = {1, 1, 1, 1};
   ground.triangles = {{0, 1, 2}, {0, 2, 3}};
   tile.primitives = {ground};
-  EXPECT_EQ(border_edges_along_x(tile, 64).ground, (std::vector<BorderEdge>{{Vec3{64, 0, 10}, Vec3{64, 64, 10}}}));
-  EXPECT_EQ(border_edges_along_y(tile, 0).ground, (std::vector<BorderEdge>{{Vec3{0, 0, 10}, Vec3{64, 0, 10}}}));
-  EXPECT_TRUE(border_edges_along_x(tile, 32).ground.empty());
+  EXPECT_EQ(border_edges_at_x(tile, 64).ground, (std::vector<BorderEdge>{{Vec3{64, 0, 10}, Vec3{64, 64, 10}}}));
+  EXPECT_EQ(border_edges_at_y(tile, 0).ground, (std::vector<BorderEdge>{{Vec3{0, 0, 10}, Vec3{64, 0, 10}}}));
+  EXPECT_TRUE(border_edges_at_x(tile, 32).ground.empty());
 }
 
 TEST(BorderEdges, MatchAcrossAStepOnlyWithAVerticalFace) {

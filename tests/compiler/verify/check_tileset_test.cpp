@@ -44,12 +44,12 @@ std::size_t failures(const CheckResults& results) {
          results.tileset_errors.failures.size();
 }
 
-TEST(ReadTileset, FindsNoFaultInWhatIsWritten) {
+TEST(CheckTilesetFile, FindsNoFaultInWhatIsWritten) {
   for (const int depth : {0, 1, 3}) {
     CheckResults results;
     const auto files = made_files(depth);
     ASSERT_EQ(files.size(), 1u);
-    const ReadTileset read = read_tileset(files[0].json, files[0].name, results);
+    const CheckedTileset read = check_tileset_file(files[0].json, files[0].name, results);
     EXPECT_EQ(failures(results), 0u);
     EXPECT_EQ(read.contents.size(), depth == 0 ? 1u : depth == 1 ? 5u : 85u);
     EXPECT_EQ(read.transform.size(), 16u);
@@ -57,13 +57,13 @@ TEST(ReadTileset, FindsNoFaultInWhatIsWritten) {
   }
 }
 
-TEST(ReadTileset, LargeTreesAreInSeveralFilesThatNameEachTileOnce) {
+TEST(CheckTilesetFile, LargeTreesAreInSeveralFilesThatNameEachTileOnce) {
   const auto files = made_files(6);  // 5,461 tiles
   EXPECT_EQ(files.back().name, "3dtiles/tileset.json");
   std::set<std::string> contents, external, names;
   CheckResults results;
   for (const TilesetFile& file : files) {
-    const ReadTileset read = read_tileset(file.json, file.name, results);
+    const CheckedTileset read = check_tileset_file(file.json, file.name, results);
     EXPECT_LE(read.contents.size() + read.external.size(), exporters::kMostTilesInFile);
     EXPECT_EQ(read.transform.empty(), file.name != "3dtiles/tileset.json");
     for (const ContentReference& content : read.contents) EXPECT_TRUE(contents.insert(content.uri).second);
@@ -76,13 +76,13 @@ TEST(ReadTileset, LargeTreesAreInSeveralFilesThatNameEachTileOnce) {
   EXPECT_EQ(external, names);
 }
 
-TEST(ReadTileset, FindsWhatIsBroken) {
+TEST(CheckTilesetFile, FindsWhatIsBroken) {
   const std::string good = made_files(2)[0].json;
   const auto found = [&](auto make_wrong) {
     json tileset = json::parse(good);
     make_wrong(tileset);
     CheckResults results;
-    (void)read_tileset(tileset.dump(), "x", results);
+    (void)check_tileset_file(tileset.dump(), "x", results);
     return failures(results);
   };
   EXPECT_EQ(found([](json&) {}), 0u);
@@ -97,7 +97,7 @@ TEST(ReadTileset, FindsWhatIsBroken) {
   EXPECT_GT(found([](json& t) { t["root"]["content"]["uri"] = "../other.glb"; }), 0u);
   EXPECT_GT(found([](json& t) { t["root"]["content"] = 7; }), 0u);
   CheckResults results;
-  (void)read_tileset(good.substr(0, good.size() / 2), "x", results);
+  (void)check_tileset_file(good.substr(0, good.size() / 2), "x", results);
   EXPECT_EQ(failures(results), 1u);
 }
 

@@ -45,6 +45,12 @@ TEST(MeasureAssumed, FindsNothingBesideAFreeStreet) {
   EXPECT_EQ(found.misplaced, 0u);
 }
 
+TEST(MeasureAssumed, TestsPlacesAtMostFourMetresApart) {
+  scene::Chunk chunk = street_with_pavements();
+  chunk.roads[0].axis = {{0, 50}, {7.5, 50}};
+  EXPECT_EQ(measure_assumed_pavements(chunk, kTile).places, 4u) << "two on either side";
+}
+
 TEST(MeasureAssumed, LooksOnlyAtRoadsWithAssumedPavements) {
   scene::Chunk chunk = street_with_pavements();
   chunk.roads[0].assumed = bit_of(Assumption::kLamps);

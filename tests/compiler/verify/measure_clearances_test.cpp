@@ -55,6 +55,17 @@ TEST(MeasureClearances, FindTheShortfallOfABridgeOverARoad) {
   EXPECT_EQ(measured(chunk).shortfalls.size(), 0u);
 }
 
+TEST(MeasureClearances, SkipBridgesAndTunnelsWithoutAProfile) {
+  scene::Chunk chunk;
+  chunk.roads = {level_road(1, kAlong, 300)};
+  chunk.bridges = {span(2, kBesideRoad, 310, 1)};
+  EXPECT_EQ(measured(chunk).crossings, 1u);
+  chunk.bridges[0].profile.clear();
+  EXPECT_EQ(measured(chunk).crossings, 0u);
+  chunk.roads.clear(), chunk.tunnels = {span(3, kAlong, 290, -1)};
+  EXPECT_EQ(measured(chunk).crossings, 0u) << "the bridge over the tunnel has no height";
+}
+
 TEST(MeasureClearances, CountContradictionsOfTheMapApart) {
   const OsmId bridge{OsmType::kWay, 2}, street{OsmType::kWay, 1}, other{OsmType::kWay, 3};
   Clearances measured{2, {{4, bridge, street, {}}, {3, bridge, other, {}}}, {}};

@@ -61,6 +61,16 @@ TEST(MeasureJumps, IgnoresBridgesAboveVertices) {
   EXPECT_EQ(measure_jumps(scene_of_chunk(chunk)).largest_m, 0);
 }
 
+TEST(MeasureJumps, SkipsLinesWithoutAProfile) {
+  scene::Chunk chunk;
+  chunk.roads = {sloping_road(1, {{0, 0}, {100, 0}}, 300, 310), sloping_road(2, {{100, 0}, {200, 0}}, 310, 300)};
+  chunk.bridges = {{sloping_road(3, {{0, 0}, {0, 100}}, 300, 300), {}, {}, {}, {}, {}}};
+  chunk.roads[1].profile.clear(), chunk.bridges[0].profile.clear();
+  const Jumps jumps = measure_jumps(scene_of_chunk(chunk));
+  EXPECT_EQ(jumps.largest_m, 0);
+  EXPECT_EQ(jumps.places, 0u);
+}
+
 roads::Strip stream(std::int64_t id, Polyline axis, double start_along_m, Profile profile) {
   return {{{OsmType::kWay, id}, 0}, std::move(axis), map::LandCoverClass::kRiver, 2, 2,
           std::move(profile),       start_along_m};

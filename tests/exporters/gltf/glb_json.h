@@ -16,14 +16,14 @@ namespace citykiln::exporters {
 using bake::BakedTile;
 using Bytes = std::vector<std::byte>;
 
-inline constexpr GlbOptions kExtension{.target = Target::kThree, .split = Split::kTile},
-    kNodes{.target = Target::kGeneric, .split = Split::kTile};
+inline constexpr GlbOptions kExtension{.target = Target::kThree, .split = NodeSplit::kTile},
+    kNodes{.target = Target::kGeneric, .split = NodeSplit::kTile};
 inline constexpr GlbOptions kAll[] = {kExtension,
                                       kNodes,
                                       {.target = Target::kThree},
                                       {.target = Target::kGeneric},
-                                      {.target = Target::kThree, .split = Split::kBuilding},
-                                      {.target = Target::kGeneric, .split = Split::kBuilding}};
+                                      {.target = Target::kThree, .split = NodeSplit::kBuilding},
+                                      {.target = Target::kGeneric, .split = NodeSplit::kBuilding}};
 
 inline scene::Header header() {
   scene::Header h;

@@ -56,5 +56,13 @@ TEST(PageJson, ThePageHasTheTextsOfAllCodesAndAssumptions) {
   EXPECT_EQ(page.at("classes"), (json{{"House", 1}, {"oak", 1}}));
 }
 
+TEST(PageJson, LightHasFourDigitsAndItsDirectionAll) {
+  PageFacts facts;
+  facts.skies = {{.to_light = {0.123456789, 0, 0.992349}, .light = {1.23456, 0, 0}}};
+  const json sky = json::parse(page_json(facts, {})).at("skies").at(0);
+  EXPECT_EQ(sky.at("light").at(0), 1.235);
+  EXPECT_EQ(sky.at("to_light").at(0), 0.123456789);
+}
+
 }  // namespace
 }  // namespace citykiln::exporters

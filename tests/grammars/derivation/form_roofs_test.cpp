@@ -22,7 +22,7 @@ const std::vector<Polygon> kFootprints = {
 double open_area_m2(const Derivation& derivation) {
   Vec3 sum;
   for (const Terminal& terminal : derivation.terminals)
-    for (const Face& face : terminal.faces) sum = sum + area_vector_m2(face);
+    for (const Face& face : terminal.faces) sum = sum + double_area_vector_m2(face);
   return length(sum);
 }
 
@@ -130,7 +130,8 @@ TEST(FacesOfRoofs, HaveRimsAllAround) {
 // The soffit around a courtyard is inside of the hole of the outer soffit.
 TEST(FacesOfRoofs, KnowWhichRingAHoleIsIn) {
   for (const Face& face : faces_on(kFootprints[2], roofs::RoofForm::kFlat, 0.5))
-    for (const Ring3& hole : face.holes) EXPECT_GT(length(area_vector_m2(face.outer)), length(area_vector_m2(hole)));
+    for (const Ring3& hole : face.holes)
+      EXPECT_GT(length(double_area_vector_m2(face.outer)), length(double_area_vector_m2(hole)));
   EXPECT_NEAR(tagged_area_m2(faces_on(kFootprints[2], roofs::RoofForm::kFlat, 0.5), FaceTag::kTop), 21 * 17 - 7 * 5,
               0.1);
 }

@@ -107,7 +107,6 @@ TEST(Roofs, AreAskedOfTheBuilder) {
   EXPECT_EQ(asked.kind, RoofKind::kGable);
   EXPECT_EQ(asked.angle_deg, 30);
   EXPECT_EQ(asked.overhang_m, 0.5);
-  EXPECT_TRUE(asked.even);
   EXPECT_NEAR(signed_area_m2(asked.footprint.outer), 80, 1e-9);
   EXPECT_EQ(count_named(derivation, "R"), 4u);
   EXPECT_EQ(count_named(derivation, "B"), 1u);

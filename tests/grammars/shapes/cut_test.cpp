@@ -18,7 +18,7 @@ double total_area_m2(const std::vector<Face>& faces) {
 
 double enclosed_volume_m3(const std::vector<Face>& faces) {
   double sum = 0;
-  for (const Face& face : faces) sum += dot(area_vector_m2(face) * 0.5, face.outer.front()) / 3;
+  for (const Face& face : faces) sum += dot(double_area_vector_m2(face) * 0.5, face.outer.front()) / 3;
   return sum;
 }
 

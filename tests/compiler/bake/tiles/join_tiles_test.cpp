@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "compiler/materials/texture_cache.h"
+
 namespace citykiln::bake {
 namespace {
 
@@ -92,11 +94,12 @@ TEST(JoinTiles, HasEachMaterialsTextureOnceInOrder) {
   using materials::Material;
   std::vector tiles = {tile_at({0, 0, 0}, way_id(5), 0), tile_at({1024, 0, 0}, way_id(3), 0)};
   const Material one[] = {Material::kGrass, Material::kRock}, other[] = {Material::kMeadow, Material::kRock};
-  tiles[0].textures = materials::textures_of(one, 0.1, 1), tiles[1].textures = materials::textures_of(other, 0.1, 1);
+  const materials::TextureCache cache(1);
+  tiles[0].textures = cache.textures_of(one, 0.1), tiles[1].textures = cache.textures_of(other, 0.1);
   const Result<BakedTile> joined = join_tiles(tiles);
   ASSERT_TRUE(joined);
   const Material all[] = {Material::kGrass, Material::kMeadow, Material::kRock};
-  EXPECT_EQ(joined->textures, materials::textures_of(all, 0.1, 1));
+  EXPECT_EQ(joined->textures, cache.textures_of(all, 0.1));
 }
 
 TEST(JoinTiles, SharesMeshesThatAreTheSame) {

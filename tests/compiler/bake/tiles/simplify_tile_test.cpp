@@ -103,6 +103,30 @@ TEST(SimplifyTile, DropsWhatIsNearTheTerrainAndKeepsTowers) {
   EXPECT_LE(tile.error_m, 1 + 20);
 }
 
+// Two copies of a box of 1 m, scaled to the heights.
+InstancedMesh two_boxes(Layer layer, float first_m, float second_m) {
+  InstancedMesh mesh{.name = "box", .primitives = {primitive_on(layer)}};
+  add_box(mesh.primitives[0], 0, 0, 0.1f, 1, 0);
+  mesh.translations = {{10, 10, 0}, {90, 20, 0}}, mesh.rotations = {{0, 0, 0, 1}, {0, 0, 0.6f, 0.8f}};
+  mesh.scales = {first_m, second_m}, mesh.features = {1, 2};
+  return mesh;
+}
+
+TEST(SimplifyTile, KeepsThingsThatTheToleranceDoesNotHide) {
+  BakedTile tile = two_tiles();
+  tile.instanced = {two_boxes(Layer::kProps, 12, 140), two_boxes(Layer::kPlants, 25, 30)};
+  drop_near_terrain(tile, 50);
+  ASSERT_EQ(tile.instanced.size(), 1u);
+  const InstancedMesh& things = tile.instanced[0];
+  EXPECT_EQ(things.scales, std::vector<float>{140});
+  EXPECT_EQ(things.translations.size(), 1u);
+  EXPECT_EQ(things.rotations.size(), 1u);
+  EXPECT_EQ(things.features, std::vector<std::uint32_t>{2});
+  EXPECT_EQ(tile.plant_error_m, 30);
+  EXPECT_GE(tile.error_m, 1 + 12);
+  EXPECT_LE(tile.error_m, 1 + 12 + 2);
+}
+
 TEST(SimplifyTile, DropsFeaturesThatNothingHas) {
   BakedTile tile = two_tiles();
   tile.attributes = {{}, {"Park", "", 0, ""}, {"Church", "", 0, ""}};

@@ -26,13 +26,15 @@ ThingTable table() {
   return *table;
 }
 
-std::string name_of(const std::map<std::string_view, std::string_view>& tags) {
+// The row and the value of a node with these tags; "" if no row fits.
+std::string name_of(const std::string& tags) {
   const ThingTable rows = table();
-  const MatchedThing matched = match(rows, [&](std::string_view key) {
-    const auto found = tags.find(key);
-    return found == tags.end() ? std::string_view() : found->second;
-  });
-  return matched.row == nullptr ? "" : matched.row->name + ":" + std::string(matched.value);
+  Options options;
+  options.things = &rows;
+  Report report;
+  const Features features =
+      locate(MapText("n1 0:0 " + tags).take(), Plane(kTestOrigin), box_around(500), options, report);
+  return features.things.empty() ? "" : features.things[0].kind + ":" + features.things[0].value;
 }
 
 std::string error_of(const std::string& row) {
@@ -56,17 +58,17 @@ TEST(ThingTable, ColumnsAreRead) {
 }
 
 TEST(ThingTable, TheFirstRowThatFitsCounts) {
-  EXPECT_EQ(name_of({{"amenity", "bench"}, {"tourism", "artwork"}}), "bench:bench");
-  EXPECT_EQ(name_of({{"barrier", "block"}}), "post:block");
-  EXPECT_EQ(name_of({{"amenity", "waste_basket;bench"}}), "bench:waste_basket;bench");
-  EXPECT_EQ(name_of({{"amenity", "shelter"}}), "");
-  EXPECT_EQ(name_of({{"amenity", "shelter"}, {"shelter_type", "bus"}}), "shelter:shelter");
-  EXPECT_EQ(name_of({{"amenity", "shelter"}, {"shelter_type", "bus"}, {"covered", "no"}}), "");
-  EXPECT_EQ(name_of({{"tourism", "artwork"}}), "any:artwork");
-  EXPECT_EQ(name_of({{"traffic_sign", "maxspeed:30"}}), "speed:maxspeed:30");
-  EXPECT_EQ(name_of({{"traffic_sign", "DE:274-50"}}), "speed:DE:274-50");
-  EXPECT_EQ(name_of({{"traffic_sign", "DE:205"}}), "");
-  EXPECT_EQ(name_of({{"tourism", "no"}}), "");
+  EXPECT_EQ(name_of("amenity=bench tourism=artwork"), "bench:bench");
+  EXPECT_EQ(name_of("barrier=block"), "post:block");
+  EXPECT_EQ(name_of("amenity=waste_basket;bench"), "bench:waste_basket;bench");
+  EXPECT_EQ(name_of("amenity=shelter"), "");
+  EXPECT_EQ(name_of("amenity=shelter shelter_type=bus"), "shelter:shelter");
+  EXPECT_EQ(name_of("amenity=shelter shelter_type=bus covered=no"), "");
+  EXPECT_EQ(name_of("tourism=artwork"), "any:artwork");
+  EXPECT_EQ(name_of("traffic_sign=maxspeed:30"), "speed:maxspeed:30");
+  EXPECT_EQ(name_of("traffic_sign=DE:274-50"), "speed:DE:274-50");
+  EXPECT_EQ(name_of("traffic_sign=DE:205"), "");
+  EXPECT_EQ(name_of("tourism=no"), "");
 }
 
 TEST(ThingTable, ABadRowIsOneLineWithFileAndLine) {

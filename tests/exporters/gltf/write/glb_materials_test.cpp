@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "compiler/materials/texture_cache.h"
 #include "exporters/gltf/material_names.h"
 #include "exporters/gltf/pictures/picture_formats.h"
 #include "tests/exporters/gltf/glb_json.h"
@@ -171,7 +172,7 @@ TEST(GlbTextures, OfPackedMeshesHaveUvsInStepsWhere16BitsHoldThem) {
   const BakedTile tile = made_textured_tile(1);
   const auto grass = std::ranges::find(tile.textures, materials::Material::kGrass, &materials::Texture::material);
   ASSERT_NE(grass, tile.textures.end());
-  const auto gltf = gltf_of(tile, {Target::kThree, Split::kTile, Compression::kMeshopt});
+  const auto gltf = gltf_of(tile, {Target::kThree, NodeSplit::kTile, Compression::kMeshopt});
   const auto scale_of = [&](const char* name) {
     const auto transform = material_called(gltf, name)["pbrMetallicRoughness"]["baseColorTexture"]["extensions"];
     return transform["KHR_texture_transform"]["scale"][0].get<double>();
@@ -221,7 +222,7 @@ TEST(GlbTextures, OfAllMaterialsFitTheBudget) {
     all.push_back(static_cast<materials::Material>(m));
   const auto bytes_at = [&](double tolerance_m, PictureFormats formats) {
     std::size_t bytes = 0;
-    for (const materials::Texture& texture : materials::textures_of(all, tolerance_m, 0)) {
+    for (const materials::Texture& texture : materials::TextureCache(0).textures_of(all, tolerance_m)) {
       const auto add = [&](const materials::TextureImage& image, PictureContent content) {
         if (!image.texels.empty()) bytes += encode_picture(image, {}, content, formats).bytes.size();
       };

@@ -114,7 +114,7 @@ TEST(GlbNodes, OfPlantsHoldANodePerPlantOrOnePerKind) {
 
 TEST(GlbNodes, OfBuildingsSayTheirOsmElement) {
   const BakedTile tile = made_facade_tile(1);
-  const auto gltf = gltf_of(tile, {.split = Split::kBuilding});
+  const auto gltf = gltf_of(tile, {.split = NodeSplit::kBuilding});
   const auto& layer = gltf["nodes"][gltf["nodes"][0]["children"][2].get<std::size_t>()];
   ASSERT_EQ(layer["name"], "buildings");
   EXPECT_FALSE(layer.contains("mesh"));

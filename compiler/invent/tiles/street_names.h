@@ -1,4 +1,4 @@
-// Names of streets of invented towns.
+// Names of streets of tile cities.
 #pragma once
 
 #include <cstdint>

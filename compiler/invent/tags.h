@@ -1,8 +1,10 @@
-// Tags, put together piece by piece.
+// Tags: put together piece by piece, and read.
 #pragma once
 
 #include <algorithm>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "compiler/invent/invented_map.h"
@@ -17,6 +19,12 @@ inline void set_tag(Tags& tags, std::string key, std::string value) {
     at->second = std::move(value);
   else
     tags.insert(at, {std::move(key), std::move(value)});
+}
+
+/// Returns the value of a key; "" if the tags lack it.
+inline std::string_view value_in(const Tags& tags, std::string_view key) {
+  const auto tag = std::ranges::find(tags, key, &std::pair<std::string, std::string>::first);
+  return tag == tags.end() ? std::string_view() : tag->second;
 }
 
 /// Returns tags of pairs in any order.

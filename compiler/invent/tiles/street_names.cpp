@@ -1,4 +1,4 @@
-#include "compiler/invent/street_names.h"
+#include "compiler/invent/tiles/street_names.h"
 
 #include <array>
 
