@@ -12,7 +12,7 @@ import unittest
 from citykiln_program import IS_FULL, PROGRAM, ROOT, TOWN, TOWN_MIDDLE, ProgramTest, report_of, run, sha256
 
 MOMENTS = 12 if IS_FULL else 5
-LEVELS = "1,2.5,5" if IS_FULL else "2.5,5,10"
+LEVELS = "1,2.5,5" if IS_FULL else "12.5,25,50"
 
 
 def town():
@@ -103,7 +103,7 @@ class Runs(ProgramTest):
     def test_tiles_of_other_settings_are_baked_again(self):
         out = self.folder / "out"
         self.killed_with_tiles(out)
-        other = LEVELS + ",12"
+        other = LEVELS + ",100"
         self.town("out", other)
         self.assertEqual(contents(out), contents(self.town("whole", other)))
 
@@ -141,7 +141,7 @@ class Runs(ProgramTest):
     def test_a_full_small_disk_leaves_the_earlier_run(self):
         disk = self.folder / "disk"
         disk.mkdir()
-        command = " ".join(self.command(disk / "out"))
+        command = " ".join(self.command(disk / "out", "1,2.5,5"))
         coarse = " ".join(self.command(disk / "out", "12"))
         script = (f"mount -t tmpfs -o size=3m none {disk} && {coarse} && sha256sum {disk}/out/*.* >{self.folder}/before && "
                   f"{{ {command}; echo status $?; sha256sum -c --quiet {self.folder}/before && echo unchanged; "

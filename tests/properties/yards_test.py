@@ -4,8 +4,9 @@ import json
 import random
 import struct
 import unittest
+from pathlib import Path
 
-from citykiln_program import ProgramTest, bytes_of_outputs, report_of, run
+from citykiln_program import IS_FULL, ProgramTest, bytes_of_outputs, report_of, run
 from regions_real_test import compiled_apart
 from shuffled import shuffle
 
@@ -74,8 +75,14 @@ class Yards(ProgramTest):
         path.write_text(made_map(seed))
         return path
 
+    def suburb(self):
+        """The made map in two levels, compiled once for all tests."""
+        path = Path(self.shared_scratch.name) / "map.osm"
+        path.write_text(made_map(1))
+        return self.compiled_once(path, "--lods", "0.1,2.5")
+
     def test_any_order_has_the_same_bytes(self):
-        for seed in range(2):
+        for seed in range(2 if IS_FULL else 1):
             path, other = self.map_path(seed), self.folder / f"shuffled{seed}" / f"map{seed}.osm"
             other.parent.mkdir()
             shuffle(path, other, seed)
@@ -94,7 +101,7 @@ class Yards(ProgramTest):
         self.assertEqual(report_of(apart)["assumed"], report_of(whole)["assumed"])
 
     def test_check_and_bake_agree(self):
-        out, baked = self.compiled("out", self.map_path(), "--lods", "0.1,2.5"), self.folder / "baked"
+        out, baked = self.suburb(), self.folder / "baked"
         self.assertEqual(run("bake", out / "scene.kiln", "--lods", "0.1,2.5", "-o", baked).returncode, 0)
         self.assertEqual(bytes_of_outputs(out), bytes_of_outputs(baked))
         row = next(line for line in run("check", out).stdout.splitlines() if "no tree of an assumed yard" in line)
@@ -104,14 +111,14 @@ class Yards(ProgramTest):
     def test_they_are_switched(self):
         plants = {}
         for assumed in ("none", "yards"):
-            out = self.compiled(assumed, self.map_path(), "--lods", "0.1", "--assume", assumed)
+            out = self.compiled(assumed, self.map_path(), "--emit", "kiln", "--assume", assumed)
             plants[assumed] = report_of(out)["ledger"].get("plants/tree", {}).get("in", 0)
             self.assertEqual(report_of(out)["assumed"].get("yards", 0) > 0, assumed == "yards")
         self.assertEqual(plants["none"], 0)
         self.assertGreater(plants["yards"], 100)
 
     def test_shrubs_are_left_out_where_the_tolerance_allows_it(self):
-        out = self.compiled("out", self.map_path(), "--lods", "0.1,2.5")
+        out = self.suburb()
         fine, coarse = ([name for path in sorted((out / "glb").glob(f"*_L{level}.glb")) for name in node_names(path)]
                         for level in (0, 1))
         shrubs = [sum("bush" in name for name in names) for names in (fine, coarse)]
@@ -123,7 +130,7 @@ class Yards(ProgramTest):
     def test_lots_are_filled(self):
         houses = {}
         for fill in ("none", "lots"):
-            out = self.compiled(fill, self.map_path(), "--lods", "0.5", "--fill", fill)
+            out = self.compiled(fill, self.map_path(), "--lods", "2.5", "--fill", fill)
             houses[fill] = report_of(out)["assumed"]["houses"]
             self.assertEqual(run("check", out).returncode, 0)
         self.assertEqual(houses["none"], 0)
@@ -137,7 +144,7 @@ class Yards(ProgramTest):
         rules.mkdir(parents=True)
         for name in ("detached", "terrace", "flats", "courtyard"):
             (rules / f"{name}.cga").write_text("Lot --> extrude(21) Flats.")
-        out = self.compiled("own", self.map_path(), "--lods", "0.5", "--fill", "lots", "--rules", self.folder / "rules")
+        out = self.compiled("own", self.map_path(), "--emit", "kiln", "--fill", "lots", "--rules", self.folder / "rules")
         layer = self.folder / "buildings.geojson"
         self.assertEqual(run("inspect", out, "--layer", "buildings", "--geojson", layer).returncode, 0)
         heights = [f["properties"] for f in json.loads(layer.read_text())["features"]]
