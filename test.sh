@@ -1,6 +1,7 @@
 #!/bin/sh
 # Builds the program and the tests, and runs the tests that answer in minutes: unit, properties, golden.
 # --full also runs what takes longer, in groups; --full GROUP… runs these groups alone:
+#   budget    what five maps weigh, against tests/budget/table.tsv
 #   real      the tests on real maps and heights, in ../shared/data; skipped where that folder is absent
 #   long      the tests labelled full: large maps, clusters, a desktop window; unit tests with more rounds
 #   interop   programs of others that read the outputs: Blender, Godot, Chromium, validators
@@ -14,7 +15,7 @@
 set -eu
 cd "$(dirname "$0")"
 
-all_groups="real long interop lint clang asan tsan bench clones"
+all_groups="budget real long interop lint clang asan tsan bench clones"
 groups="" runs_quick=yes
 for argument in "$@"; do
   case " --full $all_groups " in
@@ -44,7 +45,7 @@ run_tests() {
 run_quick() {
   ./setup.sh release test
   [ -d tests/interop/node_modules ] || install_readers --omit=optional
-  run_tests release -LE 'full|interop|real'
+  run_tests release -LE 'full|interop|real|budget'
 }
 
 # shellcheck disable=SC2086  # two words or none
@@ -53,6 +54,11 @@ run_real() {
   part="${turn:+-I $((turn % 8 + 1)),,8}"
   ./setup.sh release test
   run_tests release -L real -LE 'full|interop' $part
+}
+
+run_budget() {
+  ./setup.sh release test budget
+  run_tests release -L budget
 }
 
 run_long() (
@@ -110,4 +116,4 @@ for group in $groups; do
   echo "--- $group"
   "run_$group"
 done
-[ -n "$groups" ] || echo "not run: real and large maps, clusters, other programs, sanitizers, clang++: ./test.sh --full"
+[ -n "$groups" ] || echo "not run: the budget, real and large maps, clusters, other programs, sanitizers, clang++: ./test.sh --full"

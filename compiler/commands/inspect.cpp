@@ -104,6 +104,10 @@ OrderedJson describe(const scene::Scene& scene) {
       {"assumed", assumed_json(assumed_in(scene))}};
   json["tiles"] = OrderedJson::array();
   for (const scene::Chunk& chunk : scene.chunks) json["tiles"].push_back(chunk_json(chunk));
+  json["streams"] = OrderedJson::array();
+  for (const exporters::StreamSize& size : exporters::stream_sizes_of(scene))
+    json["streams"].push_back(
+        {{"stream", size.name}, {"raw_bytes", size.raw_bytes}, {"packed_bytes", size.packed_bytes}});
   return json;
 }
 

@@ -548,6 +548,22 @@ Bytes encode_manifest(const scene::Scene& scene, int threads) {
   return bytes;
 }
 
+std::vector<StreamSize> stream_sizes_of(const scene::Scene& scene) {
+  std::vector<StreamSize> sizes;
+  for (const char* name : stream_names()) sizes.push_back({name, 0, 0});
+  for (const scene::Chunk& chunk : scene.chunks) {
+    Streams streams = encode_chunk(chunk);
+    for (StreamSize& size : sizes) {
+      const std::vector<std::uint8_t>& stream = streams[size.name];
+      if (stream.empty()) continue;
+      size.raw_bytes += stream.size();
+      size.packed_bytes += packed(stream, nullptr).size();
+    }
+  }
+  std::erase_if(sizes, [](const StreamSize& size) { return size.raw_bytes == 0; });
+  return sizes;
+}
+
 Result<scene::Scene> decode_manifest(ByteSpan bytes, const std::string& name, std::span<const scene::TileKey> only) {
   const auto frame = header_frame(bytes, name);
   if (!frame) return frame.error();

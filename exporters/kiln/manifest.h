@@ -29,6 +29,16 @@ Result<scene::Scene> decode_manifest(std::span<const std::byte> bytes, const std
 std::uint64_t hash_of(const scene::Header& header);
 std::uint64_t hash_of(const scene::Chunk& chunk);
 
+/// The bytes of one stream (the values of one property) over all chunks of a scene.
+struct StreamSize {
+  const char* name;
+  std::uint64_t raw_bytes;     ///< Before compression.
+  std::uint64_t packed_bytes;  ///< The sum over the chunks of a zstd frame of the stream alone. A manifest packs the
+                               ///< streams of a chunk together, so that its frames are smaller than all sums.
+};
+/// Returns the streams that are not empty, in the order of a chunk. Cost: as encode_manifest().
+std::vector<StreamSize> stream_sizes_of(const scene::Scene& scene);
+
 /// Reads a scene from a file, with the errors of decode_manifest().
 /// @param only   If not empty, only the chunks of these tiles are read; a missing tile is an error.
 Result<scene::Scene> read_manifest(const std::string& path, std::span<const scene::TileKey> only);

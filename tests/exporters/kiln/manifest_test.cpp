@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "exporters/kiln/chunk_codec.h"
@@ -115,6 +116,19 @@ scene::Scene wide(std::uint64_t seed) {
 
 std::string manifest_refusal(const Result<scene::Scene>& result) {
   return result ? "accepted" : to_string(result.error());
+}
+
+TEST(StreamSizes, SumUpTheStreamsOfAllChunks) {
+  const scene::Scene scene = made_scene(3);
+  std::map<std::string, std::uint64_t> expected;
+  for (const scene::Chunk& chunk : scene.chunks)
+    for (const auto& [name, bytes] : encode_chunk(chunk)) expected[name] += bytes.size();
+  std::map<std::string, std::uint64_t> found;
+  for (const StreamSize& size : stream_sizes_of(scene)) {
+    found[size.name] = size.raw_bytes;
+    EXPECT_GT(size.packed_bytes, 0u) << size.name;
+  }
+  EXPECT_EQ(found, expected);
 }
 
 TEST(Manifest, ReadsBackWhatItWrote) {
