@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/ground/cover/contained_areas.h"
 #include "compiler/roads/generate.h"
 
 namespace citykiln::ground {
@@ -30,7 +32,7 @@ std::vector<LandCoverPolygon> plan(const map::Features& features, Report& report
     surfaces.push_back(area_surface(area));
   }
   report.account("ground", "area") = account;
-  return surfaces;
+  return with_contained_on_top(std::move(surfaces));
 }
 
 std::vector<roads::Strip> plan_streams(const map::Features& features, Report& report) {

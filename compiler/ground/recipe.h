@@ -2,6 +2,7 @@
 // of a road or watercourse: an axis with a width on each side. map::Heightfield holds the heights of the terrain.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -23,8 +24,20 @@ struct LandCoverPolygon {
   std::uint32_t piece = 0;    ///< Number of a road's piece (roads/pieces): 1, 2 … along it; 0 for other polygons.
   std::optional<double> level_m{};  ///< Plane height of standing water, a multiple of kProfileQuantum_m.
   bool is_graded = false;           ///< True if it belongs to a road with a profile, which decides its height.
+  /// The highest priority of the areas that it lies in, if that is above the priority of its class; else 0.
+  std::uint8_t lies_on = 0;
   bool operator==(const LandCoverPolygon&) const = default;
 };
+
+/// The priority that decides which of overlapping polygons is on top: that of the class, or LandCoverPolygon::lies_on.
+inline int priority_of(const LandCoverPolygon& polygon) {
+  return std::max(map::values_of(polygon.surface).priority, polygon.lies_on);
+}
+
+/// True for the surfaces of yards, which are assumed.
+inline bool is_yard(const LandCoverPolygon& polygon) {
+  return polygon.surface >= map::LandCoverClass::kLawn && polygon.surface <= map::LandCoverClass::kAsphaltDrive;
+}
 
 /// Values of area_m2 for strips of roads and for junctions. They put strips above areas of their priority, and
 /// junctions above strips; a junction through which a road's lanes run (kPassedJunctionArea_m2) lies below strips.

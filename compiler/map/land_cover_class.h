@@ -41,7 +41,8 @@ enum class LandCoverGroup : std::uint8_t {
 struct LandCoverValues {
   std::string_view name;  ///< Such as "ConiferousForest".
   LandCoverGroup group;
-  /// Where polygons overlap, the higher priority wins, then the smaller area, then the lower id.
+  /// Where polygons overlap, the higher priority wins, then the smaller area, then the lower id; an area that lies in a
+  /// larger one is above it (ground/cover/contained_areas.h).
   std::uint8_t priority;
   materials::Material material;
 };

@@ -308,10 +308,6 @@ constexpr double kYardGrid_m = 4, kInBarrier_m = 0.25;
 // Houses of neighbouring lots may touch.
 constexpr double kInsideWall_m = 0.125;
 
-bool is_yard(const ground::LandCoverPolygon& surface) {
-  return surface.surface >= LandCoverClass::kLawn && surface.surface <= LandCoverClass::kAsphaltDrive;
-}
-
 // The mapped element in or below which a tree of a yard stands; none if its place is free.
 OsmId no_place_for_tree(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover, Vec2 p) {
   if (const std::uint32_t top = ground::land_cover_at(land_cover, p); top != ground::kNoLandCover) {
@@ -329,7 +325,7 @@ OsmId no_place_for_tree(const scene::Chunk& chunk, const ground::LandCoverIndex&
 
 // True for mapped land on which no yard may lie.
 bool is_finer_than_use(const ground::LandCoverPolygon& surface) {
-  return !is_yard(surface) && surface.surface != LandCoverClass::kUnknown &&
+  return !ground::is_yard(surface) && surface.surface != LandCoverClass::kUnknown &&
          surface.surface != LandCoverClass::kResidential && surface.surface != LandCoverClass::kCommercial &&
          surface.surface != LandCoverClass::kRetail && surface.surface != LandCoverClass::kIndustrial;
 }
@@ -368,7 +364,7 @@ void test_yard_places(const scene::Chunk& chunk, const ground::LandCoverIndex& l
     for (double y = box.min.y + kYardGrid_m / 2; y < box.max.y; y += kYardGrid_m) {
       const Vec2 p{x, y};
       const std::uint32_t top = ground::land_cover_at(land_cover, p);
-      if (top == ground::kNoLandCover || !is_yard(land_cover.surfaces[top])) continue;
+      if (top == ground::kNoLandCover || !ground::is_yard(land_cover.surfaces[top])) continue;
       ++found.places;
       if (land.all.empty()) continue;
       for (const std::uint32_t i : boxes_about(land.grid, p))
@@ -461,7 +457,7 @@ AssumedPlaces measure_assumed_masts(const scene::Chunk& chunk, const ground::Lan
 AssumedPlaces measure_assumed_yards(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
                                     const Box2& box) {
   AssumedPlaces found;
-  if (std::ranges::none_of(chunk.surfaces, is_yard)) return found;
+  if (std::ranges::none_of(chunk.surfaces, ground::is_yard)) return found;
   for (const plants::Tree& tree : chunk.trees) {
     if (tree.id.part < map::kDerivedPart || !box.contains_half_open(tree.at)) continue;
     ++found.places;

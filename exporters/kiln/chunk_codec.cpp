@@ -27,13 +27,22 @@ void level(auto& io, ground::LandCoverPolygon& s) {
   quanta(io, "water level", *s.level_m, kProfileQuantum_m);
 }
 
+// One number: whether the surface belongs to a graded road, and twice the priority of the areas it lies in.
+void standing(auto& io, ground::LandCoverPolygon& s) {
+  auto number = static_cast<std::uint16_t>(s.lies_on << 1 | s.is_graded);
+  io.number("graded", number);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (number >> 1 > 0xff) io.fail("graded"), number = 0;
+  s.is_graded = (number & 1) != 0, s.lies_on = static_cast<std::uint8_t>(number >> 1);
+}
+
 void serialise(auto& io, ground::LandCoverPolygon& s) {
   id(io, s.id);
   enumerator(io, "surface class", s.surface, map::LandCoverClass::kCount);
   io.number("surface area", s.area_m2);
   list(io, "surface rings", s.rings, 1, [&](Ring& ring) { points(io, "ring points", ring, 3); });
   level(io, s);
-  flag(io, "graded", s.is_graded);
+  standing(io, s);
 }
 
 void species_mix(auto& io, Stream name, plants::SpeciesMix& species_mix) {

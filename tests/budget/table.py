@@ -71,7 +71,7 @@ def whole_comparison(table, found):
     changed = differences(table, found)
     maps = {key[0] for key in changed}
     others = [key for key in [*table, *found] if key[0] in maps and key not in changed]
-    return (f"{len(changed)} rows differ:\n" + side_by_side(table, found, changed) +
+    return (f"rows that differ: {len(changed)}\n" + side_by_side(table, found, changed) +
             "\n\nthe other rows of these maps:\n" + side_by_side(table, found, dict.fromkeys(others)))
 
 

@@ -31,7 +31,7 @@ class Table(unittest.TestCase):
 
     def test_a_comparison_names_the_row_and_both_values(self):
         text = table.whole_comparison(ROWS, ROWS | {TRIANGLES: 5012})
-        self.assertIn("1 rows differ", text)
+        self.assertIn("rows that differ: 1", text)
         self.assertIn("| town | glb | L0 | triangles of roads | 5,000 | 5,012 | 1.002 |", text)
 
     def test_items_under_bytes_are_found_in_all_versions(self):

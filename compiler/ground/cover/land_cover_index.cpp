@@ -129,7 +129,8 @@ void find_in_buckets(const LandCoverIndex& land_cover, std::uint32_t number,
       }
       const auto count = static_cast<std::uint32_t>(all_edges.size()) - first;
       if (count == 0 && windings[at] <= 0) continue;
-      found.push_back({land_cover.index(c, r), {number, windings[at], priority, first, count, about}});
+      found.push_back(
+          {land_cover.index(c, r), {number, windings[at], priority, surface.lies_on > 0, first, count, about}});
     }
 }
 
@@ -256,10 +257,15 @@ double clearance_m(const LandCoverIndex& land_cover, Vec2 p, int priority, doubl
   if (search_radius_m <= kIndexNear_m && land_cover.is_far[land_cover.index(own_column, own_row)])
     return search_radius_m;
   double nearest = squared(search_radius_m);
+  bool is_on_raised = false;
   for (const BucketEntry& entry : entries_at(land_cover, own_column, own_row)) {
-    // sorted from the top down: all that follow have a lower priority
-    if (entry.priority < priority) break;
-    if (covers_point(land_cover, entry, land_cover.corner_of(own_column, own_row), p)) return 0;
+    // sorted from the top down: all that follow have a lower priority, unless this one is raised onto others
+    if (entry.priority < priority && !entry.is_raised) break;
+    const bool covers_p = covers_point(land_cover, entry, land_cover.corner_of(own_column, own_row), p);
+    // beyond the edges of what is raised lies what it lies in
+    if (entry.priority < priority && !covers_p) continue;
+    is_on_raised |= entry.priority < priority;
+    if (covers_p && !is_on_raised) return 0;
     nearest = squared_distance(land_cover, entry, p, nearest);
   }
   // edges in other buckets may be nearer still
@@ -271,7 +277,8 @@ double clearance_m(const LandCoverIndex& land_cover, Vec2 p, int priority, doubl
       if (entries.empty() || (column == own_column && row == own_row)) continue;
       if (squared_distance(land_cover, column, row, p) >= nearest) continue;
       for (const BucketEntry& entry : entries) {
-        if (entry.priority < priority) break;
+        if (entry.priority < priority && !entry.is_raised) break;
+        if (entry.priority < priority) continue;
         nearest = squared_distance(land_cover, entry, p, nearest);
       }
     }

@@ -17,7 +17,8 @@ inline constexpr std::uint32_t kNoLandCover = 0xffffffffu;
 struct BucketEntry {
   std::uint32_t polygon = 0;                     ///< Index of the polygon in LandCoverIndex::surfaces.
   std::int32_t winding = 0;                      ///< Winding number of its rings about that corner.
-  std::int32_t priority = 0;                     ///< Priority of its class: the higher one is on top.
+  std::int32_t priority = 0;                     ///< Priority of its class.
+  bool is_raised = false;                        ///< True if it covers polygons of higher priority that it lies in.
   std::uint32_t first_edge = 0, edge_count = 0;  ///< Range in LandCoverIndex::edges.
   Box2 edges;                                    ///< The box of these edges, not cut to the bucket.
 };

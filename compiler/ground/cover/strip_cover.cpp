@@ -35,7 +35,8 @@ LandCoverPolygon trimmed_to(const LandCoverPolygon& surface, const Box2& box) {
                            .rings = {},
                            .piece = surface.piece,
                            .level_m = surface.level_m,
-                           .is_graded = surface.is_graded};
+                           .is_graded = surface.is_graded,
+                           .lies_on = surface.lies_on};
   for (const Ring& ring : surface.rings)
     if (Ring kept = citykiln::trimmed_to(ring, box); !kept.empty()) trimmed.rings.push_back(std::move(kept));
   return trimmed;

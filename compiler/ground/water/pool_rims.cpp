@@ -37,7 +37,8 @@ LandCoverPolygon rim_of(const LandCoverPolygon& pool) {
           .surface = map::LandCoverClass::kPoolRim,
           .area_m2 = pool.area_m2,
           .rings = rim_rings(pool),
-          .level_m = *pool.level_m + kPoolRimRise_m};
+          .level_m = *pool.level_m + kPoolRimRise_m,
+          .lies_on = pool.lies_on};
 }
 
 }  // namespace

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <optional>
 #include <string_view>
+
+#include "compiler/map/lanes/track_rules.h"
 
 namespace citykiln::map {
 namespace {
@@ -56,11 +59,37 @@ void add_marks(const ReadContext& context, const source::Node& node, std::vector
       marks.push_back({node.id, row.kind, facing_of(context, node.tags)});
 }
 
+// The sorted nodes of all ways on the ground whose row of the table `is_wanted`.
+template <typename IsWanted>
+std::vector<std::int64_t> nodes_on_ground(const ReadContext& context, IsWanted is_wanted) {
+  std::vector<std::int64_t> ids;
+  for (const source::Way& way : context.osm.ways) {
+    const TrackRow* row = track_row([&](std::string_view key) { return context.tag(way.tags, key); });
+    if (row == nullptr || !is_wanted(*row) || tagged_passage(context, way.tags) != Passage::kGround) continue;
+    for (const auto& node : context.osm.nodes_of(way)) ids.push_back(node.id);
+  }
+  std::ranges::sort(ids);
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+// A node of a railway and of a way for feet or wheels is a level crossing without tags, too. Tramways are paved anyway.
+void add_untagged_level_crossings(const ReadContext& context, std::vector<NodeMark>& marks) {
+  const auto is_railway = [](const TrackRow& row) { return row.surface == LandCoverClass::kRailway; };
+  const auto is_highway = [](const TrackRow& row) { return row.key == "highway"; };
+  const std::vector<std::int64_t> rails = nodes_on_ground(context, is_railway);
+  if (rails.empty()) return;
+  std::vector<std::int64_t> crossed;
+  std::ranges::set_intersection(rails, nodes_on_ground(context, is_highway), std::back_inserter(crossed));
+  for (const std::int64_t id : crossed) marks.push_back({id, TrackPointKind::kLevelCrossing, 0});
+}
+
 }  // namespace
 
 std::vector<NodeMark> node_marks(const ReadContext& context) {
   std::vector<NodeMark> marks;
   for (const source::Node& node : context.osm.nodes) add_marks(context, node, marks);
+  add_untagged_level_crossings(context, marks);
   std::sort(marks.begin(), marks.end());
   return marks;
 }

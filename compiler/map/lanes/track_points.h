@@ -20,8 +20,9 @@ struct NodeMark {
 /// Returns all marks of the extract, sorted.
 ///
 /// A crossing is read from crossing=*, crossing_ref=* and crossing:markings=*. Values for crossings without paint
-/// (unmarked, informal, no) give no mark; zebra, ladder and uncontrolled are kZebra; all others are kCrossing. Nothing
-/// is diagnosed. O(tags of nodes + n log n marks).
+/// (unmarked, informal, no) give no mark; zebra, ladder and uncontrolled are kZebra; all others are kCrossing. A node
+/// that a railway and a highway share on the ground is a level crossing, tagged or not. Nothing is diagnosed. O(tags of
+/// nodes + n log n marks).
 ///
 /// Source: wiki.openstreetmap.org, Tag:highway=crossing, Key:crossing, Key:crossing:markings, Key:direction.
 std::vector<NodeMark> node_marks(const ReadContext& context);

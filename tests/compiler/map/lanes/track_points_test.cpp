@@ -34,6 +34,14 @@ std::string of_node(const std::string& tags) {
   return points_in("n9 10:0 " + tags + "\nw1 0:0 10:0 20:0 highway=residential");
 }
 
+TEST(TrackPoints, OfRailsAndWaysThatShareANodeAreLevelCrossings) {
+  const std::string path = "\nw2 10:-9 10:0 10:9 highway=footway";
+  EXPECT_EQ(points_in("w1 0:0 10:0 20:0 railway=rail" + path), "1level");
+  EXPECT_EQ(points_in("n9 10:0 railway=crossing\nw1 0:0 10:0 20:0 railway=rail" + path), "1level");
+  EXPECT_EQ(points_in("w1 0:0 10:0 20:0 railway=tram" + path), "");
+  EXPECT_EQ(points_in("w1 0:0 10:0 20:0 railway=rail bridge=yes layer=1" + path), "");
+}
+
 TEST(TrackPoints, FollowFromTheTagsOfNodes) {
   const struct {
     const char *tags, *points;
