@@ -14,6 +14,7 @@
 #include "compiler/buildings/terminal_meshes.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/tolerance.h"
+#include "compiler/contract/utf8.h"
 #include "grammars/derivation/form_roofs.h"
 
 namespace citykiln::buildings {
@@ -87,11 +88,13 @@ void add_posts(const Level& level, std::vector<MaterialMesh>& meshes) {
   add_mesh(std::move(mesh), meshes);
 }
 
-std::uint64_t error_count(const grammars::Derivation& derivation) {
-  std::uint64_t count = 0;
-  for (const grammars::Warning& warning : derivation.warnings) count += warning.times;
-  for (const grammars::LimitHit& limit : derivation.limits) count += limit.times;
-  return count;
+// Reports each fault of the rules, with its file, line and rule.
+void report_rule_faults(const Level& level, const grammars::Derivation& derivation, Report& report) {
+  for (grammars::RuleFault& fault : grammars::rule_faults(*level.rules, derivation))
+    report.add({.code = Code::kRuleErrors,
+                .object = level.building.id.osm,
+                .size = static_cast<double>(fault.times),
+                .tag = std::move(fault.text)});
 }
 
 // The number of shapes with results of operations that no mesh shows: models, textures and their coordinates.
@@ -182,10 +185,12 @@ void add_ruled(const Level& level, const RuledMass& ruled, GeneratedBuilding& ge
   // rules may use what the roof leaves of the tolerance
   const double tolerance_m = level.tolerance_m - ruled.mass.roof.error_m;
   const grammars::Derivation derivation = derive(level, ruled.mass, tolerance_m);
-  if (const std::uint64_t errors = error_count(derivation); errors > 0)
-    report.add(Code::kRuleErrors, feature, static_cast<double>(errors));
+  report_rule_faults(level, derivation, report);
   if (const std::size_t shapes = count_without_effect(derivation); shapes > 0)
-    report.add(Code::kRuleWithoutEffect, feature, static_cast<double>(shapes));
+    report.add({.code = Code::kRuleWithoutEffect,
+                .object = feature,
+                .size = static_cast<double>(shapes),
+                .tag = to_valid_utf8(level.rules->files.front())});
   FacadeMeshes faces;
   if (level.detailed)
     faces = texture_facades(derivation, *level.detailed, level.tolerance_m, tolerance_m, feature);

@@ -100,10 +100,8 @@ GeneratedThing generate(const Form& form, const Kind& kind, std::uint64_t seed, 
   if (!is_shown(form, kind.row, tolerance_m)) return {{}, form.height_m};
   const grammars::Derivation derivation =
       grammars::derive(kind.rules, box_of_form(form), options_of(form, seed, is_night, tolerance_m));
-  GeneratedThing generated{buildings::terminal_meshes(derivation, {}), derivation.error_m};
-  for (const grammars::Warning& warning : derivation.warnings) generated.rule_errors += warning.times;
-  for (const grammars::LimitHit& limit : derivation.limits) generated.rule_errors += limit.times;
-  return generated;
+  return {buildings::terminal_meshes(derivation, {}), derivation.error_m,
+          grammars::rule_faults(kind.rules, derivation)};
 }
 
 Placement place(const Thing& thing, const ground::GradedTerrain& ground) {
