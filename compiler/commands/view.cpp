@@ -15,6 +15,8 @@
 namespace citykiln::commands {
 namespace {
 
+constexpr std::int64_t kLastPort = 65535;
+
 struct ViewRequest {
   PageRequest page;
   int port = 0;
@@ -40,6 +42,8 @@ void listens(void* owner, int port) {
   const std::string url = fmt::format("http://127.0.0.1:{}/", port);
   serving.console.print_line(fmt::format("{}   (Ctrl-C ends)", url));
   serving.console.print_json(fmt::format(R"({{"url": "{}"}})", url));
+  // the server runs until it is interrupted
+  serving.console.end_json();
   std::fflush(stdout);
 }
 
@@ -52,11 +56,12 @@ Result<Exit> serve(const ViewRequest& request, const Console& console) {
   Serving serving{run, console};
   const auto run_server = reinterpret_cast<decltype(&citykiln_serve)>(*function);
   if (run_server(request.port, &serving, decide, listens) == 0) return Exit::kDone;
-  return Error{"--port", fmt::format("port {} of 127.0.0.1 is in use; give another one, or 0 for any", request.port)};
+  return Error{"--port", fmt::format("port {} is in use; give another one, or 0 for any", request.port)};
 }
 
 Result<Exit> run_view(const ViewRequest& asked, const Console& console) {
   if (asked.page.folder.empty()) return Error{"", "no folder is given; expected the folder of a run, such as out/town"};
+  if (const Result<Done> fits = check_run_path(asked.page.folder); !fits) return fits.error();
   ViewRequest request = asked;
   request.page.folder = folder_of(asked.page.folder);
   if (const Result<Done> done = complete_page(request.page, console); !done) return done.error();
@@ -71,7 +76,14 @@ Verb view_verb() {
   verb.options = {
       {"folder", "OUT", "folder of a run; without a tileset, one is baked into it first", false,
        store_text(request->page.folder)},
-      {"--port", "N", "port of the server (default: any free one)", false, store_whole(request->port, 0)},
+      {"--port", "N", "port of the server, 0 to 65535 (default: 0, any free one)", false,
+       [request](const std::string& text) -> Result<Done> {
+         const Result<std::int64_t> port = parse_whole(text, 0);
+         if (!port || *port > kLastPort)
+           return Error{"", fmt::format("expected a port from 0 to {}, found \"{}\"", kLastPort, text)};
+         request->port = static_cast<int>(*port);
+         return Done{};
+       }},
       {"--write-only", "", "writes the page and ends; any static server can serve the folder", false,
        [request](const std::string& text) -> Result<Done> {
          request->only_writes = text == "true";

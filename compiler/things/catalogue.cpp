@@ -33,6 +33,10 @@ Result<grammars::Program> program_of(const map::ThingRow& row, std::span<const R
 Result<Kind> kind_of(const map::ThingRow& row, std::span<const RuleText> texts) {
   Result<grammars::Program> program = program_of(row, texts);
   if (!program) return program.error();
+  program->is_shipped = std::ranges::all_of(program->files, [&](const std::string& name) {
+    const RuleText *text = text_named(texts, name), *shipped = text_named(shipped_things(), name);
+    return shipped != nullptr && text->text == shipped->text;
+  });
   UsedValues used = used_values(*program, kStart);
   return Kind{row, std::move(*program), std::move(used)};
 }

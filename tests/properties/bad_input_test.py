@@ -239,9 +239,9 @@ class BadInput(ProgramTest):
         self.assertOneLine(run("complie", "a.osm"), "complie", "did you mean compile?")
         self.assertOneLine(run("compile", "a.osm", "--lod", "1"), "--lod", "did you mean --lods?")
 
-    def test_tolerances_beyond_a_hundred_metres(self):
-        for tolerance in ("500", "1e9", "0"):
-            self.assertOneLine(run("preview", "scene.kiln", "--tolerance", tolerance, "-o", "a.png"), "--tolerance", "at most 100")
+    def test_tolerances_beyond_a_millimetre_and_a_hundred_metres(self):
+        for tolerance in ("500", "1e9", "0", "0.0000001"):
+            self.assertOneLine(run("preview", "scene.kiln", "--tolerance", tolerance, "-o", "a.png"), "--tolerance", "0.001 to 100")
 
     def test_a_spec_that_is_not_json(self):
         spec = self.written("spec.json", '{"map": \n  nonsense}')
