@@ -130,6 +130,7 @@ std::string meant_verb(const std::string& word) {
   if (is_map_name(word)) return fmt::format("; did you mean citykiln compile {} -o out?", word);
   if (word.ends_with(".kiln") || word.ends_with(".glb"))
     return fmt::format("; did you mean citykiln preview {} -o picture.png?", word);
+  if (word == "help") return "; did you mean citykiln --help?";
   if (word.ends_with(".json")) return fmt::format("; did you mean citykiln compile --spec {}?", word);
   if (std::filesystem::is_directory(word, none)) return fmt::format("; did you mean citykiln view {}?", word);
   return "";
@@ -140,9 +141,24 @@ std::string unknown_verb(const std::string& word, const std::vector<std::string>
   return fmt::format("is not a verb{}; the verbs are {}", did_you_mean(word, names), fmt::join(names, ", "));
 }
 
+/// Error: a flag before the verb that is not --help, -h or --version.
+Result<Done> is_own_flag(const std::string& word) {
+  if (word == "--help" || word == "-h" || word == "--version" || word == kJson.flag) return Done{};
+  const std::vector<std::string> own = {"--help", "--version"};
+  const std::string meant = did_you_mean(word, own);
+  return Error{word, "stands before the verb" +
+                         (meant.empty() ? "; the verb comes first, such as citykiln compile map.osm -o out" : meant)};
+}
+
+/// True for "-threads", which is read as the short flag -t.
+bool is_flag_with_one_dash(const std::string& word, const std::vector<std::string>& flags) {
+  return word.size() > 2 && word[0] == '-' && std::ranges::find(flags, "-" + word) != flags.end();
+}
+
 /// Error: the first word is no verb, or a later one is a long flag that the verb does not have.
 Result<Done> are_known(std::span<const Verb> verbs, std::span<const char* const> words) {
-  if (words.empty() || words.front()[0] == '-') return Done{};
+  if (words.empty()) return Done{};
+  if (words.front()[0] == '-') return is_own_flag(words.front());
   std::vector<std::string> names;
   for (const Verb& verb : verbs)
     if (!verb.is_hidden) names.push_back(verb.name);
@@ -150,10 +166,11 @@ Result<Done> are_known(std::span<const Verb> verbs, std::span<const char* const>
   if (verb == verbs.end()) return Error{words.front(), unknown_verb(words.front(), names)};
   const std::vector<std::string> flags = long_flags_of(*verb);
   for (const std::string_view word : words.subspan(1)) {
-    const std::string flag(word.substr(0, word.find('=')));
-    if (!flag.starts_with("--") || std::ranges::find(flags, flag) != flags.end()) continue;
-    return Error{flag, fmt::format("is not an option of {}{} (citykiln {} --help lists all)", verb->name,
-                                   meant_option(flag, flags), verb->name)};
+    const std::string given(word.substr(0, word.find('=')));
+    const std::string flag = is_flag_with_one_dash(given, flags) ? "-" + given : given;
+    if (!flag.starts_with("--") || std::ranges::find(flags, given) != flags.end()) continue;
+    return Error{given, fmt::format("is not an option of {}{} (citykiln {} --help lists all)", verb->name,
+                                    meant_option(flag, flags), verb->name)};
   }
   return Done{};
 }
@@ -180,6 +197,11 @@ int run_words(std::span<const Verb> verbs, int argc, const char* const* argv, Co
     // help is text, whatever else is asked for
     console.is_json = false;
     return app.exit(help);
+  } catch (const CLI::ExtrasError& problem) {
+    const std::string text = problem.what();
+    return fail({"", fmt::format("one word too much: {}; the verb takes one, and options begin with --",
+                                 text.substr(text.rfind(": ") + 2))},
+                console);
   } catch (const CLI::ParseError& problem) {
     return fail({"", problem.what()}, console);
   } catch (const std::bad_alloc&) {

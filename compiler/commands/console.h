@@ -33,7 +33,7 @@ struct Console {
   /// destroyed.
   OnProgress progress() const;
 
-  /// What print_json() and print_error() keep. Copies of a console share it.
+  /// The values and the error of print_json() and print_error(). Copies of a console share it.
   struct Kept {
     std::vector<std::string> values;
     std::string error;

@@ -242,8 +242,11 @@ preview::Lights lights_of(const PreviewScene& scene, const preview::Camera& came
 Result<Exit> run_preview(const PreviewRequest& request, const Console& console) {
   if (request.picture_path.empty() && !request.is_interactive)
     return Error{"", "no picture is given; add -o FILE.png or -o FILE.exr"};
-  for (const std::string& path : request.load.paths)
+  for (const std::string& path : request.load.paths) {
     if (const Result<Done> fits = check_run_path(path); !fits) return fits.error();
+    if (request.load.level && path.ends_with(".kiln"))
+      return Error{"--level", "is for a folder's tiles; of a manifest --tolerance or --pixel-error gives the detail"};
+  }
   if (!request.picture_path.empty())
     if (const auto fits = check_output_file(request.picture_path, {".png", ".exr"}); !fits) return fits.error();
   if (request.camera.is_film())

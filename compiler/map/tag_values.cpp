@@ -219,7 +219,7 @@ std::vector<std::string> words_of(std::string_view value) {
     std::string& word = words.back();
     if (c == ';' || c == ',' || c == '/')
       words.emplace_back();
-    else if (c != ' ' && c != '-' && c != '_')
+    else if (c != '-' && c != '_' && c != ' ' && c != '\t' && c != '\n')
       word += c;
     else if (!word.empty() && word.back() != '_')
       word += '_';

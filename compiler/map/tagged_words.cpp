@@ -92,7 +92,8 @@ class WordTests {
   };
 
   static bool is_unknown_value(const Key& key, std::string_view value) {
-    return !key.is_known(value) && std::ranges::none_of(words_of(value), is_indefinite);
+    const std::vector<std::string> words = words_of(value);
+    return !words.empty() && !key.is_known(value) && std::ranges::none_of(words, is_indefinite);
   }
 
   const source::OsmData& osm_;

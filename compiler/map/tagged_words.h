@@ -12,7 +12,7 @@ namespace citykiln::map {
 /// Returns the material of walls by building:material=*, such as "Brick", "natural stone" or "concrete/glass" (the
 /// first word that is known); nothing if no word is in material_values.inc.
 std::optional<materials::Material> wall_material_of(std::string_view value);
-/// Returns the material of a roof by roof:material=*, likewise.
+/// Returns the material of a roof by roof:material=*; nothing if no word is known.
 std::optional<materials::Material> roof_material_of(std::string_view value);
 /// Returns whether surface=* is paved; nothing if no word is in surfaces.inc.
 std::optional<bool> is_paved_surface(std::string_view value);

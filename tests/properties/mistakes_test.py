@@ -111,6 +111,12 @@ class Mistakes(ProgramTest):
                  (("view", self.written("map.osm", HOUSES)), "is a map; compile it first: citykiln compile"),
                  (("preview", self.written("map.osm", HOUSES), "-o", "a.png"), "is a map; compile it first"),
                  (("preview", town, "--level", "9", "-o", self.folder / "a.png"), "has no level 9; its levels are 0 (2.5 m), 1 (12.5 m)"),
+                 (("compile", "a.osm", "b.osm", "-o", "out"), "one word too much: b.osm"),
+                 (("compile", "a.osm", "-threads", "2"), "did you mean --threads?"),
+                 (("-o", "out", "compile", "a.osm"), "the verb comes first"),
+                 (("--hlep",), "did you mean --help?"),
+                 (("help",), "did you mean citykiln --help?"),
+                 (("preview", f"{town}/scene.kiln", "--level", "1", "-o", self.folder / "a.png"), "--level: is for a folder's tiles"),
                  (("view", town, "--port", "99999"), "--port: expected a port from 0 to 65535"),
                  (("view", town, "--port", "-1"), "--port: expected a port from 0 to 65535"))
         for words, message in cases:
