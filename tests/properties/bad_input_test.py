@@ -233,7 +233,7 @@ class BadInput(ProgramTest):
 
     def test_a_spec_with_a_wrong_value_names_the_setting(self):
         spec = self.written("spec.json", '{"map": "a.osm", "tile": 500}')
-        self.assertOneLine(run("compile", "--spec", spec), 'spec.json: "tile": expected', '"500"')
+        self.assertOneLine(run("compile", "--spec", spec), 'spec.json:1:18: "tile": expected', '"500"')
 
     def test_mistyped_verbs_and_options(self):
         self.assertOneLine(run("complie", "a.osm"), "complie", "did you mean compile?")
