@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -171,6 +172,8 @@ Result<Exit> run_check(const CheckRequest& request, const Console& console) {
     return Error{"--worst", "needs -o FOLDER, which the page is written to, and the reverse"};
   if (const Result<Done> fits = check_run_path(request.folder); !fits) return fits.error();
   const std::string folder = folder_of(request.folder);
+  std::error_code none;
+  if (!std::filesystem::is_directory(folder, none)) return Error{folder, "expected the folder of a run, found a file"};
   if (request.worst > 0)
     if (const Result<Done> made = make_output_folder(request.page_folder); !made) return made.error();
   const Result<verify::LoadedRun> loaded = open_run(folder);

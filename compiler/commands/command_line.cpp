@@ -179,6 +179,16 @@ Result<Done> are_known(std::span<const Verb> verbs, std::span<const char* const>
 
 namespace {
 
+/// Returns the error of an option without its value, of CLI11's "--out: 1 required FOLDER missing".
+Error without_value(const std::string& text) {
+  const std::size_t colon = text.find(": "), end = text.rfind(" missing");
+  constexpr std::string_view kRequired = "required ";
+  const std::size_t begin = text.find(kRequired);
+  if (colon == std::string::npos || end == std::string::npos || begin == std::string::npos) return {"", text};
+  const std::size_t from = begin + kRequired.size();
+  return {text.substr(0, colon), fmt::format("expected {} after it, found nothing", text.substr(from, end - from))};
+}
+
 int run_words(std::span<const Verb> verbs, int argc, const char* const* argv, Console& console) {
   CLI::App app("citykiln compiles OpenStreetMap extracts and heightmaps to 3D city tiles", "citykiln");
   app.set_version_flag("--version", kProgramVersion);
@@ -186,7 +196,8 @@ int run_words(std::span<const Verb> verbs, int argc, const char* const* argv, Co
   for (const Verb& verb : verbs) declare(app, verb, console);
   const std::span words(argv + 1, static_cast<std::size_t>(argc - 1));
   if (const Result<Done> known = are_known(verbs, words); !known) return fail(known.error(), console);
-  if (words.empty()) return fail({"", "no verb is given; citykiln --help lists them"}, console);
+  const bool has_only_json = words.size() == 1 && std::string_view(words.front()) == kJson.flag;
+  if (words.empty() || has_only_json) return fail({"", "no verb is given; citykiln --help lists them"}, console);
 
   try {
     app.parse(argc, argv);
@@ -202,6 +213,8 @@ int run_words(std::span<const Verb> verbs, int argc, const char* const* argv, Co
     return fail({"", fmt::format("one word too much: {}; the verb takes one, and options begin with --",
                                  text.substr(text.rfind(": ") + 2))},
                 console);
+  } catch (const CLI::ArgumentMismatch& problem) {
+    return fail(without_value(problem.what()), console);
   } catch (const CLI::ParseError& problem) {
     return fail({"", problem.what()}, console);
   } catch (const std::bad_alloc&) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "compiler/commands/run_paths.h"
@@ -64,6 +65,9 @@ Result<Exit> run_view(const ViewRequest& asked, const Console& console) {
   if (const Result<Done> fits = check_run_path(asked.page.folder); !fits) return fits.error();
   ViewRequest request = asked;
   request.page.folder = folder_of(asked.page.folder);
+  std::error_code none;
+  if (!std::filesystem::is_directory(request.page.folder, none))
+    return Error{request.page.folder, "expected the folder of a run, found a file"};
   if (const Result<Done> done = complete_page(request.page, console); !done) return done.error();
   return request.only_writes ? Result<Exit>(Exit::kDone) : serve(request, console);
 }

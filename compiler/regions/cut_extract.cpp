@@ -533,7 +533,7 @@ Result<CutFiles> cut_extract(const CutRequest& cut, const map::Plane& plane, con
     if (*path != cut.map_path) fs::remove(*path);
     return files;
   } catch (const std::exception& error) {
-    return Error{cut.map_path, error.what()};
+    return Error{cut.map_path, source::reading_error(error.what())};
   }
 }
 
@@ -551,7 +551,7 @@ Result<source::LonLatBox> header_box_of(const std::string& map_path) {
     return source::LonLatBox{box.bottom_left().lon(), box.bottom_left().lat(), box.top_right().lon(),
                              box.top_right().lat()};
   } catch (const std::exception& error) {
-    return Error{map_path, error.what()};
+    return Error{map_path, source::reading_error(error.what())};
   }
 }
 

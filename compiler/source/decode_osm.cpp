@@ -73,16 +73,6 @@ DecodedOsm decode_file(const osmium::io::File& file, int threads) {
   return decoded;
 }
 
-constexpr std::string_view kDecodeCutOff = "; the file is cut off: load it again";
-
-// True for the errors of expat at the end of a text.
-bool is_end_of_text(std::string_view error) { return error == "unclosed token" || error == "no element found"; }
-
-// True for the errors of zlib and libbz2 at the end of a file, and in a damaged one.
-bool is_broken_archive(std::string_view error) {
-  return error.starts_with("gzip error") || error.starts_with("bzip2 error");
-}
-
 }  // namespace
 
 Result<DecodedOsm> decode_osm(const std::string& path, int threads) {
@@ -94,13 +84,12 @@ Result<DecodedOsm> decode_osm(const std::string& path, int threads) {
     return decode_file(source_of(path, *format, *mended), threads);
   } catch (const osmium::xml_error& error) {
     if (error.line == 0) return Error{path, error.error_string};
-    std::string message = "malformed XML: " + error.error_string;
-    if (is_end_of_text(error.error_string)) message += kDecodeCutOff;
-    return Error{fmt::format("{}:{}:{}", path, error.line, error.column + 1), std::move(message)};
+    return Error{fmt::format("{}:{}:{}", path, error.line, error.column + 1),
+                 reading_error("malformed XML: " + error.error_string)};
   } catch (const std::bad_alloc&) {
     return Error{path, "not enough memory to hold the extract"};
   } catch (const std::exception& error) {
-    return Error{path, error.what() + std::string(is_broken_archive(error.what()) ? kDecodeCutOff : "")};
+    return Error{path, reading_error(error.what())};
   }
 }
 

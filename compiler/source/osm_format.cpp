@@ -123,7 +123,16 @@ std::string first_bytes(const std::string& path) {
   return head;
 }
 
+// True for the errors of expat at the end of a text, and those of zlib and libbz2 at the end of a file or in a broken
+// one.
+bool is_at_end(std::string_view message) {
+  return message.ends_with("unclosed token") || message.ends_with("no element found") ||
+         message.starts_with("gzip error") || message.starts_with("bzip2 error");
+}
+
 }  // namespace
+
+std::string reading_error(const std::string& message) { return is_at_end(message) ? message + kCutOff : message; }
 
 Result<OsmFormat> osm_format_of(const std::string& path) {
   std::error_code failure;

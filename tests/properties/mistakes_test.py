@@ -115,6 +115,8 @@ class Mistakes(ProgramTest):
                  (("compile", "a.osm", "-threads", "2"), "did you mean --threads?"),
                  (("-o", "out", "compile", "a.osm"), "the verb comes first"),
                  (("--hlep",), "did you mean --help?"),
+                 (("compile", "a.osm", "-o"), "--out: expected FOLDER after it"),
+                 (("check", f"{town}/report.json"), "expected the folder of a run, found a file"),
                  (("help",), "did you mean citykiln --help?"),
                  (("preview", f"{town}/scene.kiln", "--level", "1", "-o", self.folder / "a.png"), "--level: is for a folder's tiles"),
                  (("view", town, "--port", "99999"), "--port: expected a port from 0 to 65535"),
