@@ -55,7 +55,8 @@ TEST(Catalogue, AFolderAddsRowsAndRules) {
 }
 
 TEST(Catalogue, ABadFolderIsOneLine) {
-  EXPECT_EQ(error_of({{"things.txt", kRow}}), "sundial.cga: there is no such rule file (for the thing \"sundial\")");
+  EXPECT_EQ(error_of({{"things.txt", kRow}}),
+            "own/things.txt:1: rule: there is no file sundial.cga in the folder, nor a shipped one");
   EXPECT_EQ(error_of(files(kRow, "Lot --> Wall.")),
             "sundial.cga: expected a rule \"Thing\", found none (for the thing \"sundial\")");
   EXPECT_EQ(error_of(files("sundial amenity", kRules)).substr(0, 17), "own/things.txt:1:");
