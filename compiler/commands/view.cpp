@@ -1,6 +1,10 @@
 // citykiln view OUT: shows the tileset of a run in a browser, by a server on 127.0.0.1 alone.
+#include <arpa/inet.h>
 #include <fmt/format.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -48,6 +52,22 @@ void listens(void* owner, int port) {
   std::fflush(stdout);
 }
 
+Error port_in_use(int port) {
+  return {"--port", fmt::format("port {} is in use; give another one, or 0 for any", port)};
+}
+
+/// True if a server on this machine answers at a port.
+bool is_answered(int port) {
+  const int file = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (file < 0) return false;
+  sockaddr_in address{};
+  address.sin_family = AF_INET, address.sin_port = htons(static_cast<std::uint16_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const bool is_there = ::connect(file, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0;
+  ::close(file);
+  return is_there;
+}
+
 Result<Exit> serve(const ViewRequest& request, const Console& console) {
   const auto list = exporters::read_file_list(request.page.folder + "/" + exporters::kFileListName);
   if (!list) return list.error();
@@ -57,7 +77,7 @@ Result<Exit> serve(const ViewRequest& request, const Console& console) {
   Serving serving{run, console};
   const auto run_server = reinterpret_cast<decltype(&citykiln_serve)>(*function);
   if (run_server(request.port, &serving, decide, listens) == 0) return Exit::kDone;
-  return Error{"--port", fmt::format("port {} is in use; give another one, or 0 for any", request.port)};
+  return port_in_use(request.port);
 }
 
 Result<Exit> run_view(const ViewRequest& asked, const Console& console) {
@@ -68,6 +88,8 @@ Result<Exit> run_view(const ViewRequest& asked, const Console& console) {
   std::error_code none;
   if (!std::filesystem::is_directory(request.page.folder, none))
     return Error{request.page.folder, "expected the folder of a run, found a file"};
+  // before the tileset is baked, which may take minutes
+  if (!request.only_writes && request.port > 0 && is_answered(request.port)) return port_in_use(request.port);
   if (const Result<Done> done = complete_page(request.page, console); !done) return done.error();
   return request.only_writes ? Result<Exit>(Exit::kDone) : serve(request, console);
 }
