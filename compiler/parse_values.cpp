@@ -10,14 +10,21 @@
 
 namespace citykiln {
 
+namespace {
+
+// Finer than the grid of vertices (kQuantum_m) no level can be.
+constexpr double kLeastTolerance_m = 0.001;
+
+}  // namespace
+
 Error expected(std::string_view what, std::string_view found) {
   return {"", fmt::format("expected {}, found \"{}\"", what, found)};
 }
 
 Result<double> parse_tolerance(std::string_view text) {
   const auto tolerance_m = number_in<double>(text);
-  if (tolerance_m && *tolerance_m > 0 && *tolerance_m <= kCoarsest_m) return *tolerance_m;
-  return expected(fmt::format("a tolerance in metres, above 0 and at most {}, such as 0.1", kCoarsest_m), text);
+  if (tolerance_m && *tolerance_m >= kLeastTolerance_m && *tolerance_m <= kCoarsest_m) return *tolerance_m;
+  return expected(fmt::format("a tolerance in metres, {} to {}, such as 0.1", kLeastTolerance_m, kCoarsest_m), text);
 }
 
 Result<std::vector<double>> parse_ladder(std::string_view text) {
@@ -27,7 +34,7 @@ Result<std::vector<double>> parse_ladder(std::string_view text) {
     const double last = tolerances_m.empty() ? 0 : tolerances_m.back();
     if (!tolerance_m || !(*tolerance_m > last))
       return expected(
-          fmt::format("increasing tolerances in metres, above 0 and at most {}, such as 0.1,0.5,2.5", kCoarsest_m),
+          fmt::format("increasing tolerances in metres, {} to {}, such as 0.1,0.5,2.5", kLeastTolerance_m, kCoarsest_m),
           text);
     tolerances_m.push_back(*tolerance_m);
   }

@@ -14,7 +14,7 @@ namespace citykiln {
 /// The error of a text that is not of the expected form.
 Error expected(std::string_view what, std::string_view found);
 
-/// Parses a tolerance above 0 and at most kCoarsest_m: "0.5".
+/// Parses a tolerance from 0.001 to kCoarsest_m: "0.5".
 Result<double> parse_tolerance(std::string_view text);
 /// Parses increasing tolerances: "0.1,0.5,2.5".
 Result<std::vector<double>> parse_ladder(std::string_view text);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "compiler/contract/nearest_name.h"
 #include "compiler/settings.h"
@@ -29,6 +30,29 @@ std::string place_of(const std::string& path, std::string_view text, std::size_t
   const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0: the first line
   return fmt::format("{}:{}:{}", path, std::count(before.begin(), before.end(), '\n') + 1,
                      before.size() - line_begin + 1);
+}
+
+/// A key of the outer object, and its place.
+struct KeyPlace {
+  std::string key;
+  std::size_t byte = 0;  ///< Counted from 1.
+};
+
+/// Returns the keys of the outer object of a valid JSON text, in order: a key may be given twice.
+std::vector<KeyPlace> keys_in(std::string_view text) {
+  std::vector<KeyPlace> keys;
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '{' || text[i] == '[') ++depth;
+    if (text[i] == '}' || text[i] == ']') --depth;
+    if (text[i] != '"') continue;
+    const std::size_t begin = i++;
+    for (; i < text.size() && text[i] != '"'; ++i) i += text[i] == '\\';
+    const std::size_t next = text.find_first_not_of(" \t\r\n", i + 1);
+    if (depth == 1 && next != std::string_view::npos && text[next] == ':')
+      keys.push_back({json::parse(text.substr(begin, i + 1 - begin)).get<std::string>(), begin + 1});
+  }
+  return keys;
 }
 
 Result<Done> apply_json(const Setting& setting, const json& value, CompileSpec& spec) {
@@ -69,9 +93,12 @@ Result<CompileSpec> read_spec(const std::string& path) {
     return Error{path, "expected a JSON object of settings, such as {\"map\": \"town.osm\", \"tile\": 512}"};
 
   CompileSpec spec;
-  for (const auto& [key, value] : document.items()) {
-    const Result<Done> done = apply_key(key, value, spec);
-    if (!done) return Error{path, to_string(done.error())};
+  std::set<std::string> given;
+  for (const KeyPlace& at : keys_in(text)) {
+    const std::string place = place_of(path, text, at.byte);
+    if (!given.insert(at.key).second) return Error{place, fmt::format("\"{}\" is given twice", at.key)};
+    const Result<Done> done = apply_key(at.key, document.at(at.key), spec);
+    if (!done) return Error{place, to_string(done.error())};
   }
   return spec;
 }

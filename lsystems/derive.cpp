@@ -147,15 +147,17 @@ std::string warning_line(const LSystem& system, const Warning& warning) {
   return fmt::format("{}:{}:{}: {}{}", system.file, warning.place.line, warning.place.column, warning.message, times);
 }
 
-std::string limit_line(const LSystem& system, const LimitExceeded& exceeded) {
-  const std::string start = fmt::format("{}: stopped at step {}: ", system.file, exceeded.step);
-  if (exceeded.kind == LimitKind::kSteps)
-    return start + fmt::format("a derivation has at most {} steps", exceeded.limit);
+std::string limit_text(const LimitExceeded& exceeded) {
+  if (exceeded.kind == LimitKind::kSteps) return fmt::format("a derivation has at most {} steps", exceeded.limit);
   if (exceeded.kind == LimitKind::kWork)
-    return start + fmt::format("the derivation would need more than {} rule tests and operations", exceeded.limit);
+    return fmt::format("the derivation would need more than {} rule tests and operations", exceeded.limit);
   if (exceeded.kind == LimitKind::kWritten)
-    return start + fmt::format("the derivation would write more than {} symbols in total", exceeded.limit);
-  return start + fmt::format("the string would have more than {} symbols", exceeded.limit);
+    return fmt::format("the derivation would write more than {} symbols in total", exceeded.limit);
+  return fmt::format("the string would have more than {} symbols", exceeded.limit);
+}
+
+std::string limit_line(const LSystem& system, const LimitExceeded& exceeded) {
+  return fmt::format("{}: stopped at step {}: {}", system.file, exceeded.step, limit_text(exceeded));
 }
 
 }  // namespace citykiln::lsystems

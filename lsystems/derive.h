@@ -84,6 +84,8 @@ Derivation interpret(const LSystem& system, const ModuleString& string, const De
 
 /// Returns a warning as a line: "x.lsys:12:5: message (3 times)".
 std::string warning_line(const LSystem& system, const Warning& warning);
+/// Returns an exceeded limit as text: "the string would have more than 8000000 symbols".
+std::string limit_text(const LimitExceeded& exceeded);
 /// Returns an exceeded limit as a line: "x.lsys: stopped at step 9: the string would have more than 8000000 symbols".
 std::string limit_line(const LSystem& system, const LimitExceeded& exceeded);
 

@@ -28,10 +28,12 @@ struct PlantFile {
 /// Errors: those of read_lsystem(), read_rpforest() and read_weber_penn().
 Result<PlantFile> read_plant_file(std::string_view text, std::string_view file);
 
-/// A plant that is grown: the skeleton, and the limit that stopped it before its end.
+/// A plant that is grown: the skeleton, the limit that stopped it before its end, and the first value that is no
+/// number.
 struct GrownSkeleton {
   Skeleton skeleton;
-  std::optional<Error> stopped;
+  std::optional<Error> stopped;    ///< "oak.lsys:4:1", "rule F: the string would have more than …".
+  std::optional<Error> undefined;  ///< "oak.lsys:4:11", "rule A: …", such as after a division by zero.
 };
 
 /// Grows a plant.

@@ -247,7 +247,10 @@ void read_directive(Reader& reader, FileState& state) {
   reader.skip_space();
   const std::string_view line = reader.text.substr(reader.at, reader.end - reader.at);
   const Directive* directive = directive_of(line);
-  if (directive == nullptr) return reader.fail_expected("a production with '->', or a directive");
+  const bool has_unicode_arrow = line.find("\xe2\x86\x92") != std::string_view::npos;
+  if (directive == nullptr)
+    return reader.fail_expected(has_unicode_arrow ? "a production with '->' instead of '\xe2\x86\x92'"
+                                                  : "a production with '->', or a directive");
   // // begins a comment except among modules, where it rolls twice
   if (!has_modules(*directive)) reader.end = reader.at + std::min(line.find("//"), line.size());
   reader.at += directive->name.size();

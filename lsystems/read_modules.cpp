@@ -296,11 +296,14 @@ void read_rule(Reader& reader, RuleSet& set, bool contexts_allowed) {
   Rule rule;
   rule.place = reader.place();
   read_left_side(reader, rule, contexts_allowed);
+  const bool has_predecessor = !reader.failed;
   read_condition(reader, rule);
   if (!reader.failed && take_arrow(reader)) read_successor_part(reader, rule);
   rule.slots = static_cast<std::uint16_t>(reader.slots.size());
   if (reader.draws > static_cast<int>(kDrawsPerModule))
     reader.fail(rule.place, fmt::format("a production has at most {} random draws", kDrawsPerModule - 1));
+  if (has_predecessor && reader.failed)
+    reader.failed->message += fmt::format(" (in rule {})", reader.system.kinds[rule.predecessor].name);
   set.has_contexts |= rule.left.count + rule.right.count > 0;
   set.rules.push_back(rule);
   reader.slots.clear();

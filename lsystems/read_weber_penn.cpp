@@ -98,6 +98,7 @@ Result<TreeParameters> read_weber_penn(std::string_view text, std::string_view f
     return Error{std::string(file), fmt::format("expected at most {} bytes, found {}", kTextLimit, text.size())};
   TreeParameters tree{.file = std::string(file), .leaf = "lime_leaf", .bark = ""};
   std::set<std::string_view> given;
+  TextPosition most_branches{1, 1};
   std::uint32_t number = 0;
   for (const std::string_view line : split(text, '\n')) {
     ++number;
@@ -114,9 +115,11 @@ Result<TreeParameters> read_weber_penn(std::string_view text, std::string_view f
     if (std::string message = put(tree, name, trimmed(words.substr(equals + 1))); !message.empty())
       return error(std::move(message));
     if (!given.insert(name).second) return error(fmt::format("'{}' is given twice", name));
+    // the last number of branches is the one that multiplies the others
+    if (name.ends_with("Branches")) most_branches = {number, column};
   }
   if (const double stems = most_stems(tree); stems > kMostAllowedStems)
-    return Error{std::string(file),
+    return Error{position_name(file, most_branches),
                  fmt::format("expected at most {:.0f} stems, found parameters for {:.0f}", kMostAllowedStems, stems)};
   return tree;
 }

@@ -36,8 +36,11 @@ void bake_things(Baking& baking, const std::vector<PlacedThing>& things, const P
   for (const auto& [form, all] : by_form) {
     const BakedThing& baked = prototypes.thing(form, baking.tolerance_m);
     count_things(all, baked, account, report);
-    if (baked.rule_errors > 0)
-      report.add(Code::kThingRuleErrors, all.front()->placement.feature, static_cast<double>(baked.rule_errors));
+    for (const grammars::RuleFault& fault : baked.rule_faults)
+      report.add({.code = Code::kThingRuleErrors,
+                  .object = all.front()->placement.feature,
+                  .size = static_cast<double>(fault.times),
+                  .tag = fault.text});
     for (const PlacedThing* thing : all) baking.certify(baked.error_m, bounds_of(*thing));
     if (baked.primitives.empty()) continue;
     std::vector<Placement> placements;

@@ -78,7 +78,7 @@ const BakedThing& PrototypeCache::thing(const things::Form& form, double toleran
     const auto kind = kinds_.find(form.kind);
     if (kind == kinds_.end()) return;
     things::GeneratedThing thing = things::generate(form, kind->second, seed_, is_night_, tolerance_m);
-    slot.baked = {instanced_primitives(thing.meshes, Layer::kProps), thing.error_m, thing.rule_errors};
+    slot.baked = {instanced_primitives(thing.meshes, Layer::kProps), thing.error_m, std::move(thing.rule_faults)};
     for (Primitive& primitive : slot.baked.primitives) bytes_ += trimmed_bytes_of(primitive);
   });
   return slot.baked;

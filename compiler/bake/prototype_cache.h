@@ -34,7 +34,7 @@ struct BakedPrototype {
 struct BakedThing {
   std::vector<Primitive> primitives;  ///< Empty if the thing is below the tolerance, or its rules are missing.
   double error_m = 0;
-  std::uint64_t rule_errors = 0;
+  std::vector<grammars::RuleFault> rule_faults{};
 };
 
 /// The grown plants that a cache keeps for making further meshes.

@@ -14,6 +14,7 @@
 #include "compiler/buildings/terminal_meshes.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/tolerance.h"
+#include "compiler/contract/utf8.h"
 #include "grammars/derivation/form_roofs.h"
 
 namespace citykiln::buildings {
@@ -38,6 +39,8 @@ struct Level {
   SceneContext context;
   double tolerance_m;
   const impostor::Model* detailed;  // null: no facade textures
+  std::span<const grammars::RuleFault>
+      more_faults;  // of all detail: a level omits faults with the detail that has them
 };
 
 void add_mesh(MaterialMesh&& mesh, std::vector<MaterialMesh>& meshes) {
@@ -87,11 +90,16 @@ void add_posts(const Level& level, std::vector<MaterialMesh>& meshes) {
   add_mesh(std::move(mesh), meshes);
 }
 
-std::uint64_t error_count(const grammars::Derivation& derivation) {
-  std::uint64_t count = 0;
-  for (const grammars::Warning& warning : derivation.warnings) count += warning.times;
-  for (const grammars::LimitHit& limit : derivation.limits) count += limit.times;
-  return count;
+// Reports each fault of the rules, with its file, line and rule.
+void report_rule_faults(const Level& level, const grammars::Derivation& derivation, Report& report) {
+  std::vector<grammars::RuleFault> faults = grammars::rule_faults(*level.rules, derivation);
+  for (const grammars::RuleFault& more : level.more_faults)
+    if (std::ranges::find(faults, more.text, &grammars::RuleFault::text) == faults.end()) faults.push_back(more);
+  for (grammars::RuleFault& fault : faults)
+    report.add({.code = Code::kRuleErrors,
+                .object = level.building.id.osm,
+                .size = static_cast<double>(fault.times),
+                .tag = std::move(fault.text)});
 }
 
 // The number of shapes with results of operations that no mesh shows: models, textures and their coordinates.
@@ -116,7 +124,7 @@ grammars::AnswerContextQuery surroundings_of(const Level& level, std::vector<Vec
   };
 }
 
-grammars::Derivation derive(const Level& level, const MassModel& mass, double tolerance_m) {
+grammars::DeriveOptions options_of(const Level& level, const MassModel& mass, double tolerance_m) {
   grammars::DeriveOptions options;
   options.attributes = rule_attributes_of(level.building, mass.roof.form);
   const std::optional<WeekTime>& night = level.context.night;
@@ -136,7 +144,11 @@ grammars::Derivation derive(const Level& level, const MassModel& mass, double to
   // roofs made by rules have all planes at every tolerance: the derivation certifies what it omits of them
   options.roofs = grammars::form_roofs(kQuantum_m);
   options.limits.shapes = kMaxShapes, options.limits.steps = kMaxSteps;
-  return grammars::derive(*level.rules, shape_of(level.building, mass), options);
+  return options;
+}
+
+grammars::Derivation derive(const Level& level, const MassModel& mass, double tolerance_m) {
+  return grammars::derive(*level.rules, shape_of(level.building, mass), options_of(level, mass, tolerance_m));
 }
 
 // Half of the tolerance is the roof's. Rules read the roof's form and build on its planes, so with rules the roof is
@@ -182,10 +194,12 @@ void add_ruled(const Level& level, const RuledMass& ruled, GeneratedBuilding& ge
   // rules may use what the roof leaves of the tolerance
   const double tolerance_m = level.tolerance_m - ruled.mass.roof.error_m;
   const grammars::Derivation derivation = derive(level, ruled.mass, tolerance_m);
-  if (const std::uint64_t errors = error_count(derivation); errors > 0)
-    report.add(Code::kRuleErrors, feature, static_cast<double>(errors));
+  report_rule_faults(level, derivation, report);
   if (const std::size_t shapes = count_without_effect(derivation); shapes > 0)
-    report.add(Code::kRuleWithoutEffect, feature, static_cast<double>(shapes));
+    report.add({.code = Code::kRuleWithoutEffect,
+                .object = feature,
+                .size = static_cast<double>(shapes),
+                .tag = to_valid_utf8(level.rules->files.front())});
   FacadeMeshes faces;
   if (level.detailed)
     faces = texture_facades(derivation, *level.detailed, level.tolerance_m, tolerance_m, feature);
@@ -212,6 +226,20 @@ GeneratedBuilding drop_if_low(const Level& level, GeneratedBuilding generated) {
   return error_m < level.tolerance_m ? GeneratedBuilding{{}, error_m} : std::move(generated);
 }
 
+// The faults of rules of one's own in all their detail. Shipped rules have none, as tests show.
+std::vector<grammars::RuleFault> faults_of_own_rules(const Level& level) {
+  if (level.rules == nullptr || level.rules->is_shipped || level.context.is_for_blocks) return {};
+  Report repeated;
+  const MassModel mass = mass_model(level, kWholeRoof_m, repeated);
+  grammars::DeriveOptions options = options_of(level, mass, 0);
+  options.prune_early = false, options.limits = {};
+  grammars::Derivation derivation = grammars::derive(*level.rules, shape_of(level.building, mass), options);
+  // levels may take more shapes and steps than this test
+  std::erase_if(derivation.limits,
+                [](const grammars::LimitHit& hit) { return hit.kind != grammars::LimitKind::kDepth; });
+  return grammars::rule_faults(*level.rules, derivation);
+}
+
 GeneratedBuilding generate_level(const Level& level, Report& report) {
   const RuledMass ruled = ruled_mass(level, report);
   GeneratedBuilding generated{{}, ruled.mass.roof.error_m};
@@ -236,7 +264,9 @@ std::vector<GeneratedBuilding> generate(const Building& building, const Rulebook
                                         std::span<const double> tolerances_m, std::span<Report> reports) {
   assert(reports.size() == tolerances_m.size());
   const auto found = rulebook.find(building.style);
-  Level level{building, found != rulebook.end() ? &found->second : nullptr, context, 0, nullptr};
+  Level level{building, found != rulebook.end() ? &found->second : nullptr, context, 0, nullptr, {}};
+  const std::vector<grammars::RuleFault> faults = faults_of_own_rules(level);
+  level.more_faults = faults;
   std::optional<impostor::Model> detailed;
   std::vector<GeneratedBuilding> levels;
   for (std::size_t i = 0; i < tolerances_m.size(); ++i) {

@@ -18,6 +18,12 @@ Result<grammars::Program> program_of(Style style, std::span<const RuleText> text
   return grammars::read_rules(std::string(rule_file_of(style)) + ".cga", load);
 }
 
+bool is_shipped_file(const std::string& name, std::span<const RuleText> texts) {
+  const auto text = std::ranges::find(texts, name, &RuleText::name);
+  const auto shipped = std::ranges::find(shipped_rules(), name, &RuleText::name);
+  return text != texts.end() && shipped != shipped_rules().end() && text->text == shipped->text;
+}
+
 bool has_rules(Style style) { return !rule_file_of(style).empty(); }
 
 }  // namespace
@@ -42,7 +48,11 @@ Rulebook parse_rulebook(std::span<const RuleText> texts) {
   for (int i = 0; i < static_cast<int>(Style::kCount); ++i) {
     const auto style = static_cast<Style>(i);
     if (!has_rules(style)) continue;
-    if (Result<grammars::Program> program = program_of(style, texts)) rulebook.emplace(style, std::move(*program));
+    Result<grammars::Program> program = program_of(style, texts);
+    if (!program) continue;
+    program->is_shipped =
+        std::ranges::all_of(program->files, [&](const std::string& name) { return is_shipped_file(name, texts); });
+    rulebook.emplace(style, std::move(*program));
   }
   return rulebook;
 }

@@ -209,7 +209,10 @@ Result<Done> output_fits(const BakeRequest& request) {
                       request.out_path.ends_with(".usdc")))
     return Error{request.out_path, "leaves textures without a file; give FILE.usdz, or -o FOLDER with --emit usd"};
   std::error_code none;
-  if (is_one_file && std::filesystem::is_directory(request.out_path, none))
+  const bool is_folder = std::filesystem::is_directory(request.out_path, none);
+  if (is_one_file && !is_folder)
+    if (const auto fits = check_output_file(request.out_path, {".glb", ".usdz"}); !fits) return fits.error();
+  if (is_one_file && is_folder)
     return Error{request.out_path, "is a folder; --tolerance and --eye write one file: give -o FILE.glb"};
   if (request.spec.world == World::kCylinder)
     return Error{"--world",
@@ -222,6 +225,7 @@ Result<Exit> run_bake(const BakeRequest& asked, const Console& console) {
   if (asked.manifest_path.empty())
     return Error{"", "no manifest is given; expected a file such as out/scene.kiln, or the folder of a run"};
   if (const Result<Done> fits = output_fits(asked); !fits) return fits.error();
+  if (const Result<Done> fits = check_run_path(asked.manifest_path); !fits) return fits.error();
   const Result<std::string> manifest_path = settle_and_find_manifest(asked.manifest_path);
   if (!manifest_path) return manifest_path.error();
   BakeRequest request = asked;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "compiler/commands/run_paths.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view/view_options.h"
 #include "compiler/parse_values.h"
@@ -59,6 +60,7 @@ Result<std::vector<charts::Chart>> make(const std::string& name, const charts::C
 Result<Exit> run_chart(const charts::ChartRequest& request, const Console& console) {
   if (request.names.empty()) return Error{"", "no chart is named; expected one of " + known_names()};
   if (request.folder.empty()) return Error{"", "no output folder is given; add -o FOLDER"};
+  if (const Result<Done> made = make_output_folder(request.folder); !made) return made.error();
   for (const std::string& name : request.names) {
     const Result<std::vector<charts::Chart>> charts = make(name, request);
     if (!charts) return charts.error();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -36,6 +37,7 @@ constexpr double kNoJump_m = 0.01;
 Result<verify::LoadedRun> open_run(const std::string& folder) {
   Result<outputs::RunRecord> record = outputs::read_report(folder);
   if (!record) return record.error();
+  if (!record->has_manifest) return missing_manifest(folder);
   Result<scene::Scene> scene = exporters::read_manifest(folder + "/" + exporters::kManifestName, {});
   if (!scene) return scene.error();
   auto prototypes = std::make_shared<const bake::PrototypeCache>(scene->header);
@@ -168,7 +170,12 @@ Result<Exit> run_check(const CheckRequest& request, const Console& console) {
     return Error{"", "no folder is given; expected the output folder of compile, such as out"};
   if ((request.worst > 0) != !request.page_folder.empty())
     return Error{"--worst", "needs -o FOLDER, which the page is written to, and the reverse"};
+  if (const Result<Done> fits = check_run_path(request.folder); !fits) return fits.error();
   const std::string folder = folder_of(request.folder);
+  std::error_code none;
+  if (!std::filesystem::is_directory(folder, none)) return Error{folder, "expected the folder of a run, found a file"};
+  if (request.worst > 0)
+    if (const Result<Done> made = make_output_folder(request.page_folder); !made) return made.error();
   const Result<verify::LoadedRun> loaded = open_run(folder);
   if (!loaded) return loaded.error();
   const Result<std::vector<outputs::Finding>> findings = read_findings(folder);

@@ -3,15 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
+
+#include "compiler/commands/run_paths.h"
 
 namespace citykiln::commands {
 namespace {
-
-bool is_map_file(std::string_view path) {
-  constexpr std::string_view kSuffixes[] = {".osm", ".osm.gz", ".osm.bz2", ".osm.pbf", ".pbf"};
-  return std::ranges::any_of(kSuffixes, [&](std::string_view suffix) { return path.ends_with(suffix); });
-}
 
 Result<Done> give(CompileRequest& request, const Setting& setting, const std::string& text) {
   request.given.emplace_back(&setting, text);
@@ -35,7 +31,7 @@ Option option_of(const Setting& setting, CompileRequest& request) {
           help_of(setting),
           setting.repeats,
           [&request, &setting, is_dem](const std::string& text) {
-            return is_dem && is_map_file(text) ? give_map(request, text) : give(request, setting, text);
+            return is_dem && is_map_name(text) ? give_map(request, text) : give(request, setting, text);
           },
           is_dem};
 }

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -20,6 +22,30 @@
 namespace citykiln::commands {
 namespace {
 
+// True for findings that are about the text of a tag or a rule, which says what to mend.
+bool quotes_tags(Code code) {
+  return code == Code::kBadTagValue || code == Code::kRuleErrors || code == Code::kThingRuleErrors;
+}
+
+// The tags of a finding, the most frequent first: ": roof:shape=glat (2), surface=ps"; "" for findings without tags.
+std::string quoted_tags(const Report& report, Code code) {
+  constexpr std::size_t kMostQuoted = 12;
+  std::map<std::string, std::uint64_t> counts;
+  for (const Diagnosis& diagnosis : report.diagnoses())
+    if (diagnosis.code == code && !diagnosis.tag.empty()) ++counts[diagnosis.tag];
+  std::vector<std::pair<std::string, std::uint64_t>> tags(counts.begin(), counts.end());
+  std::ranges::stable_sort(tags, std::greater{}, &std::pair<std::string, std::uint64_t>::second);
+  std::string text;
+  for (const auto& [tag, count] : std::span(tags).first(std::min(tags.size(), kMostQuoted)))
+    text += fmt::format("{}{}{}", text.empty() ? ": " : ", ", tag, count > 1 ? fmt::format(" ({})", count) : "");
+  // a value may hold line breaks or codes of terminals
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
+  if (tags.size() > kMostQuoted)
+    text += fmt::format(" and {} more in {}", tags.size() - kMostQuoted, exporters::kReportName);
+  return text;
+}
+
 // Prints what is missing, then what was changed, the most frequent first; notes are one line.
 void print_diagnoses(const Report& report, const Console& console) {
   std::vector<std::tuple<Severity, std::uint64_t, Code>> rows;
@@ -32,7 +58,8 @@ void print_diagnoses(const Report& report, const Console& console) {
   }
   std::ranges::sort(rows, std::greater{});
   for (const auto& [severity, count, code] : rows)
-    console.print_line(fmt::format("  {:>8} {:<8} {}: {}", count, name_of(severity), name_of(code), text_of(code)));
+    console.print_line(fmt::format("  {:>8} {:<8} {}: {}{}", count, name_of(severity), name_of(code), text_of(code),
+                                   quotes_tags(code) ? quoted_tags(report, code) : ""));
   if (notes > 0)
     console.print_line(fmt::format("  {:>8} notes, in {} and report.json", notes, exporters::kFindingsName));
 }

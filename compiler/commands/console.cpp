@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 namespace citykiln::commands {
 namespace {
@@ -82,7 +83,20 @@ void Console::print_line(std::string_view line) const {
 }
 
 void Console::print_json(std::string_view json) const {
-  if (is_json) fmt::print("{}\n", json);
+  if (is_json) kept->values.emplace_back(json);
+}
+
+void Console::end_json() const {
+  if (!is_json || std::exchange(kept->is_printed, true)) return;
+  const std::vector<std::string>& values = kept->values;
+  std::string text = values.size() == 1 ? values.front() : fmt::format("[{}]", fmt::join(values, ","));
+  if (values.empty()) text = "{}";
+  if (!kept->error.empty())
+    text = values.empty() ? fmt::format(R"({{"error":{}}})", kept->error)
+                          : fmt::format(R"({{"error":{},"result":{}}})", kept->error, text);
+  while (text.ends_with('\n')) text.pop_back();
+  fmt::print("{}\n", text);
+  std::fflush(stdout);
 }
 
 void Console::print_error(const Error& error) const {
@@ -96,8 +110,8 @@ void Console::print_error(const Error& error) const {
     return text.empty() ? nlohmann::json() : nlohmann::json(text);
   };
   const nlohmann::ordered_json json = {
-      {"error", {{"file", text_or_null(file)}, {"place", text_or_null(place)}, {"message", error.message}}}};
-  print_json(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+      {"file", text_or_null(file)}, {"place", text_or_null(place)}, {"message", error.message}};
+  kept->error = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 OnProgress Console::progress() const {

@@ -225,7 +225,16 @@ Result<Done> write_findings(const InspectRequest& request) {
   return exporters::write_file(request.geojson_path, *findings);
 }
 
+/// Error: a picture or layer could not be written.
+Result<Done> check_outputs(const InspectRequest& asked) {
+  for (const std::string& picture : {asked.sheet.path, asked.picture})
+    if (!picture.empty())
+      if (const auto fits = check_output_file(picture, {".png", ".exr"}); !fits) return fits;
+  return asked.geojson_path.empty() ? Done{} : check_output_file(asked.geojson_path);
+}
+
 Result<Exit> run_inspect(const InspectRequest& asked, const Console& console) {
+  if (const Result<Done> fits = check_outputs(asked); !fits) return fits.error();
   if (!asked.sheet.path.empty()) {
     const Result<Done> done = draw_things_sheet(asked.sheet, console);
     return done ? Result<Exit>(Exit::kDone) : done.error();

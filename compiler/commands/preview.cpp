@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "compiler/commands/run_paths.h"
 #include "compiler/commands/stop_on_interrupt.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view/camera_options.h"
@@ -199,7 +200,7 @@ Result<Exit> render_frames(Stage stage, const std::vector<preview::Camera>& came
     if (!image) return image.error();
     print_picture_summary(stage, (*names)[i], *image, lit->world);
     note_if_blind(stage, lit->world, shown[i], *image);
-    if (!stage.request.camera.is_film()) print_json(stage, *image, cameras[i], lit->world);
+    print_json(stage, *image, cameras[i], lit->world);
   }
   return Exit::kDone;
 }
@@ -241,6 +242,15 @@ preview::Lights lights_of(const PreviewScene& scene, const preview::Camera& came
 Result<Exit> run_preview(const PreviewRequest& request, const Console& console) {
   if (request.picture_path.empty() && !request.is_interactive)
     return Error{"", "no picture is given; add -o FILE.png or -o FILE.exr"};
+  for (const std::string& path : request.load.paths) {
+    if (const Result<Done> fits = check_run_path(path); !fits) return fits.error();
+    if (request.load.level && path.ends_with(".kiln"))
+      return Error{"--level", "is for a folder's tiles; of a manifest --tolerance or --pixel-error gives the detail"};
+  }
+  if (!request.picture_path.empty())
+    if (const auto fits = check_output_file(request.picture_path, {".png", ".exr"}); !fits) return fits.error();
+  if (request.camera.is_film())
+    if (const auto names = picture_names(request, 1); !names) return names.error();
   if (request.is_interactive)
     if (const Result<Done> ready = preview::check_window(); !ready) return ready.error();
   const Result<std::optional<preview::EnvironmentMap>> environment = environment_of(request, console);

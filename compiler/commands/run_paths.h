@@ -1,7 +1,9 @@
 // The manifest and the folder of a run, given either of them.
 #pragma once
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 
 #include "compiler/contract/result.h"
 
@@ -12,6 +14,23 @@ namespace citykiln::commands {
 /// were moved into the folder, the function first moves the others (exporters/settle_folder.h). Errors: a folder
 /// without a manifest; files that cannot be moved.
 Result<std::string> settle_and_find_manifest(const std::string& path);
+
+/// Tests whether a path may be the output of a run: a folder, or a .kiln, .glb or other file. Errors that say what to
+/// do: nothing is there; it is a map, which has to be compiled first.
+Result<Done> check_run_path(const std::string& path);
+
+/// Returns the error of a folder without a manifest: no finished run, or one that was written without it.
+Error missing_manifest(const std::string& folder);
+
+/// True if a file's name ends as those of maps do: .osm, .osm.gz, .osm.bz2, .osm.pbf.
+bool is_map_name(std::string_view path);
+
+/// Tests before the work whether a file can be written after it. Errors: a name with another ending, if `endings` are
+/// given; a folder of this name; a folder of the file that is not there or may not be written. Changes nothing.
+Result<Done> check_output_file(const std::string& path, std::initializer_list<std::string_view> endings = {});
+
+/// Creates a folder for outputs if it is missing. Errors: a file in its place; a folder that cannot be written.
+Result<Done> make_output_folder(const std::string& folder);
 
 /// Returns "OUT" for "OUT/scene.kiln" and "." for "scene.kiln"; any other path unchanged.
 std::string folder_of(const std::string& path);

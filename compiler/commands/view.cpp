@@ -1,7 +1,12 @@
 // citykiln view OUT: shows the tileset of a run in a browser, by a server on 127.0.0.1 alone.
+#include <arpa/inet.h>
 #include <fmt/format.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "compiler/commands/run_paths.h"
@@ -14,6 +19,8 @@
 
 namespace citykiln::commands {
 namespace {
+
+constexpr std::int64_t kLastPort = 65535;
 
 struct ViewRequest {
   PageRequest page;
@@ -40,7 +47,25 @@ void listens(void* owner, int port) {
   const std::string url = fmt::format("http://127.0.0.1:{}/", port);
   serving.console.print_line(fmt::format("{}   (Ctrl-C ends)", url));
   serving.console.print_json(fmt::format(R"({{"url": "{}"}})", url));
+  // the server runs until it is interrupted
+  serving.console.end_json();
   std::fflush(stdout);
+}
+
+Error port_in_use(int port) {
+  return {"--port", fmt::format("port {} is in use; give another one, or 0 for any", port)};
+}
+
+/// True if a server on this machine answers at a port.
+bool is_answered(int port) {
+  const int file = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (file < 0) return false;
+  sockaddr_in address{};
+  address.sin_family = AF_INET, address.sin_port = htons(static_cast<std::uint16_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const bool is_there = ::connect(file, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0;
+  ::close(file);
+  return is_there;
 }
 
 Result<Exit> serve(const ViewRequest& request, const Console& console) {
@@ -52,13 +77,19 @@ Result<Exit> serve(const ViewRequest& request, const Console& console) {
   Serving serving{run, console};
   const auto run_server = reinterpret_cast<decltype(&citykiln_serve)>(*function);
   if (run_server(request.port, &serving, decide, listens) == 0) return Exit::kDone;
-  return Error{"--port", fmt::format("port {} of 127.0.0.1 is in use; give another one, or 0 for any", request.port)};
+  return port_in_use(request.port);
 }
 
 Result<Exit> run_view(const ViewRequest& asked, const Console& console) {
   if (asked.page.folder.empty()) return Error{"", "no folder is given; expected the folder of a run, such as out/town"};
+  if (const Result<Done> fits = check_run_path(asked.page.folder); !fits) return fits.error();
   ViewRequest request = asked;
   request.page.folder = folder_of(asked.page.folder);
+  std::error_code none;
+  if (!std::filesystem::is_directory(request.page.folder, none))
+    return Error{request.page.folder, "expected the folder of a run, found a file"};
+  // before the tileset is baked, which may take minutes
+  if (!request.only_writes && request.port > 0 && is_answered(request.port)) return port_in_use(request.port);
   if (const Result<Done> done = complete_page(request.page, console); !done) return done.error();
   return request.only_writes ? Result<Exit>(Exit::kDone) : serve(request, console);
 }
@@ -71,7 +102,14 @@ Verb view_verb() {
   verb.options = {
       {"folder", "OUT", "folder of a run; without a tileset, one is baked into it first", false,
        store_text(request->page.folder)},
-      {"--port", "N", "port of the server (default: any free one)", false, store_whole(request->port, 0)},
+      {"--port", "N", "port of the server, 0 to 65535 (default: 0, any free one)", false,
+       [request](const std::string& text) -> Result<Done> {
+         const Result<std::int64_t> port = parse_whole(text, 0);
+         if (!port || *port > kLastPort)
+           return Error{"", fmt::format("expected a port from 0 to {}, found \"{}\"", kLastPort, text)};
+         request->port = static_cast<int>(*port);
+         return Done{};
+       }},
       {"--write-only", "", "writes the page and ends; any static server can serve the folder", false,
        [request](const std::string& text) -> Result<Done> {
          request->only_writes = text == "true";

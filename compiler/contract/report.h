@@ -43,7 +43,7 @@ struct Diagnosis {
   std::optional<std::array<double, 2>> at_m{};  ///< The place, in metres in the plane; empty: where `object` is.
   OsmId other{};  ///< The second object of a finding about two objects; else of OsmType::kNone.
   /// The tag of a finding about a tag, such as "width=wide", or the tag that says what a dropped object is, such as
-  /// "man_made=mast"; else empty. Valid UTF-8.
+  /// "man_made=mast", or the place and fault of a rule; else empty. Valid UTF-8.
   std::string tag{};
 };
 

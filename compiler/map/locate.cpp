@@ -9,6 +9,7 @@
 #include "compiler/map/extent/map_box.h"
 #include "compiler/map/feature_readers.h"
 #include "compiler/map/passageways.h"
+#include "compiler/map/tagged_words.h"
 #include "compiler/map/things/locate_things.h"
 #include "compiler/map/unread.h"
 
@@ -74,6 +75,7 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
     features.things = std::move(located.things), features.supports_beyond = std::move(located.supports_beyond);
   }
   diagnose_unread(context, features);
+  diagnose_unknown_words(context);
   const auto sort_by_id = [](auto&... kinds) {
     (std::ranges::sort(kinds, {}, [](const auto& f) { return f.id; }), ...);
   };

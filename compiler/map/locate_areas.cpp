@@ -59,8 +59,11 @@ constexpr ValueClass kPitchSports[] = {
 
 // The class of a pitch by its surface, else by the first of its sports.
 LandCoverClass pitch_class(std::string_view surface, std::string_view sports) {
-  for (const ValueClass& row : kPitchSurfaces)
-    if (row.value == surface) return row.surface;
+  const auto of_surface = first_known(surface, [](std::string_view word) {
+    const ValueClass* row = row_with(kPitchSurfaces, word);
+    return row != nullptr ? std::optional(row->surface) : std::nullopt;
+  });
+  if (of_surface) return *of_surface;
   for (const ValueClass& row : kPitchSports)
     if (row.value == sports.substr(0, sports.find(';'))) return row.surface;
   return LandCoverClass::kPitch;

@@ -10,6 +10,7 @@
 #include "compiler/map/lanes/transitions.h"
 #include "compiler/map/plant_tags.h"
 #include "compiler/map/road_guidelines.h"
+#include "compiler/map/tagged_words.h"
 
 namespace citykiln::map {
 namespace {
@@ -22,14 +23,6 @@ bool carries_track_key(const ReadContext& context, const source::Way& way) {
   return false;
 }
 
-bool is_unpaved(std::string_view surface) {
-  constexpr std::array<std::string_view, 9> kUnpaved = {"unpaved", "gravel",      "ground",    "dirt", "earth",
-                                                        "grass",   "fine_gravel", "compacted", "sand"};
-  for (const std::string_view name : kUnpaved)
-    if (surface == name) return true;
-  return false;
-}
-
 // Rack railways climb like funiculars.
 LandCoverClass racked(LandCoverClass surface, std::string_view rack) {
   return surface == LandCoverClass::kRailway && says_yes(rack) ? LandCoverClass::kFunicular : surface;
@@ -37,11 +30,11 @@ LandCoverClass racked(LandCoverClass surface, std::string_view rack) {
 
 // The class after surface=*.
 LandCoverClass surfaced(LandCoverClass surface, std::string_view tagged) {
-  if (surface == LandCoverClass::kPavedFootPath && is_unpaved(tagged)) return LandCoverClass::kFootPath;
-  if (surface == LandCoverClass::kServiceRoad && is_unpaved(tagged)) return LandCoverClass::kUnpavedRoad;
-  if (surface == LandCoverClass::kFarmTrack && (tagged == "asphalt" || tagged == "paved" || tagged == "concrete"))
-    return LandCoverClass::kServiceRoad;
-  return surface;
+  const std::optional<bool> paved = is_paved_surface(tagged);
+  if (!paved) return surface;
+  if (*paved) return surface == LandCoverClass::kFarmTrack ? LandCoverClass::kServiceRoad : surface;
+  if (surface == LandCoverClass::kPavedFootPath) return LandCoverClass::kFootPath;
+  return surface == LandCoverClass::kServiceRoad ? LandCoverClass::kUnpavedRoad : surface;
 }
 
 LonLat place_of_way(const ReadContext& context, const source::Way& way) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "compiler/contract/parse.h"
+#include "compiler/source/plain_words.h"
 
 namespace citykiln::map {
 namespace {
@@ -19,7 +20,9 @@ Result<TagTest> test_of(std::string_view text) {
   const std::size_t key_end = at != std::string_view::npos && !is_equal ? at - 1 : at;
   if (at == std::string_view::npos || key_end == 0 || at + 1 == text.size())
     return wrong_tags("key=value, key!=value or key=*, several joined by & and |", text);
-  return TagTest{std::string(text.substr(0, key_end)), std::string(text.substr(at + 1)), is_equal};
+  // in the spelling of the map's values
+  const std::string_view key = text.substr(0, key_end);
+  return TagTest{std::string(key), source::plain_word(key, text.substr(at + 1)), is_equal};
 }
 
 // "maxspeed*" fits values that begin with "maxspeed", "*274*" those that contain "274".

@@ -1,7 +1,9 @@
 #include "compiler/map/tag_values.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 namespace citykiln::map {
@@ -45,13 +47,42 @@ std::optional<std::uint8_t> hex_byte(std::string_view digits) {
   return static_cast<std::uint8_t>(digits.size() == 1 ? value * 17 : value);
 }
 
+// Digits of "rgb", "rgba", "rrggbb" or "rrggbbaa"; the opacity must be readable, and is ignored.
 std::optional<Srgb> hex_colour(std::string_view digits) {
-  const std::size_t width = digits.size() / 3;
-  if (digits.size() != 3 && digits.size() != 6) return std::nullopt;
-  const auto r = hex_byte(digits.substr(0, width)), g = hex_byte(digits.substr(width, width)),
-             b = hex_byte(digits.substr(2 * width));
-  if (!r || !g || !b) return std::nullopt;
-  return Srgb{*r, *g, *b};
+  const std::size_t width = digits.size() < 6 ? 1 : 2, count = digits.size() / width;
+  if (digits.size() % width != 0 || count < 3 || count > 4) return std::nullopt;
+  std::optional<std::uint8_t> bytes[4];
+  for (std::size_t i = 0; i < count; ++i) {
+    bytes[i] = hex_byte(digits.substr(i * width, width));
+    if (!bytes[i]) return std::nullopt;
+  }
+  return Srgb{*bytes[0], *bytes[1], *bytes[2]};
+}
+
+bool is_between_channels(char c) { return c == ' ' || c == ',' || c == '/'; }
+
+// Takes "178", "70%" or "0.5" off the front of the text, and the spaces and commas before it. Percent are of `whole`.
+std::optional<double> take_channel(std::string_view& text, double whole) {
+  while (!text.empty() && is_between_channels(text.front())) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
+  if (error != std::errc() || !(value >= 0)) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  const bool is_percent = text.starts_with('%');
+  if (is_percent) text.remove_prefix(1);
+  return std::min(is_percent ? value / 100 * whole : value, whole);
+}
+
+// "rgb(178, 50, 40)" or "rgba(70% 20% 16% / 0.5)", in small letters.
+std::optional<Srgb> function_colour(std::string_view text) {
+  text.remove_prefix(text.starts_with("rgba(") ? 5 : 4);
+  if (!text.ends_with(')')) return std::nullopt;
+  text.remove_suffix(1);
+  const auto r = take_channel(text, 255), g = take_channel(text, 255), b = take_channel(text, 255);
+  while (!text.empty() && is_between_channels(text.front())) text.remove_prefix(1);
+  if (!r || !g || !b || (!text.empty() && !take_channel(text, 1)) || !text.empty()) return std::nullopt;
+  const auto byte = [](double channel) { return static_cast<std::uint8_t>(channel + 0.5); };
+  return Srgb{byte(*r), byte(*g), byte(*b)};
 }
 
 // "south-west" becomes "SW"; texts of up to three letters are initials already.
@@ -137,13 +168,17 @@ std::optional<double> length_m_of(std::string_view value) {
 
 std::optional<Srgb> colour_of(std::string_view value) {
   value = first_value(value);
+  const std::string lower = in_lower_case(value);
+  if (lower.starts_with("rgb(") || lower.starts_with("rgba(")) return function_colour(lower);
+  value = first_value(value.substr(0, value.find_first_of("/,")));
   if (!value.empty() && value.front() == '#') return hex_colour(value.substr(1));
   std::string name;
-  for (const char c : value)
-    if (c != ' ' && c != '_') name += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  for (const char c : in_lower_case(value))
+    if (c != ' ' && c != '_' && c != '-') name += c;
   for (const Colour& colour : kNamedColours)
     if (colour.name == name) return colour.srgb;
-  return hex_colour(name);
+  // four or eight digits without # are more often a number of some catalogue
+  return name.size() == 3 || name.size() == 6 ? hex_colour(name) : std::nullopt;
 }
 
 std::optional<double> bearing_deg_of(std::string_view value) {
@@ -176,6 +211,29 @@ std::string in_lower_case(std::string_view text) {
   std::string lower(text);
   for (char& c : lower) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
   return lower;
+}
+
+std::vector<std::string> words_of(std::string_view value) {
+  std::vector<std::string> words(1);
+  for (const char c : in_lower_case(value)) {
+    std::string& word = words.back();
+    if (c == ';' || c == ',' || c == '/')
+      words.emplace_back();
+    else if (c != '-' && c != '_' && c != ' ' && c != '\t' && c != '\n')
+      word += c;
+    else if (!word.empty() && word.back() != '_')
+      word += '_';
+  }
+  for (std::string& word : words)
+    if (word.ends_with('_')) word.pop_back();
+  std::erase(words, "");
+  return words;
+}
+
+bool is_indefinite(std::string_view word) {
+  constexpr std::string_view kIndefinite[] = {"yes",      "no",    "none",        "many",    "mixed",
+                                              "multiple", "other", "unspecified", "unknown", "various"};
+  return std::ranges::find(kIndefinite, word) != std::end(kIndefinite);
 }
 
 bool says_yes(std::string_view value) { return !value.empty() && value != "no" && value != "0" && value != "false"; }

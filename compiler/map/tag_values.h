@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "compiler/map/features.h"
 
@@ -17,7 +18,8 @@ namespace citykiln::map {
 std::optional<double> length_m_of(std::string_view value);
 /// Returns a number without a unit; the first one of "2;3".
 std::optional<double> number_of(std::string_view value);
-/// Returns the colour of "#rgb", "#rrggbb" or a CSS colour name used in OSM.
+/// Returns the colour of "#rgb", "#rgba", "#rrggbb", "#rrggbbaa", "rgb(178, 50, 40)", "rgb(70% 20% 16%)", "rgba(…)" or
+/// a name of colours.inc; the first of "red;white" or "red/white". Opacity is ignored.
 std::optional<Srgb> colour_of(std::string_view value);
 /// Returns a bearing such as "225", "225°", "SW", "south-west" in degrees clockwise of north, 0 to below 360.
 std::optional<double> bearing_deg_of(std::string_view value);
@@ -26,6 +28,11 @@ std::optional<double> bearing_deg_of(std::string_view value);
 std::optional<std::uint16_t> year_of(std::string_view value);
 /// Returns the text with small letters a to z.
 std::string in_lower_case(std::string_view text);
+/// Returns the words of a value such as "Brick; natural stone", "dirt/sand" or "wood,_metal", in small letters and with
+/// "_" for spaces and hyphens, as the tables of values have them.
+std::vector<std::string> words_of(std::string_view value);
+/// True for "yes", "no", "other", "unknown", "many", "mixed" and other words that name no kind.
+bool is_indefinite(std::string_view word);
 /// True for every value except "no", "0", "false" and "".
 bool says_yes(std::string_view value);
 
@@ -35,6 +42,14 @@ const Row* row_with(const Row (&rows)[n], std::string_view value) {
   for (const Row& row : rows)
     if (row.value == value) return &row;
   return nullptr;
+}
+
+/// Returns what find(word) returns for the first of the words of a value that it knows; nothing if it knows none.
+template <typename Find>
+auto first_known(std::string_view value, Find find) -> decltype(find(std::string_view())) {
+  for (const std::string& word : words_of(value))
+    if (auto found = find(std::string_view(word))) return found;
+  return std::nullopt;
 }
 
 }  // namespace citykiln::map

@@ -168,7 +168,7 @@ std::vector<Finding> findings_of(const Report& report, const scene::Header& head
     const Vec2 at = diagnosis.at_m          ? Vec2{(*diagnosis.at_m)[0], (*diagnosis.at_m)[1]}
                     : found != places.end() ? found->second
                                             : centre;
-    findings.push_back({diagnosis, plane.backward(at), chunk.tile, level, {}});
+    findings.push_back({diagnosis, plane.backward(at), chunk.tile, level, diagnosis.tag});
   }
   return findings;
 }

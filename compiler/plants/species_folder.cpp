@@ -48,7 +48,9 @@ double crown_share_of(const GrownPlant& grown) {
 Result<PlantSize> size_of(const SpeciesText& file, const std::string& where) {
   const Result<lsystems::PlantFile> plant = lsystems::read_plant_file(file.text, where);
   if (!plant) return plant.error();
-  if (const auto stopped = lsystems::grow_plant(*plant, 0).stopped) return *stopped;
+  const lsystems::GrownSkeleton skeleton = lsystems::grow_plant(*plant, 0);
+  if (skeleton.stopped) return *skeleton.stopped;
+  if (skeleton.undefined) return *skeleton.undefined;
   const GrownPlant grown = grow(*plant, values_of(Species::kLime), 0, kMidsummer);
   const std::size_t parts = grown.skeleton.segments.size() + grown.foliage.cards.size();
   if (parts > lsystems::kMostPlantParts)

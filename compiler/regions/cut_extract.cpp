@@ -35,6 +35,7 @@
 #include "compiler/source/closing_ring.h"
 #include "compiler/source/mended_xml.h"
 #include "compiler/source/osm_format.h"
+#include "compiler/source/plain_words.h"
 
 namespace citykiln::regions {
 
@@ -70,8 +71,10 @@ template <typename Object>
 void for_each(const std::string& path, bits::type what, osmium::thread::Pool& pool,
               const std::function<void(Object&)>& visit) {
   osmium::io::Reader reader(file_of(path), what, pool);
-  while (osmium::memory::Buffer buffer = reader.read())
+  while (osmium::memory::Buffer buffer = reader.read()) {
+    source::make_words_plain(buffer);
     for (Object& object : buffer.select<Object>()) visit(object);
+  }
   reader.close();
 }
 
@@ -263,6 +266,7 @@ Result<Done> Cutter::spool_nodes_and_ways() {
   osmium::io::Reader reader(file_of(cut_.map_path), bits::node | bits::way, pool_);
   bool has_ways = false;
   while (osmium::memory::Buffer buffer = reader.read()) {
+    source::make_words_plain(buffer);
     for (osmium::OSMObject& object : buffer.select<osmium::OSMObject>()) {
       if (object.type() == osmium::item_type::node) {
         if (has_ways) return Error{cut_.map_path, "expected nodes before ways; sort the file with `osmium sort`"};
@@ -529,7 +533,7 @@ Result<CutFiles> cut_extract(const CutRequest& cut, const map::Plane& plane, con
     if (*path != cut.map_path) fs::remove(*path);
     return files;
   } catch (const std::exception& error) {
-    return Error{cut.map_path, error.what()};
+    return Error{cut.map_path, source::reading_error(error.what())};
   }
 }
 
@@ -547,7 +551,7 @@ Result<source::LonLatBox> header_box_of(const std::string& map_path) {
     return source::LonLatBox{box.bottom_left().lon(), box.bottom_left().lat(), box.top_right().lon(),
                              box.top_right().lat()};
   } catch (const std::exception& error) {
-    return Error{map_path, error.what()};
+    return Error{map_path, source::reading_error(error.what())};
   }
 }
 

@@ -17,6 +17,7 @@
 #include "compiler/source/closing_ring.h"
 #include "compiler/source/mended_xml.h"
 #include "compiler/source/osm_format.h"
+#include "compiler/source/plain_words.h"
 
 namespace citykiln::source {
 namespace {
@@ -64,7 +65,10 @@ DecodedOsm decode_file(const osmium::io::File& file, int threads) {
   decoded.header_box = box_of_header(reader.header());
   decoded.is_of_region = reader.header().get("generator") == kGeneratorOfRegions;
   decoded.has_places_in_ways = has_places_in_ways(reader.header());
-  while (osmium::memory::Buffer buffer = reader.read()) decoded.buffers.push_back(std::move(buffer));
+  while (osmium::memory::Buffer buffer = reader.read()) {
+    make_words_plain(buffer);
+    decoded.buffers.push_back(std::move(buffer));
+  }
   reader.close();
   return decoded;
 }
@@ -80,11 +84,12 @@ Result<DecodedOsm> decode_osm(const std::string& path, int threads) {
     return decode_file(source_of(path, *format, *mended), threads);
   } catch (const osmium::xml_error& error) {
     if (error.line == 0) return Error{path, error.error_string};
-    return Error{fmt::format("{}:{}:{}", path, error.line, error.column + 1), "malformed XML: " + error.error_string};
+    return Error{fmt::format("{}:{}:{}", path, error.line, error.column + 1),
+                 reading_error("malformed XML: " + error.error_string)};
   } catch (const std::bad_alloc&) {
     return Error{path, "not enough memory to hold the extract"};
   } catch (const std::exception& error) {
-    return Error{path, error.what()};
+    return Error{path, reading_error(error.what())};
   }
 }
 

@@ -232,7 +232,7 @@ Result<std::optional<std::string>> mended_xml(const std::string& path, OsmFormat
     std::optional<std::string> mended = mended_elements(text ? *text : bytes);
     return mended ? std::move(mended) : std::move(text);
   } catch (const std::exception& error) {
-    return Error{path, error.what()};
+    return Error{path, reading_error(error.what())};
   }
 }
 

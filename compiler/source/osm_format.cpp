@@ -30,6 +30,8 @@ constexpr Suffix kSuffixes[] = {{".osm", OsmFormat::kXml},          {".xml", Osm
                                 {".osm.bz2", OsmFormat::kXmlBzip2}, {".xml.bz2", OsmFormat::kXmlBzip2},
                                 {".pbf", OsmFormat::kPbf}};
 
+constexpr const char* kCutOff = "; the file is cut off: load it again";
+
 // the longest BlobHeader that the format allows
 constexpr std::uint32_t kMaxBlobHeader = 64 * 1024;
 
@@ -93,19 +95,19 @@ std::optional<Error> find_broken_frame(const std::string& path, std::uint64_t fi
   for (std::uint64_t at = 0; at < file_size;) {
     unsigned char length[4];
     if (!file.read(reinterpret_cast<char*>(length), 4)) {
-      return error_at(at, "expected a PBF blob header, found the end of the file");
+      return error_at(at, "expected a PBF blob header, found the end of the file" + std::string(kCutOff));
     }
     const std::uint32_t header_size = std::uint32_t{length[0]} << 24 | length[1] << 16 | length[2] << 8 | length[3];
     if (header_size > kMaxBlobHeader) return error_at(at, "expected a PBF blob header, found other data");
     header.resize(header_size);
     if (!file.read(header.data(), header_size))
-      return error_at(at, "the PBF blob header is cut short by the end of the file");
+      return error_at(at, "the PBF blob header is cut short by the end of the file" + std::string(kCutOff));
     const std::optional<std::uint64_t> blob_size = blob_size_in(header);
     if (!blob_size) return error_at(at, "expected a PBF blob header, found other data");
     const std::uint64_t next = at + 4 + header_size + *blob_size;
     if (next > file_size) {
-      return error_at(
-          at, fmt::format("the PBF blob is cut short: it reaches to byte {}, the file ends at {}", next, file_size));
+      return error_at(at, fmt::format("the PBF blob is cut short: it reaches to byte {}, the file ends at {}{}", next,
+                                      file_size, kCutOff));
     }
     file.seekg(static_cast<std::streamoff>(next));
     at = next;
@@ -121,7 +123,16 @@ std::string first_bytes(const std::string& path) {
   return head;
 }
 
+// True for the errors of expat at the end of a text, and those of zlib and libbz2 at the end of a file or in a broken
+// one.
+bool is_at_end(std::string_view message) {
+  return message.ends_with("unclosed token") || message.ends_with("no element found") ||
+         message.starts_with("gzip error") || message.starts_with("bzip2 error");
+}
+
 }  // namespace
+
+std::string reading_error(const std::string& message) { return is_at_end(message) ? message + kCutOff : message; }
 
 Result<OsmFormat> osm_format_of(const std::string& path) {
   std::error_code failure;

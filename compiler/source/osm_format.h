@@ -15,4 +15,8 @@ enum class OsmFormat { kXml, kXmlGzip, kXmlBzip2, kPbf };
 /// 64 bytes; for PBF also a seek and a short read per blob.
 Result<OsmFormat> osm_format_of(const std::string& path);
 
+/// Returns the message of a library's error while a file is read; of one at the end of a file, also what to do:
+/// "unclosed token; the file is cut off: load it again".
+std::string reading_error(const std::string& message);
+
 }  // namespace citykiln::source

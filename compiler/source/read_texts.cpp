@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 namespace citykiln::source {
 
@@ -20,8 +21,10 @@ Result<std::vector<TextFile>> read_texts(const std::string& folder, std::string_
     if (!entry.is_regular_file(problem) || entry.path().extension() != ending) continue;
     std::ifstream file(entry.path(), std::ios::binary);
     if (!file) return Error{entry.path().string(), "cannot be read"};
-    files.push_back({entry.path().lexically_relative(folder).generic_string(),
-                     {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()}});
+    std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    // a byte-order mark of an editor
+    if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+    files.push_back({entry.path().lexically_relative(folder).generic_string(), std::move(text)});
   }
   std::sort(files.begin(), files.end(), [](const TextFile& a, const TextFile& b) { return a.name < b.name; });
   return files;

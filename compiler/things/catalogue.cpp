@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <string_view>
 
+#include "compiler/contract/parse.h"
 #include "grammars/language/read_rules.h"
 
 namespace citykiln::things {
@@ -33,6 +35,10 @@ Result<grammars::Program> program_of(const map::ThingRow& row, std::span<const R
 Result<Kind> kind_of(const map::ThingRow& row, std::span<const RuleText> texts) {
   Result<grammars::Program> program = program_of(row, texts);
   if (!program) return program.error();
+  program->is_shipped = std::ranges::all_of(program->files, [&](const std::string& name) {
+    const RuleText *text = text_named(texts, name), *shipped = text_named(shipped_things(), name);
+    return shipped != nullptr && text->text == shipped->text;
+  });
   UsedValues used = used_values(*program, kStart);
   return Kind{row, std::move(*program), std::move(used)};
 }
@@ -44,10 +50,32 @@ Result<map::ThingTable> table_in(std::span<const RuleText> files, const std::str
 
 bool is_rule_file(const RuleText& text) { return text.name.ends_with(".cga"); }
 
+// The number of the line of a table that begins with a name; 0 if there is none.
+std::size_t line_of(std::string_view table, std::string_view name) {
+  std::size_t number = 0;
+  for (const std::string_view line : split(table, '\n')) {
+    ++number;
+    const std::vector<std::string_view> words = words_in(line);
+    if (!words.empty() && words.front() == name) return number;
+  }
+  return 0;
+}
+
+// Error: a row names a rule file that is neither in the folder nor shipped.
+Result<Done> check_rule_files(std::span<const RuleText> own, const Catalogue& catalogue, const std::string& place) {
+  const RuleText* table = text_named(own, kTableName);
+  for (const map::ThingRow& row : catalogue.table)
+    if (text_named(catalogue.rules, row.rule + ".cga") == nullptr)
+      return Error{fmt::format("{}:{}", place, table == nullptr ? 0 : line_of(table->text, row.name)),
+                   fmt::format("rule: there is no file {}.cga in the folder, nor a shipped one", row.rule)};
+  return Done{};
+}
+
 }  // namespace
 
 Result<Catalogue> read_catalogue(std::span<const RuleText> own, const std::string& folder) {
-  Result<map::ThingTable> rows = table_in(own, folder.empty() ? kTableName : folder + "/" + kTableName);
+  const std::string place = folder.empty() ? kTableName : folder + "/" + kTableName;
+  Result<map::ThingTable> rows = table_in(own, place);
   if (!rows) return rows.error();
   const Result<map::ThingTable> shipped = table_in(shipped_things(), kTableName);
   if (!shipped) return shipped.error();
@@ -57,6 +85,7 @@ Result<Catalogue> read_catalogue(std::span<const RuleText> own, const std::strin
     if (is_rule_file(rule) && text_named(own, rule.name) == nullptr) catalogue.rules.push_back(rule);
   std::ranges::sort(catalogue.rules, {}, &RuleText::name);
   if (own.empty()) return catalogue;
+  if (const Result<Done> there = check_rule_files(own, catalogue, place); !there) return there.error();
   const Result<Kinds> kinds = kinds_of(catalogue);
   if (!kinds) return kinds.error();
   return catalogue;

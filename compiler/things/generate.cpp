@@ -95,15 +95,25 @@ bool is_shown(const Form& form, const map::ThingRow& row, double tolerance_m) {
   return tolerance_m < std::max(form.height_m, row.detail_m.value_or(0));
 }
 
+namespace {
+
+// The faults of rules: of those of one's own in all their detail, which a level may omit.
+std::vector<grammars::RuleFault> faults_of(const Form& form, const Kind& kind, std::uint64_t seed,
+                                           const grammars::Derivation& derivation) {
+  if (kind.rules.is_shipped) return grammars::rule_faults(kind.rules, derivation);
+  grammars::DeriveOptions options = options_of(form, seed, false, 0);
+  options.prune_early = false;
+  return grammars::rule_faults(kind.rules, grammars::derive(kind.rules, box_of_form(form), options));
+}
+
+}  // namespace
+
 GeneratedThing generate(const Form& form, const Kind& kind, std::uint64_t seed, bool is_night, double tolerance_m) {
   assert(tolerance_m > 0);
   if (!is_shown(form, kind.row, tolerance_m)) return {{}, form.height_m};
   const grammars::Derivation derivation =
       grammars::derive(kind.rules, box_of_form(form), options_of(form, seed, is_night, tolerance_m));
-  GeneratedThing generated{buildings::terminal_meshes(derivation, {}), derivation.error_m};
-  for (const grammars::Warning& warning : derivation.warnings) generated.rule_errors += warning.times;
-  for (const grammars::LimitHit& limit : derivation.limits) generated.rule_errors += limit.times;
-  return generated;
+  return {buildings::terminal_meshes(derivation, {}), derivation.error_m, faults_of(form, kind, seed, derivation)};
 }
 
 Placement place(const Thing& thing, const ground::GradedTerrain& ground) {

@@ -9,6 +9,7 @@
 #include "compiler/materials/material_mesh.h"
 #include "compiler/things/catalogue.h"
 #include "compiler/things/recipe.h"
+#include "grammars/derivation/derive.h"
 
 namespace citykiln::things {
 
@@ -16,7 +17,8 @@ namespace citykiln::things {
 struct GeneratedThing {
   std::vector<materials::MaterialMesh> meshes;
   double error_m = 0;
-  std::uint64_t rule_errors = 0;  ///< Operations that could not be carried out, and limits that were hit.
+  std::vector<grammars::RuleFault>
+      rule_faults{};  ///< Operations that could not be carried out, and limits that were hit.
 };
 
 /// Generates a form by the rule Thing of its kind: its base is around the origin, and it faces -y. The first shape is

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <tuple>
 
+#include "compiler/contract/utf8.h"
 #include "grammars/derivation/execute.h"
 #include "grammars/language/lexer.h"
 
@@ -52,6 +53,32 @@ void collect_warnings(Run& run) {
   std::ranges::stable_sort(run.out.warnings, {}, order_of);
 }
 
+// The definition that holds a position: ", rule Building", ", attr height" or ", function rise"; "" for none.
+std::string definition_at(const Program& program, TextPosition position) {
+  std::string found;
+  std::uint32_t line = 0;
+  const auto look_in = [&](const auto& definitions, const char* kind) {
+    for (const auto& one : definitions) {
+      if (one.position.file != position.file || one.position.line > position.line || one.position.line < line) continue;
+      line = one.position.line, found = std::string(", ") + kind + " " + one.name;
+    }
+  };
+  look_in(program.attributes, "attr"), look_in(program.functions, "function"), look_in(program.rules, "rule");
+  return found;
+}
+
+std::string place_in(const Program& program, TextPosition position) {
+  return to_valid_utf8(position_text(program.files[position.file], position)) + definition_at(program, position);
+}
+
+constexpr const char* kLimitNames[] = {"depth", "shapes", "steps"};
+
+std::string fault_of(const LimitHit& hit) {
+  const std::string text =
+      std::string("the limit of ") + kLimitNames[static_cast<std::size_t>(hit.kind)] + " is reached";
+  return hit.kind == LimitKind::kDepth ? text + "; the rule calls itself without end" : text;
+}
+
 }  // namespace
 
 StableId Run::id_of(std::uint32_t node) {
@@ -87,6 +114,7 @@ bool Run::spend(std::uint64_t steps) {
 
 void Run::hit(LimitKind kind, const std::string& rule, TextPosition position) {
   depends_on(0);
+  depth_hits += kind == LimitKind::kDepth;
   for (LimitHit& hit : out.limits)
     if (hit.kind == kind) return void(++hit.times);
   out.limits.push_back({kind, rule, position, 1});
@@ -174,10 +202,19 @@ std::string warning_line(const Program& program, const Warning& warning) {
   return warning.times == 1 ? line : line + " (" + std::to_string(warning.times) + " times)";
 }
 
+std::vector<RuleFault> rule_faults(const Program& program, const Derivation& derivation) {
+  std::vector<RuleFault> faults;
+  for (const LimitHit& hit : derivation.limits)
+    faults.push_back({place_in(program, hit.position) + ": " + fault_of(hit), hit.times});
+  for (const Warning& warning : derivation.warnings)
+    if (faults.size() < kMostRuleFaults)
+      faults.push_back({place_in(program, warning.position) + ": " + warning.message, warning.times});
+  return faults;
+}
+
 std::string limit_line(const Program& program, const LimitHit& hit) {
-  constexpr const char* kNames[] = {"depth", "shapes", "steps"};
   return position_text(program.files[hit.position.file], hit.position) + ": the limit of " +
-         kNames[static_cast<std::size_t>(hit.kind)] + " ended " + std::to_string(hit.times) +
+         kLimitNames[static_cast<std::size_t>(hit.kind)] + " ended " + std::to_string(hit.times) +
          " shapes, the first of rule " + hit.rule;
 }
 

@@ -21,6 +21,10 @@
 
 namespace citykiln::grammars {
 
+/// The number of shapes ended by the depth limit at which a derivation is taken to have no end: all further shapes
+/// become terminals. Rules that call themselves twice would otherwise reach every other limit first.
+inline constexpr std::uint64_t kMostDepthHits = 1000;
+
 /// Limits of a derivation. They are counts rather than seconds, so every machine stops at the same shape. They are
 /// about twenty times the needs of the largest shipped building.
 struct Limits {
@@ -137,6 +141,15 @@ Shape lot(const Polygon& footprint, double height_m, std::size_t front, StableId
 /// terminal. The stack stays under 2 MB.
 /// Cost: the cost of deriving all detail, at any tolerance, less the savings of `memoise` and `prune_early`.
 Derivation derive(const Program& program, const Shape& initial, const DeriveOptions& options);
+
+/// A fault of rules at one place, in one line: "villa.cga:3:40, rule Building: division by zero".
+struct RuleFault {
+  std::string text;
+  std::uint64_t times = 0;
+};
+/// Returns the warnings of a derivation and the limits that it hit, at most kMostRuleFaults.
+std::vector<RuleFault> rule_faults(const Program& program, const Derivation& derivation);
+inline constexpr std::size_t kMostRuleFaults = 16;
 
 /// Returns the rule names from the start to a node: "Lot/Facade/Floor".
 /// @param path  An index into Derivation::paths.

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "compiler/geometry/mathematics.h"
 #include "grammars/language/builtin.h"
@@ -69,12 +70,25 @@ bool is_condition(const Expression& e) { return e.op >= Operator::kOr && e.op <=
 double result(const Expression& arithmetic, Context& context);
 bool holds(const Expression& condition, Context& context);
 
+// The steps of one value, which functions that call themselves twice exceed; shipped rules need a few hundred. And how
+// many longer values end a derivation.
+constexpr std::uint64_t kMostValueSteps = 200'000, kMostLongValues = 8;
+
 // Calls `make` within the limits of steps and depth, else returns `otherwise`.
 template <typename Result, typename Make>
 Result within_limits(const Expression& expression, Context& context, Result otherwise, Make make) {
-  if (!context.run.spend(1)) return otherwise;
+  Run& run = context.run;
+  if (!run.spend(1)) return otherwise;
+  if (context.depth == 0) run.value_begin = run.out.steps;
+  if (run.out.steps - run.value_begin > kMostValueSteps) {
+    // a few such values, and the derivation ends
+    if (!std::exchange(run.is_value_too_long, true)) run.spend(run.options.limits.steps / kMostLongValues);
+    run.warn(expression.position, "functions call each other without end");
+    return otherwise;
+  }
+  run.is_value_too_long = false;
   if (context.depth >= kMostDepth) {
-    context.run.warn(expression.position, "values refer to each other without end");
+    run.warn(expression.position, "values refer to each other without end");
     return otherwise;
   }
   ++context.depth;

@@ -309,7 +309,8 @@ NodeTrace apply_rule(Run& run, Shape&& shape, const Rule& rule, Slots slots, int
   assert(slots.size() >= rule.parameters.size());
   const std::uint32_t path = run.path(parent_path, rule.name);
   note_depth(run.memo, depth);
-  const bool too_deep = depth > run.options.limits.depth, too_many = run.out.shapes > run.options.limits.shapes;
+  const bool too_deep = depth > run.options.limits.depth || run.depth_hits >= kMostDepthHits,
+             too_many = run.out.shapes > run.options.limits.shapes;
   if (too_deep) run.hit(LimitKind::kDepth, rule.name, rule.position);
   if (too_many) run.hit(LimitKind::kShapes, rule.name, rule.position);
   const bool spent = !run.spend(1);

@@ -62,6 +62,9 @@ struct Run {
   std::uint64_t attribute_steps = 0;
   std::map<std::pair<std::string, std::string>, Warning> warnings = {};  ///< By position and text.
   std::uint64_t warnings_raised = 0;
+  std::uint64_t depth_hits = 0;   ///< Shapes that the depth limit ended.
+  std::uint64_t value_begin = 0;  ///< `out.steps` when the value that is being evaluated began.
+  bool is_value_too_long = false;
   double merged_m = 0;  ///< The largest error of a split that merged narrow pieces.
   std::vector<KnownPath> known_paths = {};
   std::vector<std::uint32_t> first_below =

@@ -117,6 +117,8 @@ std::string position_text(std::string_view file, TextPosition position) {
 
 Result<std::vector<Token>> tokens_of(std::string_view text, std::string_view file, std::uint32_t file_index) {
   Lexer lexer{text, file, file_index, 0, 1, 0, {}, {}};
+  // a byte-order mark of an editor
+  if (text.starts_with("\xef\xbb\xbf")) lexer.at = lexer.line_start = 3;
   lexer.skip_space();
   while (lexer.at < text.size() && !lexer.failed) {
     lexer.take_token();

@@ -58,7 +58,9 @@ void parse_definition(Parser& parser, SyntaxTree& tree) {
   const Token name = parser.take();
   std::vector<Local> parameters = parse_parameters(parser);
   if (parser.accept("-->")) {
+    parser.within = " (in rule " + name.text + ")";
     tree.rules.push_back({name.position, name.text, std::move(parameters), parse_body(parser)});
+    parser.within.clear();
     return;
   }
   if (!parser.accept("=")) return parser.fail_expected("'-->' of a rule or '=' of a function");
@@ -107,7 +109,7 @@ bool begins_declaration(const Parser& parser) {
 Result<SyntaxTree> parse(std::string_view text, std::string_view file, std::uint32_t file_index) {
   auto tokens = tokens_of(text, file, file_index);
   if (!tokens) return tokens.error();
-  Parser parser{std::move(*tokens), std::string(file), 0, 0, {}};
+  Parser parser{std::move(*tokens), std::string(file), 0, 0, {}, {}};
   SyntaxTree tree;
   while (!parser.at_end()) parse_declaration(parser, tree);
   std::set<std::string> values, rules;

@@ -44,7 +44,7 @@ void Parser::fail_expected(const std::string& what) {
 }
 
 void Parser::fail(TextPosition position, const std::string& message) {
-  if (!failed) failed = Error{position_text(file, position), message};
+  if (!failed) failed = Error{position_text(file, position), message + within};
   at = tokens.size() - 1;
 }
 

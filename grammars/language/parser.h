@@ -17,6 +17,7 @@ struct Parser {
   std::string file;
   std::size_t at = 0;           ///< The index of the next token.
   int depth = 0;                ///< The depth of nested braces, brackets and calls.
+  std::string within;           ///< " (in rule Facade)", for errors; "" outside of definitions.
   std::optional<Error> failed;  ///< The first error.
 
   /// Returns the token `ahead` positions behind the next one; at the end the last token.
@@ -35,7 +36,7 @@ struct Parser {
   std::string expect_name(const char* what);
   /// Fails at the next token with "expected `what`, found …". The first error is kept.
   void fail_expected(const std::string& what);
-  /// Fails with a message at a position. The first error is kept.
+  /// Fails with a message at a position, and the name of the rule there. The first error is kept.
   void fail(TextPosition position, const std::string& message);
 };
 

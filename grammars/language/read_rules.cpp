@@ -39,6 +39,8 @@ std::optional<Error> add_import(Linker& linker, const Import& import, const std:
   if (std::find(linker.open.begin(), linker.open.end(), import.file) != linker.open.end())
     return Error{where, "the files '" + linker.open.back() + "' and '" + import.file + "' import each other"};
   if (linker.program.files.size() >= kMostFiles) return Error{where, "more than 256 files are imported"};
+  if (const Result<std::string> text = linker.load(import.file); !text)
+    return Error{where, "the import \"" + import.file + "\": " + text.error().message};
   return add_file(linker, import.file, import.prefix.empty() ? prefix : prefix + import.prefix + ".");
 }
 

@@ -17,9 +17,10 @@ struct Resolver {
   std::string prefix;
   std::vector<std::string> locals = {};
   std::optional<Error> failed = {};
+  std::string within = {};  ///< " (in rule Facade)", for errors.
 
-  void fail(TextPosition position, std::string message) {
-    if (!failed) failed = Error{position_text(program.files[position.file], position), std::move(message)};
+  void fail(TextPosition position, const std::string& message) {
+    if (!failed) failed = Error{position_text(program.files[position.file], position), message + within};
   }
 };
 
@@ -276,6 +277,7 @@ std::optional<Error> resolve(Program& program) {
   }
   for (Rule& rule : program.rules) {
     Resolver names = resolver_for(program, rule.name, rule.parameters);
+    names.within = " (in rule " + rule.name + ")";
     resolve(names, rule.body);
     if (names.failed) return names.failed;
   }

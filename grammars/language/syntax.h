@@ -176,6 +176,7 @@ struct Program {
   std::map<std::string, std::uint32_t, std::less<>> attribute_of, function_of, rule_of;
   std::string start;
   std::uint32_t bodies = 0;  ///< The number of bodies.
+  bool is_shipped = false;   ///< All files are as the program ships them, whose faults tests find.
 };
 
 }  // namespace citykiln::grammars

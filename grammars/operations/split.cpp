@@ -1,4 +1,6 @@
 // split: pieces along an axis of the scope.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "grammars/derivation/evaluate.h"
@@ -13,15 +15,18 @@ namespace {
 /// The selectors by SizeItem::leaf.
 using Leaves = SmallVector<const Selector*, 8>;
 
-SizeItem item_of(const Selector& selector, Context& context, Leaves& leaves) {
+// Negative sizes count as 0. In a repeated group they are a mistake: the group would be repeated without end.
+SizeItem item_of(const Selector& selector, Context& context, Leaves& leaves, bool is_repeated) {
   SizeItem item;
   item.kind = selector.size;
   if (selector.size == SizeKind::kRepeat) {
     item.nested.reserve(selector.nested.size());
-    for (const Selector& nested : selector.nested) item.nested.push_back(item_of(nested, context, leaves));
+    for (const Selector& nested : selector.nested) item.nested.push_back(item_of(nested, context, leaves, true));
     return item;
   }
   const double size = number_of(evaluate(selector.key, context));
+  if (is_repeated && size < 0)
+    context.run.warn(selector.position, fmt::format("a size of {:g} in a repeated group; it counts as 0", size));
   item.size = std::clamp(size, 0.0, kMost_m);
   item.leaf = static_cast<std::uint32_t>(leaves.size());
   leaves.push_back(&selector);
@@ -32,7 +37,8 @@ SmallVector<SizeItem, 8> items_of(const Statement& statement, Context& context, 
   SmallVector<SizeItem, 8> items;
   items.reserve(statement.selectors.size());
   leaves.reserve(statement.selectors.size());
-  for (const Selector& selector : statement.selectors) items.push_back(item_of(selector, context, leaves));
+  for (const Selector& selector : statement.selectors)
+    items.push_back(item_of(selector, context, leaves, statement.repeated));
   if (!statement.repeated) return items;
   SmallVector<SizeItem, 8> all(1);
   all.front().kind = SizeKind::kRepeat;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cassert>
+#include <string>
 
 namespace citykiln::roofs {
 namespace {
@@ -12,20 +13,24 @@ constexpr std::array<FormRow, static_cast<std::size_t>(RoofForm::kCount)> kForms
 #undef ROOF_FORM
 }};
 
-struct Alias {
+struct RoofName {
   std::string_view name;
   RoofForm form;
 };
-constexpr std::array kAliases = {
-    Alias{"crosspitched", RoofForm::kCrossGabled},
-    Alias{"half_hipped", RoofForm::kHalfHipped},
-    Alias{"side-hipped", RoofForm::kSideHipped},
-    Alias{"gable", RoofForm::kGabled},
-    Alias{"hip", RoofForm::kHipped},
-    Alias{"pitched", RoofForm::kGabled},
-    Alias{"lean_to", RoofForm::kSkillion},
-    Alias{"conical", RoofForm::kCone},
+constexpr RoofName kNames[] = {
+#define ROOF_NAME(name, form) {name, RoofForm::form},
+#include "grammars/roofs/roof_names.inc"
+#undef ROOF_NAME
 };
+
+// "Lean-to roof" becomes "lean_to".
+std::string plain_roof_name(std::string_view name) {
+  std::string plain;
+  for (const char c : name)
+    plain += c == ' ' || c == '-' ? '_' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (plain.ends_with("_roof")) plain.resize(plain.size() - std::string_view("_roof").size());
+  return plain;
+}
 
 }  // namespace
 
@@ -37,10 +42,11 @@ const FormRow& form_row(RoofForm form) {
 std::string_view name_of(RoofForm form) { return form_row(form).name; }
 
 std::optional<RoofForm> form_named(std::string_view name) {
+  const std::string plain = plain_roof_name(name);
   for (std::size_t i = 0; i < kForms.size(); ++i)
-    if (kForms[i].name == name) return static_cast<RoofForm>(i);
-  for (const Alias& alias : kAliases)
-    if (alias.name == name) return alias.form;
+    if (plain_roof_name(kForms[i].name) == plain) return static_cast<RoofForm>(i);
+  for (const RoofName& row : kNames)
+    if (row.name == plain) return row.form;
   return std::nullopt;
 }
 

@@ -45,7 +45,8 @@ const FormRow& form_row(RoofForm form);
 
 /// Returns the value of roof:shape of a form: form_row(form).name.
 std::string_view name_of(RoofForm form);
-/// Returns the form of a value of roof:shape or a synonym ("crosspitched"); std::nullopt if it is unknown.
+/// Returns the form of a value of roof:shape or a synonym of roof_names.inc, in any capitals ("Gabled", "lean-to
+/// roof"); std::nullopt if it is unknown.
 std::optional<RoofForm> form_named(std::string_view name);
 
 /// The line where the lower and the upper slopes of a mansard roof meet: its height over the eaves, and the angle of

@@ -167,7 +167,9 @@ TEST(SpecFile, ErrorsNameFileAndPlace) {
   EXPECT_TRUE(to_string(read_spec(cut.path()).error()).starts_with(cut.path() + ":2:"));
   const SpecFile unknown(R"({"maps": "a.osm"})");
   EXPECT_EQ(to_string(read_spec(unknown.path()).error()),
-            unknown.path() + ": unknown setting \"maps\"; did you mean map? (citykiln compile --help lists all)");
+            unknown.path() + ":1:2: unknown setting \"maps\"; did you mean map? (citykiln compile --help lists all)");
+  const SpecFile twice("{\"map\": \"a.osm\",\n \"tile\": 512, \"map\": \"b.osm\"}");
+  EXPECT_EQ(to_string(read_spec(twice.path()).error()), twice.path() + ":2:15: \"map\" is given twice");
   const SpecFile list("[1, 2]");
   EXPECT_FALSE(read_spec(list.path()));
   EXPECT_EQ(to_string(read_spec("/nowhere/spec.json").error()), "/nowhere/spec.json: the file cannot be read");

@@ -161,7 +161,7 @@ TEST(WeberPenn, ATreeIsAFunctionOfItsSeed) {
 
 TEST(WeberPenn, TreesAreBounded) {
   const std::string three = "Levels = 4\n1Branches = 1000\n2Branches = 1000\n3Branches = 1000\n";
-  EXPECT_EQ(tree_error_of(three), "x.tree: expected at most 4000000 stems, found parameters for 1001001001");
+  EXPECT_EQ(tree_error_of(three), "x.tree:4:1: expected at most 4000000 stems, found parameters for 1001001001");
   const GrownTree large = grow_tree(tree_of("Levels = 2\n1Branches = 100000\n1CurveRes = 64\n"), 0);
   EXPECT_TRUE(large.stopped);
   EXPECT_LE(large.skeleton.segments.size(), kMostPlantParts);

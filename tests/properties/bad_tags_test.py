@@ -112,6 +112,18 @@ class BadTags(ProgramTest):
         for i, (tags, _, width_m) in enumerate(WAYS):
             self.assertAlmostEqual(widths[FIRST_WAY + i], width_m, delta=0.002, msg=str(tags)[:200])
 
+    def test_unknown_words_are_quoted_once_each_and_known_ones_are_read_in_any_capitals(self):
+        unknown = [f"unheard_of_{letter}" for letter in "abcdefghijkl"]
+        ways = [({"highway": "Footway", "surface": word}, 1, 0) for word in unknown]
+        ways += [({"highway": "footway", "surface": word}, 0, 0) for word in ("Fine Gravel", "asphalt;concrete", "dirt/sand")]
+        ways += [({"material": word}, 0, 0) for word in ("Natural Stone", "wood;metal", "stainless steel")]
+        out = self.folder / "out"
+        done = run("compile", self.written(ways), "--lods", "2.5", "-o", out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.diagnosed(out)["tags"], {f"surface={word}": 1 for word in unknown})
+        for word in unknown:
+            self.assertEqual(done.stdout.count(f"surface={word}"), 1, done.stdout)
+
     def test_a_value_longer_than_osm_allows_is_one_error_line(self):
         bad = self.written([({"turn:lanes": "x" * 10000}, 1, RESIDENTIAL_M)])
         done = run("compile", bad, "-o", self.folder / "out")

@@ -135,8 +135,9 @@ class Species(ProgramTest):
     def test_a_mistake_is_one_line(self):
         many = "Levels = 4\n1Branches = 1000\n2Branches = 1000\n3Branches = 1000\n"
         cases = (({"mine_tree": "Scale = tall\n"}, "species/mine.tree:1:1: Scale: expected a number"),
-                 ({"mine_tree": many}, "species/mine.tree: expected at most 4000000 stems, found parameters for 1001001001"),
-                 ({"mine_lsys": "n: 60\naxiom: F\nF -> FFFF\n"}, "species/mine.lsys: stopped at step 12"),
+                 ({"mine_tree": many}, "species/mine.tree:4:1: expected at most 4000000 stems, found parameters for 1001001001"),
+                 ({"mine_lsys": "n: 60\naxiom: F\nF -> FFFF\n"}, "species/mine.lsys:3:1: rule F: the string would have more than 8000000 symbols; it grows without end"),
+                 ({"mine_lsys": "n: 4\naxiom: A(1)\nA(x) -> F(x/0)A(x)\n"}, "species/mine.lsys:3:11: rule A: this value is no number"),
                  ({"mine_lsys": "n: 1\naxiom: [\n"}, "species/mine.lsys:2:8: "),
                  ({"mine_lsys": "n: 1\naxiom: X\n"}, "species/mine.lsys: expected a plant above the ground, found none"),
                  ({"mine_lsys": "n: 1\naxiom: F[+(90)F(3)][-(90)F(3)][&(90)F(3)][^(90)F(3)]\n"}, "at most 1.5 times as wide as high, found"),

@@ -68,7 +68,9 @@ class Things(ProgramTest):
 
     def test_a_mistake_is_one_line(self):
         for row, rules, place in (("sundial man_made=sundial\n", RULES, "things/things.txt:1: "), (ROW, "Thing --> split(\n", "sundial.cga:"),
-                                  (ROW.replace("street", "up"), RULES, "things/things.txt:1: faces: ")):
+                                  (ROW.replace("street", "up"), RULES, "things/things.txt:1: faces: "),
+                                  ("# a table\n" + ROW + ROW.replace("sundial", "moondial"), RULES,
+                                   "things/things.txt:3: rule: there is no file moondial.cga")):
             done = run("compile", self.map_of(), "--things", self.things_folder(row, rules), "-o", self.folder / "bad")
             self.assertEqual(done.returncode, 1)
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)

@@ -23,6 +23,11 @@ void send_file(const CitykilnAnswer& answer, httplib::Response& response) {
 
 int citykiln_serve(int port, void* owner, CitykilnDecide decide, CitykilnListens listens) {
   httplib::Server server;
+  // without SO_REUSEPORT, by which two servers could share a port and each answer some of the requests
+  server.set_socket_options([](socket_t socket) {
+    const int yes = 1;
+    ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+  });
   server.set_default_headers({{"Cache-Control", "no-cache"},
                               {"X-Content-Type-Options", "nosniff"},
                               {"Cross-Origin-Resource-Policy", "same-origin"}});

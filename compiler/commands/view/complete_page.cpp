@@ -88,10 +88,8 @@ Result<std::vector<outputs::WrittenFile>> write_missing(const scene::Scene& scen
 Result<Done> add_to_run(const PageRequest& request, const exporters::FileList& list, const Console& console) {
   const Result<outputs::RunRecord> record = outputs::read_report(request.folder);
   if (!record) return record.error();
-  const std::string manifest = request.folder + "/" + exporters::kManifestName;
-  if (!has_file(list, exporters::kManifestName))
-    return Error{manifest, "is missing; compile again with --emit kiln,3dtiles,page"};
-  const Result<scene::Scene> scene = exporters::read_manifest(manifest, {});
+  if (!has_file(list, exporters::kManifestName)) return missing_manifest(request.folder);
+  const Result<scene::Scene> scene = exporters::read_manifest(request.folder + "/" + exporters::kManifestName, {});
   if (!scene) return scene.error();
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(request.folder);
   if (!folder) return folder.error();

@@ -118,6 +118,18 @@ Result<Loaded> read_files(const std::vector<std::string>& paths, const fs::path&
   return loaded;
 }
 
+/// Says what a folder has instead of the requested tiles of a level.
+std::string without_tiles(const outputs::RunRecord& record, std::size_t level) {
+  std::map<std::size_t, double> tolerances_m;
+  for (const outputs::WrittenTile& tile : record.tiles) tolerances_m[tile.level] = tile.tolerance_m;
+  if (tolerances_m.empty()) return "has no tiles as .glb; compile or bake with --emit glb, or give its scene.kiln";
+  if (tolerances_m.contains(level)) return fmt::format("has none of the requested tiles at level {}", level);
+  std::string levels;
+  for (const auto& [number, tolerance_m] : tolerances_m)
+    levels += fmt::format("{}{} ({} m)", levels.empty() ? "" : ", ", number, tolerance_m);
+  return fmt::format("has no level {}; its levels are {}", level, levels);
+}
+
 Result<Loaded> read_folder(const LoadRequest& request, const OnProgress& on_progress) {
   const std::string& folder = request.paths.front();
   const Result<outputs::RunRecord> record = outputs::read_report(folder);
@@ -128,7 +140,7 @@ Result<Loaded> read_folder(const LoadRequest& request, const OnProgress& on_prog
     const bool is_asked_for = request.only.empty() || std::ranges::binary_search(request.only, tile.tile);
     if (tile.level == level && is_asked_for) paths.push_back(folder + "/" + tile.file.name);
   }
-  if (paths.empty()) return Error{folder, fmt::format("has none of the requested tiles at level {} as .glb", level)};
+  if (paths.empty()) return Error{folder, without_tiles(*record, level)};
   return read_files(paths, fs::path(folder) / exporters::kManifestName, on_progress);
 }
 

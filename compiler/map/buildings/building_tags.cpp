@@ -12,6 +12,7 @@
 #include "compiler/map/read_context.h"
 #include "compiler/map/standing.h"
 #include "compiler/map/tag_values.h"
+#include "compiler/map/tagged_words.h"
 #include "grammars/roofs/roof_shape.h"
 
 namespace citykiln::map {
@@ -26,9 +27,6 @@ struct TaggedRoof {
 
 constexpr double kHighestRoof_m = 1000, kSteepest_deg = 85, kMostRoofLevels = 50;
 
-// Values of roof:shape without a definite shape.
-constexpr std::string_view kIndefinite[] = {"yes", "no", "many", "unknown", "other"};
-
 std::optional<double> tagged_number(const ReadContext& context, OsmId id, source::Range tags, std::string_view key,
                                     double most) {
   const std::string_view text = context.tag(tags, key);
@@ -42,8 +40,10 @@ std::optional<Vec2> tagged_direction(const ReadContext& context, OsmId id, sourc
 
 std::optional<roofs::RoofForm> tagged_form(const ReadContext& context, OsmId id, source::Range tags) {
   const std::string_view text = context.tag(tags, "roof:shape");
-  if (std::ranges::find(kIndefinite, text) != std::end(kIndefinite)) return std::nullopt;
-  return parsed_text(context, id, "roof:shape", text, roofs::form_named);
+  // words without a definite shape
+  if (std::ranges::any_of(words_of(text), is_indefinite)) return first_known(text, roofs::form_named);
+  return parsed_text(context, id, "roof:shape", text,
+                     [](std::string_view value) { return first_known(value, roofs::form_named); });
 }
 
 double tagged_roof_height_m(const ReadContext& context, OsmId id, source::Range tags, double level_m) {
@@ -64,34 +64,11 @@ TaggedRoof tagged_roof(const ReadContext& context, OsmId id, source::Range tags,
   return roof;
 }
 
-using materials::Material;
-
 // Minimum height: parts of monuments are a few decimetres high.
 constexpr double kLowest_m = 0.1, kHighestBuilding_m = 1000, kMostBuildingLevels = 250;
 
 // A roof that is mapped as a part without thickness.
 constexpr double kSlab_m = 0.25;
-
-struct MaterialRow {
-  std::string_view value;
-  Material material;
-};
-constexpr MaterialRow kWalls[] = {
-#define WALL(value, material) {value, Material::material},
-#include "compiler/map/buildings/material_values.inc"
-#undef WALL
-};
-constexpr MaterialRow kRoofs[] = {
-#define ROOF(value, material) {value, Material::material},
-#include "compiler/map/buildings/material_values.inc"
-#undef ROOF
-};
-
-template <std::size_t n>
-std::optional<Material> material_of(std::string_view value, const MaterialRow (&rows)[n]) {
-  const MaterialRow* row = row_with(rows, value);
-  return row != nullptr ? std::optional(row->material) : std::nullopt;
-}
 
 // The colour of the first key that is tagged.
 std::optional<Srgb> tagged_colour(const ReadContext& context, OsmId id, source::Range tags, std::string_view british,
@@ -257,8 +234,8 @@ Footprint read_building_tags(const ReadContext& context, OsmId id, source::Range
   read_heights(context, id, tags, values, area_m2, footprint);
   footprint.wall_colour = tagged_colour(context, id, tags, "building:colour", "building:color");
   footprint.roof_colour = tagged_colour(context, id, tags, "roof:colour", "roof:color");
-  footprint.wall_material = material_of(context.tag(tags, "building:material"), kWalls);
-  footprint.roof_material = material_of(context.tag(tags, "roof:material"), kRoofs);
+  footprint.wall_material = wall_material_of(context.tag(tags, "building:material"));
+  footprint.roof_material = roof_material_of(context.tag(tags, "roof:material"));
   footprint.year = parsed_tag(context, id, tags, "start_date", year_of).value_or(0);
   footprint.has_shop = is_shop(context, tags);
   return footprint;

@@ -7,6 +7,7 @@
 #include "compiler/geometry/snap.h"
 #include "compiler/map/for_each_line.h"
 #include "compiler/map/tag_values.h"
+#include "compiler/map/tagged_words.h"
 #include "compiler/map/things/find_things.h"
 
 namespace citykiln::map {
@@ -111,7 +112,8 @@ ThingFeature thing_of(const ReadContext& context, const FoundThing& found, const
                      .height_m = found.height_m,
                      .along = found.along};
   thing.colour = parsed_tag(context, id, found.tags, "colour", colour_of);
-  thing.material = in_lower_case(context.tag(found.tags, "material"));
+  const std::string_view material = context.tag(found.tags, "material");
+  thing.material = thing_material_of(material).value_or(in_lower_case(material));
   thing.text = digits_of(context.tag(found.tags, "maxspeed"), context.tag(found.tags, "traffic_sign"));
   thing.capacity = static_cast<std::uint16_t>(
       number_within(context, id, "capacity", context.tag(found.tags, "capacity"), 0, kMostCapacity).value_or(0));

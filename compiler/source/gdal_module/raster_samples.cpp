@@ -54,7 +54,7 @@ bool is_void(double value, double nodata) {
 }
 
 Error unreadable(const RasterSpec& spec, const QuietGdal& quiet) {
-  return {spec.path, "the samples cannot be read: " + quiet.last_message()};
+  return {spec.path, "the samples cannot be read; is the file cut off? Load it again: " + quiet.last_message()};
 }
 
 Result<std::vector<float>> read_plain(GDALDataset& dataset, const PixelWindow& window, const RasterSpec& spec) {

@@ -64,9 +64,12 @@ Result<GDALDatasetUniquePtr> open(const std::string& path) {
       GDALDataset::Open(name->c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
   if (!dataset || dataset->GetRasterCount() == 0) {
     const bool is_hgt = has_suffix(*name, ".hgt");
-    return Error{path, is_hgt
-                           ? "not an SRTM heightmap: expected 1201 or 3601 samples a side and a name like N42E001.hgt"
-                           : "not a readable heightmap: expected .hgt, GeoTIFF, an ASCII grid or PNG"};
+    return Error{
+        path,
+        is_hgt
+            ? "not an SRTM heightmap: expected 1201 or 3601 samples a side (2,884,802 or 25,934,402 bytes) and a name "
+              "like N42E001.hgt"
+            : "not a readable heightmap: expected .hgt, GeoTIFF, an ASCII grid or PNG"};
   }
   return dataset;
 }

@@ -72,7 +72,7 @@ TEST(LocateFootprints, HeightExceedsMinHeight) {
 }
 
 TEST(LocateFootprints, BadValuesAreDiagnosed) {
-  for (const char* bad : {"height=tall", "building:levels=7-7", "building:colour=lightbrown", "roof:colour=#12",
+  for (const char* bad : {"height=tall", "building:levels=7-7", "building:colour=reddish", "roof:colour=#12",
                           "min_height=low", "height=5000", "roof:shape=gabeld", "roof:direction=up", "roof:angle=95",
                           "start_date=old", "roof:height=tall"}) {
     Report report;

@@ -250,8 +250,10 @@ TEST(ReadRasterErrors, MissingEmptyAndForeignFiles) {
   EXPECT_EQ(raster_error_of("a.tif", "no picture"),
             ": not a readable heightmap: expected .hgt, GeoTIFF, an ASCII grid or PNG");
   EXPECT_EQ(raster_error_of("a.zip", "no archive"), ": no heightmap in the archive; expected .hgt, .tif, .asc or .png");
-  EXPECT_EQ(raster_error_of("N42E001.hgt", "short"),
-            ": not an SRTM heightmap: expected 1201 or 3601 samples a side and a name like N42E001.hgt");
+  EXPECT_EQ(
+      raster_error_of("N42E001.hgt", "short"),
+      ": not an SRTM heightmap: expected 1201 or 3601 samples a side (2,884,802 or 25,934,402 bytes) and a name like "
+      "N42E001.hgt");
 }
 
 TEST(ReadRasterErrors, GridCutShort) {

@@ -256,7 +256,8 @@ TEST(ReadOsmErrors, EmptyFile) {
 
 TEST(ReadOsmErrors, XmlCutInTheMiddleNamesLineAndColumn) {
   const std::string whole = osm(lines());
-  EXPECT_EQ(osm_error_of("a.osm", whole.substr(0, whole.size() / 2)), ":11:1: malformed XML: unclosed token");
+  EXPECT_EQ(osm_error_of("a.osm", whole.substr(0, whole.size() / 2)),
+            ":11:1: malformed XML: unclosed token; the file is cut off: load it again");
 }
 
 TEST(ReadOsmErrors, XmlCutAnywhereIsAnError) {

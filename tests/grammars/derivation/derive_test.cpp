@@ -184,6 +184,29 @@ TEST(ContextQuery, PiecesAreLitWhereTheirPlaceSays) {
 
 // ---- limits
 
+TEST(Derive, RulesThatCallThemselvesTwiceEndSoon) {
+  const Program program = program_of("Lot --> A(1)\nA(n) --> A(n + 1) A(n + 1)");
+  const Derivation derivation = derive(program, lot_of(10, 8), {});
+  EXPECT_LT(derivation.shapes, 10 * kMostDepthHits);
+  const std::vector<RuleFault> faults = rule_faults(program, derivation);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_TRUE(
+      faults[0].text.ends_with(":2:1, rule A: the limit of depth is reached; the rule calls itself without end"))
+      << faults[0].text;
+  EXPECT_GE(faults[0].times, kMostDepthHits);
+}
+
+TEST(Derive, FaultsNameTheDefinitionThatHasThem) {
+  const Program program = program_of(
+      "attr n = 0\nf(x) = x / n\nLot --> A\nA --> extrude(f(1) + 3)\n"
+      "comp(f) { side : split(x) { { -1 : W. }* } | top : R. }");
+  std::vector<std::string> texts;
+  for (const RuleFault& fault : rule_faults(program, derive(program, lot_of(10, 8), {}))) texts.push_back(fault.text);
+  ASSERT_EQ(texts.size(), 2u);
+  EXPECT_TRUE(texts[0].ends_with(":2:10, function f: division by zero")) << texts[0];
+  EXPECT_TRUE(texts[1].ends_with(", rule A: a size of -1 in a repeated group; it counts as 0")) << texts[1];
+}
+
 TEST(Limits, DepthEndsEndlessRulesAndSaysWhere) {
   const Program program = program_of("Lot --> A\nA --> t(0, 1, 0) A");
   const auto derivation = derive(program, lot_of(10, 8), {});

@@ -22,7 +22,19 @@ struct Mistake {
 
 class Mistakes : public testing::TestWithParam<Mistake> {};
 
-TEST_P(Mistakes, AreNamedWithPlaceAndWhatWasExpected) { EXPECT_EQ(error_of(GetParam().text), GetParam().error); }
+// The error without the rule in which it is.
+TEST_P(Mistakes, AreNamedWithPlaceAndWhatWasExpected) {
+  const std::string error = error_of(GetParam().text);
+  EXPECT_EQ(error.substr(0, error.find(" (in rule ")), GetParam().error);
+}
+
+TEST(Parse, ErrorsNameTheRuleInWhichTheyAre) {
+  EXPECT_EQ(error_of("A --> B\nFacade --> split(x { ~1 : Wall }"),
+            "x.cga:2:20: expected ')' or ',' after an argument, found '{' (in rule Facade)");
+  EXPECT_EQ(error_of("A --> B\nFacade --> extrude(hoehe)"),
+            "x.cga:2:20: nothing defines the value 'hoehe' (in rule Facade)");
+  EXPECT_EQ(error_of("attr a = b\nA --> B"), "x.cga:1:10: nothing defines the value 'b'");
+}
 
 const Mistake kMistakes[] = {
     // words
@@ -83,7 +95,7 @@ const Mistake kMistakes[] = {
     {"const c = 1\nA --> set(c, 2)", "x.cga:2:11: 'c' is a constant; only attributes can be set"},
     {"A --> set(material.colour, 2)", "x.cga:1:11: expected an attribute or material value, found 'material.colour'"},
     {"A --> set(rand, 2)", "x.cga:1:11: expected an attribute or material value, found 'rand'"},
-    {"import w : \"w.cga\"", "w.cga: there is no such rule file"},
+    {"import w : \"w.cga\"", "x.cga:1:1: the import \"w.cga\": there is no such rule file"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Table, Mistakes, testing::ValuesIn(kMistakes));
@@ -168,7 +180,7 @@ TEST(Import, RefusesCircles) {
 TEST(Import, ErrorsNameTheImportedFile) {
   const auto program = linked({{"main.cga", "import w : \"w.cga\"\nLot --> A"}, {"w.cga", "A --> extrude(h)"}});
   ASSERT_FALSE(program);
-  EXPECT_EQ(to_string(program.error()), "w.cga:1:15: nothing defines the value 'h'");
+  EXPECT_EQ(to_string(program.error()), "w.cga:1:15: nothing defines the value 'h' (in rule w.A)");
 }
 
 }  // namespace

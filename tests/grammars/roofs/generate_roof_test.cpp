@@ -330,6 +330,18 @@ TEST(GenerateRoof, KnowsItsNames) {
   EXPECT_EQ(form_named("many"), std::nullopt);
 }
 
+TEST(GenerateRoof, SynonymsAreReadInAnyCapitals) {
+  const std::pair<const char*, RoofForm> rows[] = {
+      {"Gabled", RoofForm::kGabled},          {"HIPPED", RoofForm::kHipped},
+      {"half_hipped", RoofForm::kHalfHipped}, {"Half-Hipped", RoofForm::kHalfHipped},
+      {"shed", RoofForm::kSkillion},          {"Lean-to roof", RoofForm::kSkillion},
+      {"monopitch", RoofForm::kSkillion},     {"barrel", RoofForm::kRound},
+      {"spherical", RoofForm::kDome},         {"conical", RoofForm::kCone},
+      {"saw tooth", RoofForm::kSawtooth},     {"hipped-and-gabled", RoofForm::kHipped}};
+  for (const auto& [name, form] : rows) EXPECT_EQ(form_named(name), form) << name;
+  for (const char* unknown : {"", "_roof", "gabledd", "9.0"}) EXPECT_EQ(form_named(unknown), std::nullopt) << unknown;
+}
+
 // ---- random footprints
 
 class RandomSource {

@@ -1,0 +1,17 @@
+// Writes tags whose values are words in one spelling, so that tables of values need only one.
+#pragma once
+
+#include <osmium/memory/buffer.hpp>
+#include <string>
+#include <string_view>
+
+namespace citykiln::source {
+
+/// Returns the value in small letters and with "_" for spaces between words ("Mixed Use" becomes "mixed_use") if the
+/// key is in word_keys.inc, else the value as it is.
+std::string plain_word(std::string_view tag_key, std::string_view value);
+
+/// Does this to all tags of the elements in a buffer, in place. O(bytes of tags).
+void make_words_plain(osmium::memory::Buffer& buffer);
+
+}  // namespace citykiln::source
