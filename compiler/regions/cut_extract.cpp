@@ -56,10 +56,10 @@ osmium::io::File file_of(const std::string& path) { return osmium::io::File(fs::
 // The map, or a file in `folder` that stands for it where libosmium cannot read it as it is meant. The passes read it
 // several times, from the disk.
 Result<std::string> readable_map(const std::string& map_path, source::OsmFormat format, const std::string& folder) {
-  const Result<std::optional<std::string>> mended = source::mended_xml(map_path, format);
+  const Result<std::optional<std::string>> mended = source::mended_file(map_path, format);
   if (!mended) return mended.error();
   if (!*mended) return map_path;
-  const std::string path = folder + "/.mended.osm";
+  const std::string path = folder + (format == source::OsmFormat::kPbf ? "/.mended.osm.pbf" : "/.mended.osm");
   std::ofstream file(path, std::ios::binary);
   file << **mended;
   if (!file.flush()) return Error{path, "cannot be written"};
@@ -438,11 +438,11 @@ void Cutter::spool_members() {
   });
 }
 
-/// Orders elements by type and id, and equal ids by falling version.
+/// Orders elements by type and id; of equal ids the one to keep comes first.
 bool is_before(const osmium::OSMObject* a, const osmium::OSMObject* b) {
   if (a->type() != b->type()) return a->type() < b->type();
   if (a->id() != b->id()) return a->id() < b->id();
-  return a->version() > b->version();
+  return source::says_more(*a, *b);
 }
 
 bool is_same(const osmium::OSMObject* a, const osmium::OSMObject* b) {
@@ -536,11 +536,13 @@ Result<CutFiles> cut_extract(const CutRequest& cut, const map::Plane& plane, con
 Result<source::LonLatBox> header_box_of(const std::string& map_path) {
   const Result<source::OsmFormat> format = source::osm_format_of(map_path);
   if (!format) return format.error();
-  const Result<std::optional<std::string>> mended = source::mended_xml(map_path, *format);
+  const Result<std::optional<std::string>> mended = source::mended_file(map_path, *format);
   if (!mended) return mended.error();
   try {
-    osmium::io::Reader reader(
-        *mended ? osmium::io::File((*mended)->data(), (*mended)->size(), "osm") : file_of(map_path), bits::nothing);
+    osmium::io::Reader reader(*mended ? osmium::io::File((*mended)->data(), (*mended)->size(),
+                                                         *format == source::OsmFormat::kPbf ? "pbf" : "osm")
+                                      : file_of(map_path),
+                              bits::nothing);
     const osmium::Box box = reader.header().joined_boxes();
     reader.close();
     if (!box.valid()) return Error{map_path, "has no box in its header; give the area with --bbox W,S,E,N"};

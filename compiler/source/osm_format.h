@@ -15,4 +15,7 @@ enum class OsmFormat { kXml, kXmlGzip, kXmlBzip2, kPbf };
 /// 64 bytes; for PBF also a seek and a short read per blob.
 Result<OsmFormat> osm_format_of(const std::string& path);
 
+/// Returns the error of a file that holds changes of a map (.osc), with what to do.
+Error is_change_file(const std::string& path);
+
 }  // namespace citykiln::source
