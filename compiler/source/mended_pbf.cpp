@@ -65,7 +65,7 @@ bool begins_as_usual(std::ifstream& file, const Frame& frame) {
   return head.starts_with(kSizeField) && at + 1 < head.size() && head[at + 1] == kZlibField;
 }
 
-// What a blob holds, and the size that it states, 0 if none.
+// The content of a blob, and the size that it states, 0 if none.
 struct Packed {
   protozero::pbf_tag_type packing = 0;
   std::string_view data;

@@ -95,14 +95,6 @@ std::vector<std::string> things_of(const OsmData& data, Range tags) {
   return things;
 }
 
-// True if a way says that it is what the relation is.
-bool is_described_twice(const OsmData& data, Range of_way, Range of_relation) {
-  const std::vector<std::string> a = things_of(data, of_way), b = things_of(data, of_relation);
-  return std::ranges::any_of(a, [&](const std::string& thing) {
-    return std::ranges::any_of(b, [&](const std::string& other) { return are_same_thing(thing, other); });
-  });
-}
-
 // The tags of a way whose keys the area does not have.
 std::vector<TagText> missing_tags(const OsmData& data, const Area& area, const Way& way) {
   std::vector<TagText> missing = description_of(data, way.tags);
@@ -112,11 +104,11 @@ std::vector<TagText> missing_tags(const OsmData& data, const Area& area, const W
   return missing;
 }
 
-// Merges the outer ways that describe the area once more. Of a single one the area takes what it does not say itself.
+// Merges the outer ways that describe the area once more. The area takes the tags that it lacks from a single one.
 void merge_described_twice(OsmData& data, Area& area, const std::vector<const Way*>& outer,
                            std::set<std::int64_t>& merged_ways) {
   for (const Way* way : outer) {
-    if (!is_described_twice(data, way->tags, area.tags)) continue;
+    if (!are_one_thing(data, way->tags, area.tags)) continue;
     merged_ways.insert(way->id);
     if (outer.size() == 1) add_area_tags(data, area, missing_tags(data, area, *way));
   }
@@ -142,6 +134,13 @@ void merge(OsmData& data, Area& area, const Relation& relation, std::set<std::in
 }
 
 }  // namespace
+
+bool are_one_thing(const OsmData& data, Range one, Range two) {
+  const std::vector<std::string> a = things_of(data, one), b = things_of(data, two);
+  return std::ranges::any_of(a, [&](const std::string& thing) {
+    return std::ranges::any_of(b, [&](const std::string& other) { return are_same_thing(thing, other); });
+  });
+}
 
 void merge_old_style_multipolygons(OsmData& data, Report& report) {
   assert(std::ranges::is_sorted(data.areas, {}, &Area::from));

@@ -529,7 +529,7 @@ Result<std::vector<scene::Chunk>> chunks_of(ByteSpan body, std::span<const Entry
   return chunks;
 }
 
-// What is needed to read the chunks of a manifest.
+// The parts of a manifest that are needed to read its chunks.
 struct ReadHeader {
   scene::Header header;
   std::vector<Entry> entries;

@@ -11,7 +11,7 @@ namespace citykiln::map {
 namespace {
 
 // Two squares side by side, 10 by 11 m, and a third 100 m away.
-constexpr const char* kPlaces =
+constexpr const char* kPlacesOfParts =
     R"(<node id="1" lat="43.73" lon="7.42"/><node id="2" lat="43.73" lon="7.4201"/><node id="3" lat="43.7301" lon="7.4201"/>)"
     R"(<node id="4" lat="43.7301" lon="7.42"/><node id="5" lat="43.731" lon="7.42"/><node id="6" lat="43.731" lon="7.4201"/>)"
     R"(<node id="7" lat="43.7311" lon="7.4201"/><node id="8" lat="43.7311" lon="7.42"/>)";
@@ -20,7 +20,7 @@ std::vector<Footprint> footprints_with(const std::string& outline_tags, const st
   const ScratchFolder folder;
   Report report;
   const std::string text =
-      std::string("<osm version=\"0.6\">") + kPlaces +
+      std::string("<osm version=\"0.6\">") + kPlacesOfParts +
       R"(<way id="11"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="4"/><nd ref="1"/>)" + outline_tags + "</way>" +
       R"(<way id="12"><nd ref="5"/><nd ref="6"/><nd ref="7"/><nd ref="8"/><nd ref="5"/><tag k="building:part" v="yes"/></way>)"
       R"(<relation id="20"><member type="way" ref="11" role="outline"/><member type="way" ref="12" role="part"/>)"
