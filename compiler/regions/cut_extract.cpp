@@ -84,7 +84,7 @@ int open_index(const std::string& folder) {
 /// A way that is a member of an area.
 struct MemberWay {
   Box2 box;
-  Vec2 first;  ///< The place of its first node that has one.
+  Vec2 first, last;  ///< The places of its first and last node that have one.
   bool describes_water = false;
 };
 
@@ -250,7 +250,8 @@ void Cutter::spool_way(const osmium::Way& way) {
   for (const std::uint32_t spool : spools) spools_.add(spool, way);
   const std::size_t index = member(way.id());
   if (index == members_.size()) return;
-  member_ways_[index] = {box, line.empty() ? Vec2{} : line.front(), describes_water(way.tags())};
+  member_ways_[index] = {box, line.empty() ? Vec2{} : line.front(), line.empty() ? Vec2{} : line.back(),
+                         describes_water(way.tags())};
   for (const std::uint32_t spool : spools) has_.emplace_back(static_cast<std::uint32_t>(index), spool);
 }
 
@@ -290,11 +291,19 @@ std::optional<source::LocationBox> Cutter::box_of_map() const {
       {box.bottom_left().lon(), box.bottom_left().lat(), box.top_right().lon(), box.top_right().lat()});
 }
 
+// True if a member way is missing, or a line of the members ends at a place where none begins.
 bool Cutter::is_incomplete(const osmium::Relation& relation) const {
-  return std::ranges::any_of(relation.members(), [&](const osmium::RelationMember& each) {
+  std::vector<std::pair<double, double>> ends;
+  for (const osmium::RelationMember& each : relation.members()) {
     const std::size_t index = each.type() == osmium::item_type::way ? member(each.ref()) : members_.size();
-    return index != members_.size() && member_ways_[index].box.is_empty();
-  });
+    if (index == members_.size()) continue;
+    if (member_ways_[index].box.is_empty()) return true;
+    for (const Vec2 end : {member_ways_[index].first, member_ways_[index].last}) ends.emplace_back(end.x, end.y);
+  }
+  std::ranges::sort(ends);
+  for (std::size_t i = 0; i < ends.size(); i += 2)
+    if (i + 1 == ends.size() || ends[i] != ends[i + 1]) return true;
+  return false;
 }
 
 osmium::memory::Buffer Cutter::incomplete_relations() {
