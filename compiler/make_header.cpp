@@ -14,6 +14,7 @@
 
 #include "compiler/buildings/plan.h"
 #include "compiler/geometry/trig.h"
+#include "compiler/map/fit_heightmaps.h"
 #include "compiler/map/plane/lonlat_box.h"
 #include "compiler/sky/clouds/read_clouds.h"
 #include "compiler/sky/inside/plan_inside.h"
@@ -30,13 +31,37 @@ namespace {
 
 constexpr std::string_view kOsmCredit = "© OpenStreetMap contributors";
 
+std::string file_name_of(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+/// The heightmaps of the run; those with offset=auto have the shifts by which they fit others in the region, so that
+/// the land around it continues it.
+Result<std::vector<source::RasterSpec>> fitted_heightmaps(const CompileSpec& spec, const map::Plane& plane,
+                                                          const Box2& extent) {
+  std::vector<source::RasterSpec> specs = spec.rasters;
+  if (std::ranges::none_of(specs, &source::RasterSpec::is_fitted)) return specs;
+  const source::LonLatBox window = map::lonlat_box_of(extent, plane);
+  Report repeated;
+  Result<std::vector<source::Raster>> rasters = source::read_heightmaps(specs, &window, repeated);
+  if (!rasters) return rasters.error();
+  rasters = map::fit_heightmaps(std::move(*rasters), plane, extent, repeated);
+  if (!rasters) return rasters.error();
+  for (source::RasterSpec& each : specs) {
+    const auto raster = std::ranges::find(*rasters, file_name_of(each.path), &source::Raster::file_name);
+    if (each.is_fitted && raster != rasters->end()) each.offset_m += raster->shift_m;
+    each.is_fitted = false;
+  }
+  return specs;
+}
+
 /// The land around the region, where the heightmaps cover it.
 Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, const map::Plane& plane,
                                                      const scene::Recipes& recipes, const Box2& extent) {
   const source::LonLatBox window = map::lonlat_box_of(extent.widened(surroundings::kReach_m), plane);
   Report repeated;  // discarded: diagnosed for the region already, or lies beyond it
+  const Result<std::vector<source::RasterSpec>> fitted = fitted_heightmaps(spec, plane, extent);
+  if (!fitted) return fitted.error();
   const Result<std::vector<source::Raster>> rasters =
-      source::read_heightmaps(spec.rasters, &window, repeated, surroundings::kSampleSpacing_m);
+      source::read_heightmaps(*fitted, &window, repeated, surroundings::kSampleSpacing_m);
   if (!rasters) return rasters.error();
   const auto is_sea = [](const ground::LandCoverPolygon& cover) { return cover.surface == map::LandCoverClass::kSea; };
   surroundings::Place place{.extent = extent, .tile_m = spec.tile_m};
@@ -54,8 +79,6 @@ Result<Done> are_tiles_of(const scene::Header& header, std::span<const scene::Ti
   }
   return Done{};
 }
-
-std::string file_name_of(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
 // The mean height, rounded down to whole metres.
 double mean_height_m(const map::Heightfield& heights) {

@@ -5,6 +5,7 @@
 #include "compiler/ground/grading/graded_box.h"
 #include "compiler/ground/plan.h"
 #include "compiler/map/extent/choose_extent.h"
+#include "compiler/map/fit_heightmaps.h"
 #include "compiler/map/plane/lonlat_box.h"
 #include "compiler/map/resample.h"
 #include "compiler/scene/land_cover.h"
@@ -47,7 +48,9 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
                                       Report& report) {
   if (spec.rasters.empty()) report.add(Code::kNoHeightmap, {});
   const source::LonLatBox window = map::lonlat_box_of(extent, plane);
-  const Result<std::vector<source::Raster>> rasters = source::read_heightmaps(spec.rasters, &window, report);
+  Result<std::vector<source::Raster>> rasters = source::read_heightmaps(spec.rasters, &window, report);
+  if (!rasters) return rasters.error();
+  rasters = map::fit_heightmaps(std::move(*rasters), plane, extent, report);
   if (!rasters) return rasters.error();
   return map::resample(*rasters, plane, extent, report);
 }

@@ -259,6 +259,7 @@ Result<Done> write_out(Gathered& all, const CompileSpec& spec, const std::string
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(path);
   if (!folder) return folder.error();
   const std::vector<std::byte> manifest = exporters::encode_manifest(all.scene, spec.threads);
+  if (Result<Done> done = exporters::check_header(manifest, exporters::kManifestName); !done) return done;
   if (Result<Done> done = folder->write(exporters::kManifestName, manifest); !done) return done;
   all.files.files.push_back({exporters::kManifestName, manifest.size()});
   std::set<std::string> tiles;

@@ -13,6 +13,7 @@
 #include "compiler/invent/tiles/tile_set.h"
 #include "compiler/invent/write/encode_heights.h"
 #include "compiler/invent/write/write_map.h"
+#include "compiler/source/read_texts.h"
 #include "exporters/file.h"
 #include "exporters/output_folder.h"
 
@@ -29,7 +30,7 @@ struct InventRequest {
 Result<std::string> text_in(const std::string& path) {
   const Result<std::vector<std::byte>> bytes = exporters::read_file(path);
   if (!bytes) return bytes.error();
-  return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  return std::string(source::without_byte_order_mark({reinterpret_cast<const char*>(bytes->data()), bytes->size()}));
 }
 
 Result<invent::InventSettings> settings_of(const InventRequest& request) {

@@ -14,6 +14,7 @@
 #include "compiler/contract/parse.h"
 #include "compiler/make_header.h"
 #include "compiler/sky/plan.h"
+#include "compiler/source/read_texts.h"
 #include "exporters/file.h"
 #include "lsystems/plant_file.h"
 #include "preview/picture/denoise.h"
@@ -37,7 +38,7 @@ struct DrawnSpecies {
 };
 
 std::string text_of_file(const std::vector<std::byte>& bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  return std::string(source::without_byte_order_mark({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
 }
 
 // The row of a species in the table beside its file, "" if there is none.

@@ -7,6 +7,7 @@
 #include "compiler/map/buildings/building_tags.h"
 #include "compiler/map/buildings/coincident_footprints.h"
 #include "compiler/map/buildings/part_heights.h"
+#include "compiler/map/buildings/part_looks.h"
 #include "compiler/map/buildings/part_outlines.h"
 #include "compiler/map/buildings/shell.h"
 #include "compiler/map/buildings/treads.h"
@@ -63,6 +64,7 @@ std::vector<Footprint> locate_footprints(const ReadContext& context) {
   footprints = without_duplicates(std::move(footprints), account, context.report);
   const std::vector<std::uint32_t> outlines = part_outlines(footprints);
   complete_parts(footprints, outlines);
+  complete_looks(context, footprints, outlines);
   footprints = with_uncovered_pieces(std::move(footprints), outlines, account, context.report);
   diagnose_heights(footprints, context.report);
   footprints = with_treads(std::move(footprints), outlines, account, context.report);

@@ -144,8 +144,9 @@ Presence presence_of(const source::OsmData& osm, source::Range tags, std::string
     if (osm.value_of(tags, row.value) == "yes") presence = std::max(presence, row.presence);
   const bool is_building = key.starts_with("building");
   if (is_building && osm.value_of(tags, "historic") == "ruins") presence = std::max(presence, Presence::kShell);
-  const auto end = year_of(osm.value_of(tags, "end_date"));
-  return end && *end <= kLastPastYear ? Presence::kGone : presence;
+  const auto start = year_of(osm.value_of(tags, "start_date")), end = year_of(osm.value_of(tags, "end_date"));
+  const bool is_planned = start && *start >= kFirstFutureYear, is_past = end && *end <= kLastPastYear;
+  return is_planned || is_past ? Presence::kGone : presence;
 }
 
 Standing standing_of_building(const source::OsmData& osm, source::Range tags, std::string_view key) {

@@ -43,7 +43,7 @@ std::optional<Levels> levels_of(std::string_view text);
 
 /// Returns whether an object exists. Words of lifecycle.inc count as the value of `key` and as a key with the value
 /// yes; ruins: and construction: count as prefixes of `key`; historic=ruins makes a building a shell. An end_date up to
-/// kLastPastYear means that the object is gone.
+/// kLastPastYear means that the object is gone, a start_date from kFirstFutureYear on that it is not built yet.
 /// @param key  The key that says what the object is, such as "building".
 Presence presence_of(const source::OsmData& osm, source::Range tags, std::string_view key);
 
@@ -78,5 +78,8 @@ std::optional<Code> reason_to_drop(Standing standing);
 
 /// The last year of end_date in which an object counts as gone. A later end is a plan, and the object still stands.
 inline constexpr int kLastPastYear = 2024;
+/// The first year of start_date in which an object counts as planned. A constant, since outputs do not depend on the
+/// day of a run.
+inline constexpr int kFirstFutureYear = 2027;
 
 }  // namespace citykiln::map

@@ -7,6 +7,7 @@
 #include "compiler/map/places.h"
 #include "compiler/map/read_elements.h"
 #include "compiler/source/bodies.h"
+#include "compiler/source/old_style_multipolygons.h"
 
 namespace citykiln::map {
 namespace {
@@ -56,7 +57,7 @@ class UnreadElements {
     const source::Tag* tag = body_tag(context_, tags);
     if (tag == nullptr || (id.type == OsmType::kNode && is_about_a_line(context_, *tag)))
       account_.without_body += context_.report.counts(id);
-    else if (is_part_of_relation(id, *tag))
+    else if (is_part_of_relation(id, tags))
       account_.merged += context_.report.counts(id);
     else
       drop(id, *tag, distance(box.min, box.max));
@@ -70,13 +71,11 @@ class UnreadElements {
     context_.report.drop(account_, {Code::kUnknownKind, id, across_m, {}, {}, tag_text(key, value)});
   }
 
-  // True for a way whose tag is that of a multipolygon that it belongs to.
-  bool is_part_of_relation(OsmId id, const source::Tag& tag) const {
+  // True for a way that says once more what a multipolygon is that it belongs to.
+  bool is_part_of_relation(OsmId id, source::Range tags) const {
     if (id.type != OsmType::kWay) return false;
     return std::ranges::any_of(std::ranges::equal_range(members_, id.id, {}, &WayTags::first), [&](const WayTags& way) {
-      return std::ranges::any_of(context_.osm.tags_of(way.second), [&](const source::Tag& other) {
-        return other.key == tag.key && other.value == tag.value;
-      });
+      return source::are_one_thing(context_.osm, tags, way.second);
     });
   }
 

@@ -114,9 +114,9 @@ OrderedJson files_of(const WrittenFiles& written) {
   return files;
 }
 
-/// West, south, east, north in degrees.
+/// West, south, east, north in degrees; west is more than east across 180°.
 OrderedJson box_deg_of(const Box2& box, const map::Plane& plane) {
-  return map::rounded_degrees(map::lonlat_box_of(box, plane));
+  return map::rounded_degrees(map::geojson_box_of(box, plane));
 }
 
 OrderedJson tiles_of(std::span<const WrittenTile> written, const scene::Header& header, const map::Plane& plane) {

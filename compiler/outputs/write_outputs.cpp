@@ -287,8 +287,9 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
   WrittenOutputs written;
   if (outputs.manifest) {
     on_progress("write", 0);
-    const Result<WrittenFile> file =
-        write_output(exporters::kManifestName, exporters::encode_manifest(scene, threads), folder);
+    const std::vector<std::byte> manifest = exporters::encode_manifest(scene, threads);
+    if (const auto done = exporters::check_header(manifest, exporters::kManifestName); !done) return done.error();
+    const Result<WrittenFile> file = write_output(exporters::kManifestName, manifest, folder);
     if (!file) return file.error();
     written.files.files.push_back(*file);
   }

@@ -57,10 +57,10 @@ osmium::io::File file_of(const std::string& path) { return osmium::io::File(fs::
 // The map, or a file in `folder` that stands for it where libosmium cannot read it as it is meant. The passes read it
 // several times, from the disk.
 Result<std::string> readable_map(const std::string& map_path, source::OsmFormat format, const std::string& folder) {
-  const Result<std::optional<std::string>> mended = source::mended_xml(map_path, format);
+  const Result<std::optional<std::string>> mended = source::mended_file(map_path, format);
   if (!mended) return mended.error();
   if (!*mended) return map_path;
-  const std::string path = folder + "/.mended.osm";
+  const std::string path = folder + (format == source::OsmFormat::kPbf ? "/.mended.osm.pbf" : "/.mended.osm");
   std::ofstream file(path, std::ios::binary);
   file << **mended;
   if (!file.flush()) return Error{path, "cannot be written"};
@@ -87,7 +87,7 @@ int open_index(const std::string& folder) {
 /// A way that is a member of an area.
 struct MemberWay {
   Box2 box;
-  Vec2 first;  ///< The place of its first node that has one.
+  Vec2 first, last;  ///< The places of its first and last node that have one.
   bool describes_water = false;
 };
 
@@ -253,7 +253,8 @@ void Cutter::spool_way(const osmium::Way& way) {
   for (const std::uint32_t spool : spools) spools_.add(spool, way);
   const std::size_t index = member(way.id());
   if (index == members_.size()) return;
-  member_ways_[index] = {box, line.empty() ? Vec2{} : line.front(), describes_water(way.tags())};
+  member_ways_[index] = {box, line.empty() ? Vec2{} : line.front(), line.empty() ? Vec2{} : line.back(),
+                         describes_water(way.tags())};
   for (const std::uint32_t spool : spools) has_.emplace_back(static_cast<std::uint32_t>(index), spool);
 }
 
@@ -294,11 +295,19 @@ std::optional<source::LocationBox> Cutter::box_of_map() const {
       {box.bottom_left().lon(), box.bottom_left().lat(), box.top_right().lon(), box.top_right().lat()});
 }
 
+// True if a member way is missing, or a line of the members ends at a place where none begins.
 bool Cutter::is_incomplete(const osmium::Relation& relation) const {
-  return std::ranges::any_of(relation.members(), [&](const osmium::RelationMember& each) {
+  std::vector<std::pair<double, double>> ends;
+  for (const osmium::RelationMember& each : relation.members()) {
     const std::size_t index = each.type() == osmium::item_type::way ? member(each.ref()) : members_.size();
-    return index != members_.size() && member_ways_[index].box.is_empty();
-  });
+    if (index == members_.size()) continue;
+    if (member_ways_[index].box.is_empty()) return true;
+    for (const Vec2 end : {member_ways_[index].first, member_ways_[index].last}) ends.emplace_back(end.x, end.y);
+  }
+  std::ranges::sort(ends);
+  for (std::size_t i = 0; i < ends.size(); i += 2)
+    if (i + 1 == ends.size() || ends[i] != ends[i + 1]) return true;
+  return false;
 }
 
 osmium::memory::Buffer Cutter::incomplete_relations() {
@@ -442,11 +451,11 @@ void Cutter::spool_members() {
   });
 }
 
-/// Orders elements by type and id, and equal ids by falling version.
+/// Orders elements by type and id; of equal ids the one to keep comes first.
 bool is_before(const osmium::OSMObject* a, const osmium::OSMObject* b) {
   if (a->type() != b->type()) return a->type() < b->type();
   if (a->id() != b->id()) return a->id() < b->id();
-  return a->version() > b->version();
+  return source::says_more(*a, *b);
 }
 
 bool is_same(const osmium::OSMObject* a, const osmium::OSMObject* b) {
@@ -540,11 +549,13 @@ Result<CutFiles> cut_extract(const CutRequest& cut, const map::Plane& plane, con
 Result<source::LonLatBox> header_box_of(const std::string& map_path) {
   const Result<source::OsmFormat> format = source::osm_format_of(map_path);
   if (!format) return format.error();
-  const Result<std::optional<std::string>> mended = source::mended_xml(map_path, *format);
+  const Result<std::optional<std::string>> mended = source::mended_file(map_path, *format);
   if (!mended) return mended.error();
   try {
-    osmium::io::Reader reader(
-        *mended ? osmium::io::File((*mended)->data(), (*mended)->size(), "osm") : file_of(map_path), bits::nothing);
+    osmium::io::Reader reader(*mended ? osmium::io::File((*mended)->data(), (*mended)->size(),
+                                                         *format == source::OsmFormat::kPbf ? "pbf" : "osm")
+                                      : file_of(map_path),
+                              bits::nothing);
     const osmium::Box box = reader.header().joined_boxes();
     reader.close();
     if (!box.valid()) return Error{map_path, "has no box in its header; give the area with --bbox W,S,E,N"};

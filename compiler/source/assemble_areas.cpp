@@ -58,9 +58,13 @@ bool is_candidate(const osmium::Way& way) {
   return first.valid() && first == way.nodes().back().location();
 }
 
-bool is_candidate(const osmium::Relation& relation) {
+bool is_area_relation(const osmium::Relation& relation) {
   const char* type = relation.tags().get_value_by_key("type", "");
-  if (std::strcmp(type, "multipolygon") != 0 && std::strcmp(type, "boundary") != 0) return false;
+  return std::strcmp(type, "multipolygon") == 0 || std::strcmp(type, "boundary") == 0;
+}
+
+bool is_candidate(const osmium::Relation& relation) {
+  if (!is_area_relation(relation)) return false;
   return std::any_of(relation.members().begin(), relation.members().end(),
                      [](const osmium::RelationMember& member) { return member.type() == osmium::item_type::way; });
 }
@@ -368,12 +372,71 @@ struct Candidates {
   std::vector<Candidate> relations, ways;
 };
 
-Candidates find_candidates(const Elements& elements) {
+const osmium::Relation* find_osmium_relation(const Elements& elements, std::int64_t id) {
+  const auto found = std::ranges::lower_bound(elements.relations, id, {},
+                                              [](const osmium::Relation* relation) { return relation->id(); });
+  return found != elements.relations.end() && (*found)->id() == id ? *found : nullptr;
+}
+
+// The area of a member that is a relation: an island in a lake, say. Null for other members.
+const osmium::Relation* nested_area(const osmium::RelationMember& member, const osmium::Relation& relation,
+                                    const Elements& elements) {
+  if (member.type() != osmium::item_type::relation || member.ref() == relation.id()) return nullptr;
+  const osmium::Relation* nested = find_osmium_relation(elements, member.ref());
+  return nested != nullptr && is_area_relation(*nested) ? nested : nullptr;
+}
+
+bool holds_areas(const osmium::Relation& relation, const Elements& elements) {
+  return relation.tags().has_tag("type", "multipolygon") &&
+         std::ranges::any_of(relation.members(), [&](const osmium::RelationMember& member) {
+           return nested_area(member, relation, elements) != nullptr;
+         });
+}
+
+// Adds a copy of the relation in which the ways of areas that are members stand for these. Holes of an inner area are
+// parts of the relation.
+void add_with_nested_ways(const osmium::Relation& relation, const Elements& elements, osmium::memory::Buffer& buffer) {
+  {
+    osmium::builder::RelationBuilder builder(buffer);
+    builder.set_id(relation.id());
+    {
+      osmium::builder::TagListBuilder list(builder);
+      for (const osmium::Tag& tag : relation.tags()) list.add_tag(tag);
+    }
+    osmium::builder::RelationMemberListBuilder members(builder);
+    for (const osmium::RelationMember& member : relation.members()) {
+      const osmium::Relation* nested = nested_area(member, relation, elements);
+      if (nested == nullptr) {
+        members.add_member(member.type(), member.ref(), member.role());
+        continue;
+      }
+      const bool is_inner = std::strcmp(member.role(), "inner") == 0;
+      for (const osmium::RelationMember& way : nested->members())
+        if (way.type() == osmium::item_type::way && !is_closing_ring(way))
+          members.add_member(way.type(), way.ref(),
+                             is_inner == (std::strcmp(way.role(), "inner") == 0) ? "outer" : "inner");
+    }
+  }
+  buffer.commit();
+}
+
+// Copies of the relations that have areas as members.
+osmium::memory::Buffer relations_with_nested_ways(const Elements& elements) {
+  osmium::memory::Buffer buffer(64 * 1024, osmium::memory::Buffer::auto_grow::yes);
+  for (const osmium::Relation* relation : elements.relations)
+    if (holds_areas(*relation, elements)) add_with_nested_ways(*relation, elements, buffer);
+  return buffer;
+}
+
+/// @param nested  relations_with_nested_ways(); it must live as long as the candidates.
+Candidates find_candidates(const Elements& elements, const osmium::memory::Buffer& nested) {
   Candidates candidates;
   for (const osmium::Way* way : elements.ways) {
     if (is_candidate(*way)) candidates.ways.push_back({.way = way});
   }
+  auto copy = nested.cbegin<osmium::Relation>();
   for (const osmium::Relation* relation : elements.relations) {
+    if (copy != nested.cend<osmium::Relation>() && copy->id() == relation->id()) relation = &*copy++;
     if (is_candidate(*relation)) candidates.relations.push_back({.relation = relation});
   }
   return candidates;
@@ -398,7 +461,8 @@ bool is_descriptive(std::string_view key) {
 
 AssembledAreas assemble_areas(const Elements& elements, int threads, Report& report) {
   AssembledAreas all;
-  const Candidates candidates = find_candidates(elements);
+  const osmium::memory::Buffer nested = relations_with_nested_ways(elements);
+  const Candidates candidates = find_candidates(elements, nested);
   // relations first, because one relation can take as long as all ways together
   std::vector<std::span<const Candidate>> pieces;
   cut_into_spans(candidates.relations, kAreaRelationsPerSlot, pieces);

@@ -24,16 +24,6 @@ std::int64_t least_votes(CutAreaKind kind) {
 
 Location place_of_ref(const osmium::NodeRef& node) { return {node.location().x(), node.location().y()}; }
 
-bool is_incomplete(const osmium::Relation& relation, std::span<const osmium::Way* const> ways) {
-  bool is_there = false, is_missing = false;
-  std::size_t i = 0;
-  for (const osmium::RelationMember& member : relation.members()) {
-    const bool has_way = ways[i++] != nullptr;
-    if (member.type() == osmium::item_type::way) (has_way ? is_there : is_missing) = true;
-  }
-  return is_there && is_missing;
-}
-
 // The lines of a way, which ends at a missing node and begins again after it.
 void add_lines_of(const osmium::Way& way, bool is_inner, std::vector<AreaLine>& lines) {
   bool continues = false;
@@ -124,7 +114,7 @@ void adopt(osmium::memory::Buffer& closed, Elements& elements) {
 std::optional<CutArea> cut_area_of(const osmium::Relation& relation, std::span<const osmium::Way* const> ways,
                                    const LocationBox& box) {
   const std::optional<CutAreaKind> kind = cut_area_kind(relation.tags());
-  if (!kind || !is_incomplete(relation, ways)) return std::nullopt;
+  if (!kind || std::ranges::none_of(ways, [](const osmium::Way* way) { return way != nullptr; })) return std::nullopt;
   std::vector<AreaLine> lines;
   std::size_t i = 0;
   for (const osmium::RelationMember& member : relation.members())

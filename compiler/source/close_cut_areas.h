@@ -15,7 +15,7 @@
 
 namespace citykiln::source {
 
-/// A multipolygon with missing ways, whose remaining lines lead from side to side of the box.
+/// A multipolygon that is cut, whose remaining lines lead from side to side of the box.
 struct CutArea {
   const osmium::Relation* relation = nullptr;
   CutAreaKind kind = CutAreaKind::kCover;
@@ -26,7 +26,8 @@ struct CutArea {
 };
 
 /// Returns the area if it may be closed, else nothing: a multipolygon with a cut_area_kind(), of which some member ways
-/// are in the map and some are missing, and whose lines end at the box (cut_at_box()).
+/// are in the map, and whose lines end at the box (cut_at_box()): because other members are missing, or because the
+/// ways themselves are cut.
 /// @param ways  For each member of the relation its way with locations, or null.
 std::optional<CutArea> cut_area_of(const osmium::Relation& relation, std::span<const osmium::Way* const> ways,
                                    const LocationBox& box);

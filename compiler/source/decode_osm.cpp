@@ -52,7 +52,8 @@ bool has_places_in_ways(const osmium::io::Header& header) {
 
 // The file, or the text that stands for it.
 osmium::io::File source_of(const std::string& path, OsmFormat format, const std::optional<std::string>& text) {
-  if (text) return osmium::io::File(text->data(), text->size(), osmium_name(OsmFormat::kXml));
+  const OsmFormat of_text = format == OsmFormat::kPbf ? OsmFormat::kPbf : OsmFormat::kXml;
+  if (text) return osmium::io::File(text->data(), text->size(), osmium_name(of_text));
   // an absolute path, since libosmium would pass a name like http:x to curl
   return osmium::io::File(std::filesystem::absolute(path).string(), osmium_name(format));
 }
@@ -78,7 +79,7 @@ DecodedOsm decode_file(const osmium::io::File& file, int threads) {
 Result<DecodedOsm> decode_osm(const std::string& path, int threads) {
   const Result<OsmFormat> format = osm_format_of(path);
   if (!format) return format.error();
-  const Result<std::optional<std::string>> mended = mended_xml(path, *format);
+  const Result<std::optional<std::string>> mended = mended_file(path, *format);
   if (!mended) return mended.error();
   try {
     return decode_file(source_of(path, *format, *mended), threads);

@@ -86,20 +86,58 @@ void place_joined(const Raster& a, const Raster& b, const Extent& of_b, const Ex
   joined.from_grid[3] += g[4] * whole.west + g[5] * whole.north;
 }
 
+/// The differences between two rasters where they meet, in metres that `a` is higher: of samples that both have, and of
+/// heights extrapolated to the middle between their outermost samples, where one ends beside the other.
+std::vector<double> differences_m(const Raster& a, const Raster& b, const Extent& of_b) {
+  std::vector<double> found_m;
+  const auto add = [&](double difference_m) {
+    if (std::isfinite(difference_m)) found_m.push_back(difference_m);
+  };
+  const auto in_b = [&](int column, int row) { return double{b.at(column - of_b.west, row - of_b.north)}; };
+  const int west = std::max(0, of_b.west), east = std::min(a.columns, of_b.east), north = std::max(0, of_b.north),
+            south = std::min(a.rows, of_b.south);
+  for (int row = north; row < south; ++row)
+    for (int column = west; column < east; ++column) add(a.at(column, row) - in_b(column, row));
+  const auto beyond = [](double last_m, double before_m) { return last_m + (last_m - before_m) / 2; };
+  if (a.columns < 2 || a.rows < 2 || b.columns < 2 || b.rows < 2) return found_m;
+  for (int row = north; row < south && (of_b.west == a.columns || of_b.east == 0); ++row) {
+    const bool is_east = of_b.west == a.columns;
+    const int own = is_east ? a.columns - 1 : 0, other = is_east ? of_b.west : -1, step = is_east ? 1 : -1;
+    add(beyond(a.at(own, row), a.at(own - step, row)) - beyond(in_b(other, row), in_b(other + step, row)));
+  }
+  for (int column = west; column < east && (of_b.north == a.rows || of_b.south == 0); ++column) {
+    const bool is_south = of_b.north == a.rows;
+    const int own = is_south ? a.rows - 1 : 0, other = is_south ? of_b.north : -1, step = is_south ? 1 : -1;
+    add(beyond(a.at(column, own), a.at(column, own - step)) - beyond(in_b(column, other), in_b(column, other + step)));
+  }
+  return found_m;
+}
+
+/// True if two rasters have different datums: their step is even, and larger than errors are.
+bool has_step(const Raster& a, const Raster& b, const Extent& of_b) {
+  const std::vector<double> found_m = differences_m(a, b, of_b);
+  return step_of_m(found_m, a.file_spacing_m + b.file_spacing_m).has_value();
+}
+
 std::optional<Raster> joined(const Raster& a, const Raster& b) {
   if (is_empty(a) || is_empty(b)) return std::nullopt;
   const std::optional<Extent> of_b = extent_in(a, b);
   const Extent of_a{0, 0, a.columns, a.rows};
-  if (!of_b || !fill_a_rectangle(of_a, *of_b)) return std::nullopt;
+  if (!of_b || !fill_a_rectangle(of_a, *of_b) || a.is_fitted || b.is_fitted || has_step(a, b, *of_b))
+    return std::nullopt;
   const Extent whole = around(of_a, *of_b);
-  Raster both{a.file_name,  a.credit, whole.east - whole.west,       whole.south - whole.north, {}, {},
-              a.system_wkt, {},       around(a.file_box, b.file_box)};
+  Raster both;
+  both.file_name = a.file_name, both.credit = a.credit;
+  both.columns = whole.east - whole.west, both.rows = whole.south - whole.north;
+  both.system_wkt = a.system_wkt, both.file_box = around(a.file_box, b.file_box);
   place_joined(a, b, *of_b, whole, both);
   both.heights_m.assign(static_cast<std::size_t>(both.columns) * both.rows, kVoid);
   copy_into(a, of_a, whole, both);
   copy_into(b, *of_b, whole, both);
   both.spacing_m = spacing_m_of(both);
   both.file_spacing_m = std::min(a.file_spacing_m, b.file_spacing_m);
+  both.code_heights_m = a.code_heights_m;
+  both.code_heights_m.insert(both.code_heights_m.end(), b.code_heights_m.begin(), b.code_heights_m.end());
   return both;
 }
 
@@ -128,6 +166,19 @@ std::size_t end_of_run(const std::vector<Raster>& rasters, std::size_t first) {
 }
 
 }  // namespace
+
+std::optional<double> step_of_m(std::span<const double> differences_m, double spacings_m) {
+  constexpr std::size_t kFewest = 8;
+  constexpr double kLeast_m = 2, kLeastSlope = 0.1, kEven = 2;
+  const double count = static_cast<double>(differences_m.size());
+  if (differences_m.size() < kFewest) return std::nullopt;
+  double mean_m = 0, square_m2 = 0;
+  for (const double difference_m : differences_m) mean_m += difference_m / count;
+  for (const double difference_m : differences_m)
+    square_m2 += (difference_m - mean_m) * (difference_m - mean_m) / count;
+  const bool is_clear = std::abs(mean_m) > std::max(kLeast_m + kLeastSlope * spacings_m, kEven * std::sqrt(square_m2));
+  return is_clear ? std::optional(mean_m) : std::nullopt;
+}
 
 std::vector<Raster> join_rasters(std::vector<Raster> rasters) {
   assert(std::ranges::all_of(rasters, &Raster::has_all_samples));

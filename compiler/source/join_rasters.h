@@ -1,6 +1,8 @@
 // Joins heightmaps that were cut from one grid into several files.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "compiler/source/raster.h"
@@ -16,7 +18,13 @@ namespace citykiln::source {
 ///
 /// Guarantees: if a raster is cut along a column or row, joining its parts in either order restores its samples, and
 /// exactly its georeference if the part with the first sample has the origin of the whole. The result has the name and
-/// credit of the first part. Rasters of different grids keep their order. Cannot fail. O(samples).
+/// credit of the first part. Rasters with a step between them (step_of_m()), and those with RasterSpec::is_fitted, stay
+/// separate. Rasters of different grids keep their order. Cannot fail. O(samples).
 std::vector<Raster> join_rasters(std::vector<Raster> rasters);
+
+/// Returns the mean of the differences between two heightmaps where they meet if it is a step between two datums: at
+/// least 8 differences, whose mean is more than 2 m plus a tenth of the sum of the sample spacings, and more than twice
+/// their standard deviation. Nothing else.
+std::optional<double> step_of_m(std::span<const double> differences_m, double spacings_m);
 
 }  // namespace citykiln::source

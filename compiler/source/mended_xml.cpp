@@ -15,6 +15,8 @@
 #include <set>
 #include <utility>
 
+#include "compiler/source/mended_pbf.h"
+
 namespace citykiln::source {
 namespace {
 
@@ -86,6 +88,14 @@ void for_each_xml_tag(std::string_view text, Visit visit) {
 
 bool is_element(std::string_view name) { return name == "node" || name == "way" || name == "relation"; }
 
+// True for the elements of the format that hold a map, and for comments and declarations. Others are skipped, with what
+// they hold.
+bool is_known(std::string_view name) {
+  constexpr std::string_view kKnown[] = {"nd",       "tag",    "node", "way",  "member",
+                                         "relation", "bounds", "osm",  "note", "meta"};
+  return name.starts_with('!') || name.starts_with('?') || std::ranges::find(kKnown, name) != std::end(kKnown);
+}
+
 bool marks_deletion(std::string_view tag, std::string_view name) {
   return is_element(name) && attribute(tag, "action") == "delete";
 }
@@ -127,8 +137,8 @@ class PlainElements {
   void add(std::string_view tag, std::string_view name, std::string_view before) {
     has_elements_ |= is_element(name);
     has_relations_ |= name == "relation";
+    if (unknown_depth_ > 0 || (!name.starts_with('/') && !is_known(name))) return skip(tag, name);
     if (in_member_) return add_in_member(tag, name);
-    if (name == "center") return;
     part() += before;
     if (name == "nd") add_node(attribute(tag, "ref"), tag);
     if (name == "member" && !tag.ends_with("/>")) return open_member(tag);
@@ -136,6 +146,14 @@ class PlainElements {
       part() += as_invisible(tag);
     else
       part() += tag;
+  }
+  // Skips an unknown element and all it holds.
+  void skip(std::string_view tag, std::string_view name) {
+    if (name.starts_with('!') || name.starts_with('?')) return;
+    if (name.starts_with('/'))
+      --unknown_depth_;
+    else if (!tag.ends_with("/>"))
+      ++unknown_depth_;
   }
   void add_node(std::string_view id, std::string_view tag) {
     const std::string_view lat = attribute(tag, "lat"), lon = attribute(tag, "lon");
@@ -163,6 +181,7 @@ class PlainElements {
 
   std::set<std::string, std::less<>> known_nodes_, known_ways_;
   std::string head_, nodes_, elements_, ways_, relations_;
+  int unknown_depth_ = 0;  // the number of open elements from an unknown one on
   bool has_elements_ = false, has_relations_ = false, in_member_ = false, is_new_way_ = false;
 };
 
@@ -170,6 +189,23 @@ bool holds_places_in_ways(std::string_view text) {
   const std::size_t at = text.find("<nd ");
   return at != std::string_view::npos && !attribute(text.substr(at, end_of_tag(text, at) - at), "lat").empty();
 }
+
+// False for other documents and where the text is cut off, of which libosmium says what is wrong.
+bool holds_unknown_elements(std::string_view text) {
+  if (text.substr(0, 4096).find("<osm") == std::string_view::npos) return false;
+  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
+    const std::string_view rest = text.substr(at + 1, 32);
+    if (rest.starts_with('/')) continue;
+    if (rest.starts_with("!--") || rest.starts_with("![CDATA[")) at = end_of_tag(text, at) - 1;
+    if (rest.starts_with('!') || rest.starts_with('?')) continue;
+    const bool is_whole = text.find('>', at) != std::string_view::npos;
+    if (!is_known(rest.substr(0, rest.find_first_of(" \t\r\n/>")))) return is_whole;
+  }
+  return false;
+}
+
+// True for a document of osmChange, which lists the differences between two maps.
+bool holds_changes(std::string_view text) { return text.substr(0, 4096).find("<osmChange") != std::string_view::npos; }
 
 bool holds_deletions(std::string_view text) {
   return text.find("action=\"delete\"") != std::string_view::npos ||
@@ -218,17 +254,17 @@ std::optional<std::string> utf8_of_utf16(std::string_view bytes) {
 }
 
 std::optional<std::string> mended_elements(std::string_view text) {
-  const bool has_geometry = holds_places_in_ways(text) || text.find("</member>") != std::string_view::npos ||
-                            text.find("<center ") != std::string_view::npos;
-  if (!has_geometry && !holds_deletions(text)) return std::nullopt;
+  const bool has_geometry = holds_places_in_ways(text) || text.find("</member>") != std::string_view::npos;
+  if (!has_geometry && !holds_deletions(text) && !holds_unknown_elements(text)) return std::nullopt;
   return PlainElements(text).text();
 }
 
-Result<std::optional<std::string>> mended_xml(const std::string& path, OsmFormat format) {
-  if (format == OsmFormat::kPbf) return std::optional<std::string>{};
+Result<std::optional<std::string>> mended_file(const std::string& path, OsmFormat format) {
+  if (format == OsmFormat::kPbf) return mended_pbf(path);
   try {
     std::string bytes = format == OsmFormat::kXml ? read_all(path) : unpacked(path, format);
     std::optional<std::string> text = utf8_of_utf16(bytes);
+    if (holds_changes(text ? *text : bytes)) return change_file_error(path);
     std::optional<std::string> mended = mended_elements(text ? *text : bytes);
     return mended ? std::move(mended) : std::move(text);
   } catch (const std::exception& error) {

@@ -1,13 +1,16 @@
 // The rules of libosmium's AssemblerLegacy (osmium/area/assembler_legacy.hpp), with one difference: a closed outer way
-// remains an area if the relation has tags of its own.
+// remains an area if the relation has tags of its own, unless both say that they are one thing.
 #include "compiler/source/old_style_multipolygons.h"
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <set>
+#include <string>
 #include <string_view>
 
 #include "compiler/source/assemble_areas.h"
+#include "compiler/source/bodies.h"
 
 namespace citykiln::source {
 namespace {
@@ -70,6 +73,47 @@ void add_area_tags(OsmData& data, Area& area, const std::vector<TagText>& more) 
   std::sort(data.tags.begin() + first, data.tags.end(), by_words);
 }
 
+// Words for one thing: two elements with words of one row describe it twice.
+constexpr std::string_view kSameThings[][4] = {
+    {"natural=water", "landuse=reservoir", "landuse=basin", "waterway=riverbank"}, {"natural=wood", "landuse=forest"}};
+
+bool are_same_thing(std::string_view a, std::string_view b) {
+  return a == b || std::ranges::any_of(kSameThings, [&](const auto& words) {
+           return std::ranges::find(words, a) != std::end(words) && std::ranges::find(words, b) != std::end(words);
+         });
+}
+
+// The tags that say what an element is, as "key=value"; of buildings the key alone.
+std::vector<std::string> things_of(const OsmData& data, Range tags) {
+  std::vector<std::string> things;
+  for (const Tag& tag : data.tags_of(tags)) {
+    const std::string& key = data.strings[tag.key];
+    const std::string& value = data.strings[tag.value];
+    if (!has_body(key, value) || value == "no") continue;
+    things.push_back(key == "building" ? key : key + "=" + value);
+  }
+  return things;
+}
+
+// The tags of a way whose keys the area does not have.
+std::vector<TagText> missing_tags(const OsmData& data, const Area& area, const Way& way) {
+  std::vector<TagText> missing = description_of(data, way.tags);
+  std::erase_if(missing, [&](TagText words) {
+    return std::ranges::any_of(data.tags_of(area.tags), [&](const Tag& tag) { return tag.key == words.first; });
+  });
+  return missing;
+}
+
+// Merges the outer ways that describe the area once more. The area takes the tags that it lacks from a single one.
+void merge_described_twice(OsmData& data, Area& area, const std::vector<const Way*>& outer,
+                           std::set<std::int64_t>& merged_ways) {
+  for (const Way* way : outer) {
+    if (!are_one_thing(data, way->tags, area.tags)) continue;
+    merged_ways.insert(way->id);
+    if (outer.size() == 1) add_area_tags(data, area, missing_tags(data, area, *way));
+  }
+}
+
 // Completes the tags of one multipolygon and collects the ways whose areas it replaces.
 void merge(OsmData& data, Area& area, const Relation& relation, std::set<std::int64_t>& merged_ways) {
   const MemberWays ways = ways_of(data, relation);
@@ -81,6 +125,8 @@ void merge(OsmData& data, Area& area, const Relation& relation, std::set<std::in
     for (const Way* way : ways.outer) {
       if (description_of(data, way->tags) == description) merged_ways.insert(way->id);
     }
+  } else {
+    merge_described_twice(data, area, ways.outer, merged_ways);
   }
   for (const Way* way : ways.inner) {
     if (description_of(data, way->tags) == description) merged_ways.insert(way->id);
@@ -88,6 +134,13 @@ void merge(OsmData& data, Area& area, const Relation& relation, std::set<std::in
 }
 
 }  // namespace
+
+bool are_one_thing(const OsmData& data, Range one, Range two) {
+  const std::vector<std::string> a = things_of(data, one), b = things_of(data, two);
+  return std::ranges::any_of(a, [&](const std::string& thing) {
+    return std::ranges::any_of(b, [&](const std::string& other) { return are_same_thing(thing, other); });
+  });
+}
 
 void merge_old_style_multipolygons(OsmData& data, Report& report) {
   assert(std::ranges::is_sorted(data.areas, {}, &Area::from));

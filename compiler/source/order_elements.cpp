@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <osmium/osm/object_comparisons.hpp>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/source/closing_ring.h"
@@ -24,10 +26,22 @@ std::string_view bytes_of(const osmium::OSMObject& object) {
   return {reinterpret_cast<const char*>(object.data()), object.byte_size()};
 }
 
+// How much an element says: its tags, then its nodes or members, or whether it has a place.
+std::pair<std::size_t, std::size_t> content_of(const osmium::OSMObject& object) {
+  std::size_t parts = 0;
+  if (object.type() == osmium::item_type::node)
+    parts = static_cast<const osmium::Node&>(object).location().valid();
+  else if (object.type() == osmium::item_type::way)
+    parts = static_cast<const osmium::Way&>(object).nodes().size();
+  else if (object.type() == osmium::item_type::relation)
+    parts = static_cast<const osmium::Relation&>(object).members().size();
+  return {object.tags().size(), parts};
+}
+
 // orders by id; of equal ids the element to keep comes first
 bool is_before(const osmium::OSMObject* a, const osmium::OSMObject* b) {
   if (a->id() != b->id()) return a->id() < b->id();
-  if (a->version() != b->version()) return a->version() > b->version();
+  if (says_more(*a, *b) || says_more(*b, *a)) return says_more(*a, *b);
   return bytes_of(*a) < bytes_of(*b);
 }
 
@@ -156,6 +170,10 @@ void locate(osmium::Way& way, const NodePlaces& nodes) {
 }
 
 }  // namespace
+
+bool says_more(const osmium::OSMObject& a, const osmium::OSMObject& b) {
+  return std::tuple(a.version(), content_of(a)) > std::tuple(b.version(), content_of(b));
+}
 
 Elements order_elements(std::vector<osmium::memory::Buffer>& buffers, int threads, Report& report) {
   auto [elements, first, last, is_sorted, has_losses] =

@@ -134,10 +134,18 @@ bool is_at_end(std::string_view message) {
 
 std::string reading_error(const std::string& message) { return is_at_end(message) ? message + kCutOff : message; }
 
+Error change_file_error(const std::string& path) {
+  return {path,
+          "holds changes of a map, not a map; apply them to the map that they were made for, such as with osmium "
+          "apply-changes MAP.osm.pbf CHANGES.osc -o NEW.osm.pbf, and compile the new map"};
+}
+
 Result<OsmFormat> osm_format_of(const std::string& path) {
   std::error_code failure;
   if (!fs::exists(path, failure)) return Error{path, "no such file"};
   if (!fs::is_regular_file(path, failure)) return Error{path, "not a file"};
+  for (const std::string_view suffix : {".osc", ".osc.gz", ".osc.bz2"})
+    if (path.ends_with(suffix)) return change_file_error(path);
   const std::optional<OsmFormat> named = format_by_name(path);
   if (!named) return Error{path, "unknown suffix; expected .osm, .osm.gz, .osm.bz2 or .osm.pbf"};
   if (!std::ifstream(path)) return Error{path, std::strerror(errno)};

@@ -19,4 +19,7 @@ Result<OsmFormat> osm_format_of(const std::string& path);
 /// "unclosed token; the file is cut off: load it again".
 std::string reading_error(const std::string& message);
 
+/// Returns the error of a file that holds changes of a map (.osc), with what to do.
+Error change_file_error(const std::string& path);
+
 }  // namespace citykiln::source

@@ -14,12 +14,14 @@
 
 namespace citykiln::source {
 
-/// The value of --dem: FILE[,bounds=W/S/E/N,scale=,offset=,encoding=,tile=Z/X/Y,credit=].
+/// The value of --dem: FILE[,bounds=W/S/E/N,scale=,offset=,unit=,encoding=,tile=Z/X/Y,credit=].
 struct RasterSpec {
   std::string path;
   std::optional<LonLatBox> bounds;  ///< The outer edges of the pixels, for pictures without a georeference.
   double scale = 1;                 ///< height_m = scale * value + offset.
   double offset_m = 0;
+  bool is_fitted = false;                      ///< offset=auto: shifted to fit the heightmaps beside or under it.
+  std::optional<double> unit_m;                ///< The unit of heights, instead of the one that the file declares.
   std::string encoding;                        ///< "", "terrarium" or "mapbox".
   std::optional<std::array<int, 3>> tile_zxy;  ///< The Web Mercator tile (z, x, y) of a terrarium or mapbox picture.
   std::string credit;                          ///< Added to the attribution of all outputs.
@@ -43,6 +45,12 @@ struct Raster {
   /// The shorter distance between samples at the centre of the whole file, times the stride of a thinned raster; of
   /// joined rasters the smallest. Mending uses it, so that samples are mended alike in each window of a file.
   double file_spacing_m = 0;
+  double unit_m = 1;       ///< The unit of heights that the file declares; the heights are converted from it.
+  bool is_fitted = false;  ///< RasterSpec::is_fitted.
+  double shift_m = 0;      ///< Metres added to fit other heightmaps (map/fit_heightmaps.h).
+  /// The heights that stand for 0 and for the ends of the file's number type: values that programs write where they
+  /// know no height.
+  std::vector<float> code_heights_m;
 
   bool has_all_samples() const { return heights_m.size() == static_cast<std::size_t>(columns) * rows; }
   float at(int column, int row) const {

@@ -1,10 +1,14 @@
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "compiler/contract/parse.h"
+#include "compiler/source/height_units.h"
 #include "compiler/source/read_raster.h"
 
 namespace citykiln::source {
@@ -41,18 +45,30 @@ ParseError set_number(std::string_view value, double& number) {
   return std::nullopt;
 }
 
+ParseError set_offset(std::string_view value, RasterSpec& spec) {
+  spec.is_fitted = value == "auto";
+  if (spec.is_fitted) return std::nullopt;
+  return set_number(value, spec.offset_m) ? ParseError("a number or auto") : std::nullopt;
+}
+
+ParseError set_unit(std::string_view value, RasterSpec& spec) {
+  spec.unit_m = unit_of_heights_m(value);
+  return spec.unit_m ? std::nullopt : ParseError("a unit, such as m, ft or us-ft");
+}
+
 ParseError set_encoding(std::string_view value, RasterSpec& spec) {
   if (value != "terrarium" && value != "mapbox") return "terrarium or mapbox";
   spec.encoding = value;
   return std::nullopt;
 }
 
-constexpr std::string_view kKeys = "bounds, scale, offset, encoding, tile, credit";
+constexpr std::string_view kKeys = "bounds, scale, offset, unit, encoding, tile, credit";
 
 ParseError set(std::string_view key, std::string_view value, RasterSpec& spec, bool& is_known) {
   if (key == "bounds") return set_bounds(value, spec);
   if (key == "scale") return set_number(value, spec.scale);
-  if (key == "offset") return set_number(value, spec.offset_m);
+  if (key == "offset") return set_offset(value, spec);
+  if (key == "unit") return set_unit(value, spec);
   if (key == "encoding") return set_encoding(value, spec);
   if (key == "tile") return set_tile(value, spec);
   if (key == "credit") {
@@ -63,15 +79,28 @@ ParseError set(std::string_view key, std::string_view value, RasterSpec& spec, b
   return std::nullopt;
 }
 
+// The number of pieces that make up the name of the file: of names with commas the longest that is a file.
+std::size_t pieces_of_path(const std::vector<std::string_view>& pieces, std::string& path) {
+  std::size_t found = 1;
+  path = pieces.front();
+  std::string longer = path;
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    longer.append(",").append(pieces[i]);
+    if (std::error_code none; !std::filesystem::is_regular_file(longer, none)) continue;
+    path = longer, found = i + 1;
+  }
+  return found;
+}
+
 }  // namespace
 
 Result<RasterSpec> parse_raster_spec(std::string_view text) {
   const std::vector<std::string_view> pieces = split(text, ',');
   RasterSpec spec;
-  spec.path = pieces.front();
+  const std::size_t first_key = pieces_of_path(pieces, spec.path);
   if (spec.path.empty())
     return Error{std::string(text), "expected the file name of a heightmap first, such as N43E007.hgt"};
-  for (std::size_t i = 1; i < pieces.size(); ++i) {
+  for (std::size_t i = first_key; i < pieces.size(); ++i) {
     const std::size_t equals = pieces[i].find('=');
     const std::string_view key = pieces[i].substr(0, equals);
     if (equals == std::string_view::npos)

@@ -1,8 +1,11 @@
 // Decodes the file once into memory, sorts the elements, looks up node places, flattens tags and assembles areas.
 #include "compiler/source/read_osm.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "compiler/source/across_180.h"
 #include "compiler/source/assemble_areas.h"
@@ -197,6 +200,23 @@ void limit(Report& report, const Elements& elements, const std::vector<OsmId>& o
     relations.in += report.counts({OsmType::kRelation, relation->id()});
 }
 
+// The error of a map whose ways and relations have no places, as Overpass gives it for `out center`, `out ids` and
+// queries that do not ask for nodes. One or two such ways may be a fault of the map.
+std::optional<Error> without_places(const std::string& path, const Elements& elements) {
+  constexpr std::size_t kFewest = 3;
+  const auto has_place = [](const osmium::Way* way) {
+    return std::ranges::any_of(way->nodes(), [](const osmium::NodeRef& node) { return node.location().valid(); });
+  };
+  const std::size_t lines = elements.ways.size() + elements.relations.size();
+  if ((elements.nodes.empty() ? lines : elements.ways.size()) < kFewest) return std::nullopt;
+  if (std::ranges::any_of(elements.ways, has_place)) return std::nullopt;
+  return Error{path,
+               fmt::format("none of its {} ways has a place, because their nodes are missing: an answer of Overpass "
+                           "with `out center` or without its nodes? End the query with (._;>;); out body; or with out "
+                           "geom;",
+                           elements.ways.size())};
+}
+
 }  // namespace
 
 Result<OsmData> read_osm(const std::string& path, int threads, Report& report, const OwnsPlace& owns) {
@@ -205,7 +225,9 @@ Result<OsmData> read_osm(const std::string& path, int threads, Report& report, c
   Report of_all, area_report;
   Elements elements = order_elements(decoded->buffers, threads, owns ? of_all : report);
   if (!decoded->has_places_in_ways) locate_way_nodes(elements, threads);
-  if (decoded->header_box && !decoded->is_of_region) close_cut_areas(elements, *decoded->header_box, decoded->buffers);
+  if (const auto error = without_places(path, elements)) return *error;
+  if (!decoded->is_of_region)
+    close_cut_areas(elements, decoded->header_box.value_or(box_of_nodes(elements.nodes)), decoded->buffers);
   if (owns) {
     const std::vector<OsmId> owned = owned_elements(elements, owns);
     limit(report, elements, owned);
@@ -213,7 +235,10 @@ Result<OsmData> read_osm(const std::string& path, int threads, Report& report, c
   }
 
   // areas first: they are assembled from the buffers, which the copy frees
+  const bool is_across = is_across_180(elements);
+  if (is_across) turn_half(elements);
   AssembledAreas areas = assemble_areas(elements, threads, area_report);
+  if (is_across) turn_half(elements), turn_half(areas.ring_points);
   OsmData data = flatten(elements, !decoded->has_places_in_ways, PendingElements(decoded->buffers, elements), report);
   report.append(area_report);
   add_areas(std::move(areas), data);

@@ -1,9 +1,12 @@
 #include "compiler/source/read_raster.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "compiler/contract/load_module.h"
 #include "compiler/source/blocks_to_voids.h"
+#include "compiler/source/codes_to_voids.h"
 #include "compiler/source/fill_gaps.h"
 #include "compiler/source/gdal_module/gdal_functions.h"
 #include "compiler/source/join_rasters.h"
@@ -28,6 +31,12 @@ std::optional<Error> problem_of_file(const std::string& path) {
   return std::nullopt;
 }
 
+// Replaces heights that are not on Earth by the nearest that are. Voids stay.
+void clamp_to_earth(Raster& raster) {
+  for (float& height_m : raster.heights_m)
+    height_m = std::clamp(height_m, static_cast<float>(kLowestOnEarth_m), static_cast<float>(kHighestOnEarth_m));
+}
+
 }  // namespace
 
 Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window, double spacing_m) {
@@ -43,11 +52,17 @@ Result<std::vector<Raster>> read_heightmaps(std::span<const RasterSpec> specs, c
   for (const RasterSpec& spec : specs) {
     Result<Raster> raster = read_raster(spec, window, spacing_m);
     if (!raster) return raster.error();
+    if (raster->unit_m != 1) report.add(Code::kHeightUnit, OsmId{}, raster->unit_m);
     rasters.push_back(std::move(*raster));
   }
   rasters = join_rasters(std::move(rasters));
   for (Raster& raster : rasters)
-    raster = fill_voids(blocks_to_voids(spikes_to_voids(std::move(raster), report), report), report);
+    raster = blocks_to_voids(spikes_to_voids(codes_to_voids(std::move(raster), report), report), report);
+  for (Raster& raster : rasters) {
+    if (spacing_m > 0) clamp_to_earth(raster);
+    if (const std::optional<Error> error = height_not_on_earth(raster)) return *error;
+    raster = fill_voids(std::move(raster), report);
+  }
   return rasters;
 }
 

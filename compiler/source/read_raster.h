@@ -13,7 +13,8 @@
 
 namespace citykiln::source {
 
-/// Parses "FILE,key=value,…" (see RasterSpec). Errors name an unknown key or an invalid value.
+/// Parses "FILE,key=value,…" (see RasterSpec). Where the name of an existing file has commas, it counts as a whole.
+/// Errors name an unknown key or an invalid value.
 Result<RasterSpec> parse_raster_spec(std::string_view text);
 
 /// Reads the samples of one heightmap; voids become NaN.
@@ -25,9 +26,11 @@ Result<RasterSpec> parse_raster_spec(std::string_view text);
 /// Errors: a missing or unreadable file, a picture without bounds, an encoding that does not fit the bands.
 Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window, double spacing_m = 0);
 
-/// Reads heightmaps and mends them: joins files of one grid (join_rasters.h), removes spikes (spikes_to_voids.h) and
-/// blocks of broken samples (blocks_to_voids.h), fills voids (samples without a height). The result has the order of
-/// the specs. Parameters and errors are those of read_raster().
+/// Reads heightmaps and mends them: joins files of one grid (join_rasters.h), removes values that stand for no height
+/// (codes_to_voids.h), spikes (spikes_to_voids.h) and blocks of broken samples (blocks_to_voids.h), fills voids
+/// (samples without a height). The result has the order of the specs. A unit other than the metre is diagnosed
+/// kHeightUnit. Parameters and errors are those of read_raster(), and heights that are not on Earth
+/// (height_not_on_earth()); with spacing_m, for land that is only seen from afar, these are clamped instead.
 Result<std::vector<Raster>> read_heightmaps(std::span<const RasterSpec> specs, const LonLatBox* window, Report& report,
                                             double spacing_m = 0);
 

@@ -21,10 +21,9 @@ Result<std::vector<TextFile>> read_texts(const std::string& folder, std::string_
     if (!entry.is_regular_file(problem) || entry.path().extension() != ending) continue;
     std::ifstream file(entry.path(), std::ios::binary);
     if (!file) return Error{entry.path().string(), "cannot be read"};
-    std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    // a byte-order mark of an editor
-    if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-    files.push_back({entry.path().lexically_relative(folder).generic_string(), std::move(text)});
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    files.push_back(
+        {entry.path().lexically_relative(folder).generic_string(), std::string(without_byte_order_mark(text))});
   }
   std::sort(files.begin(), files.end(), [](const TextFile& a, const TextFile& b) { return a.name < b.name; });
   return files;

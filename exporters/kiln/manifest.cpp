@@ -529,6 +529,35 @@ Result<std::vector<scene::Chunk>> chunks_of(ByteSpan body, std::span<const Entry
   return chunks;
 }
 
+// The parts of a manifest that are needed to read its chunks.
+struct ReadHeader {
+  scene::Header header;
+  std::vector<Entry> entries;
+  UnpackingDictionary dictionary;
+  ByteSpan body;
+};
+
+Result<ReadHeader> read_header(ByteSpan bytes, const std::string& name) {
+  const auto frame = header_frame(bytes, name);
+  if (!frame) return frame.error();
+  const auto raw = unpacked(*frame, nullptr, name + ", header");
+  if (!raw) return raw.error();
+  flatbuffers::Verifier verifier(raw->data(), raw->size());
+  if (!verifier.VerifyBuffer<fbs::Header>(nullptr)) return damaged_header(name);
+  const fbs::Header& h = *flatbuffers::GetRoot<fbs::Header>(raw->data());
+  if (h.tables_hash() != tables_hash())
+    return made_by_another(name, *frame, "has other materials, classes or species than this program");
+  auto header = plain(h, raw->size(), name);
+  if (!header) return header.error();
+  auto entries = entries_of(h.index());
+  if (!entries) return damaged_header(name);
+  const ByteSpan body = bytes.subspan(kPreamble + frame->size());
+  if (const auto index = check_index(*entries, *header, body.size(), name); !index) return index.error();
+  auto dictionary = unpacking_dictionary_of(h, name);
+  if (!dictionary) return dictionary.error();
+  return ReadHeader{std::move(*header), std::move(*entries), std::move(*dictionary), body};
+}
+
 }  // namespace
 
 Bytes encode_manifest(const scene::Scene& scene, int threads) {
@@ -564,27 +593,18 @@ std::vector<StreamSize> stream_sizes_of(const scene::Scene& scene) {
   return sizes;
 }
 
+Result<Done> check_header(ByteSpan bytes, const std::string& name) {
+  const auto read = read_header(bytes, name);
+  if (!read) return read.error();
+  return Done{};
+}
+
 Result<scene::Scene> decode_manifest(ByteSpan bytes, const std::string& name, std::span<const scene::TileKey> only) {
-  const auto frame = header_frame(bytes, name);
-  if (!frame) return frame.error();
-  const auto raw = unpacked(*frame, nullptr, name + ", header");
-  if (!raw) return raw.error();
-  flatbuffers::Verifier verifier(raw->data(), raw->size());
-  if (!verifier.VerifyBuffer<fbs::Header>(nullptr)) return damaged_header(name);
-  const fbs::Header& h = *flatbuffers::GetRoot<fbs::Header>(raw->data());
-  if (h.tables_hash() != tables_hash())
-    return made_by_another(name, *frame, "has other materials, classes or species than this program");
-  auto header = plain(h, raw->size(), name);
-  if (!header) return header.error();
-  const auto entries = entries_of(h.index());
-  if (!entries) return damaged_header(name);
-  const ByteSpan body = bytes.subspan(kPreamble + frame->size());
-  if (const auto index = check_index(*entries, *header, body.size(), name); !index) return index.error();
-  const auto dictionary = unpacking_dictionary_of(h, name);
-  if (!dictionary) return dictionary.error();
-  auto chunks = chunks_of(body, *entries, *dictionary, name, only);
+  auto read = read_header(bytes, name);
+  if (!read) return read.error();
+  auto chunks = chunks_of(read->body, read->entries, read->dictionary, name, only);
   if (!chunks) return chunks.error();
-  return scene::Scene{*header, std::move(*chunks)};
+  return scene::Scene{std::move(read->header), std::move(*chunks)};
 }
 
 std::uint64_t hash_of(const scene::Header& header) {

@@ -24,6 +24,10 @@ std::vector<std::byte> encode_manifest(const scene::Scene& scene, int threads);
 Result<scene::Scene> decode_manifest(std::span<const std::byte> bytes, const std::string& name,
                                      std::span<const scene::TileKey> only);
 
+/// Reads the header of an encoded manifest, with the errors of decode_manifest(). Writers call it before they write, so
+/// that no manifest is written that cannot be read. Cost: that of the header.
+Result<Done> check_header(std::span<const std::byte> bytes, const std::string& name);
+
 /// Hashes all properties of a header, or all recipes (planned objects of one tile) of a chunk. The hash does not depend
 /// on the other chunks of the scene. Cost: as encoding without compression.
 std::uint64_t hash_of(const scene::Header& header);

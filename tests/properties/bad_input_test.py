@@ -69,6 +69,19 @@ class BadInput(ProgramTest):
     def test_a_map_that_holds_nothing(self):
         self.fails(self.written("nothing.osm", EMPTY_MAP), words=["nothing.osm", "contains nothing to compile"])
 
+    def test_a_box_of_half_the_world_proposes_that_of_the_nodes(self):
+        half = MAP.replace('<osm version="0.6">', '<osm version="0.6"><bounds minlat="0" minlon="0" maxlat="90" maxlon="180"/>')
+        self.fails(self.written("half.osm", half), words=["half.osm", "--bbox 10.0000,48.0010,10.0020,48.0014"])
+
+    def test_changes_of_a_map(self):
+        changes = MAP.replace("<osm ", "<osmChange ").replace("</osm>", "</osmChange>")
+        self.fails(self.written("a.osc", changes), words=["a.osc", "osmium apply-changes"])
+        self.fails(self.written("a.osm", changes), words=["a.osm", "osmium apply-changes"])
+
+    def test_an_answer_without_nodes(self):
+        ways = "".join(f'<way id="{i}"><center lat="48" lon="10"/><nd ref="1"/><nd ref="2"/><tag k="highway" v="road"/></way>' for i in range(1, 5))
+        self.fails(self.written("center.osm", f'<osm version="0.6">{ways}</osm>'), words=["center.osm", "out center", "out geom;"])
+
     def test_an_unknown_file_type(self):
         self.fails(self.written("map.txt", MAP), words=["map.txt"])
 

@@ -60,6 +60,7 @@ Result<Done> write_survey(const Survey& survey, const regions::RegionGrid& grid,
     const scene::Scene scene{.header = survey.header, .chunks = {surveyed_chunk(survey, boxes, grid, region)}};
     const std::vector<std::byte> bytes = exporters::encode_manifest(scene, threads);
     const std::string path = survey_path(plan_folder, region);
+    if (Result<Done> done = exporters::check_header(bytes, path); !done) return done;
     const Result<std::vector<std::byte>> before = exporters::read_file(path);
     if (before && *before == bytes) continue;
     if (Result<Done> done = exporters::write_file(path, bytes); !done) return done;

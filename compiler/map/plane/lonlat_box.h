@@ -13,6 +13,9 @@ namespace citykiln::map {
 /// the plane, whose sides are curves in degrees.
 source::LonLatBox lonlat_box_of(const Box2& box, const Plane& plane);
 
+/// Returns the same box as GeoJSON writes it (RFC 7946, 5.2): west is more than east if it is across 180°.
+source::LonLatBox geojson_box_of(const Box2& box, const Plane& plane);
+
 /// Returns "west,south,east,north" in degrees, with 4 decimals (about 10 m).
 std::string text_of(const source::LonLatBox& box);
 

@@ -95,7 +95,28 @@ Result<std::vector<float>> read_coloured(GDALDataset& dataset, const PixelWindow
   return heights_m;
 }
 
+std::vector<double> codes_of(GDALDataType type) {
+  switch (type) {
+    case GDT_Byte:
+      return {0, 255};
+    case GDT_UInt16:
+      return {0, 65535};
+    case GDT_Int16:
+      return {0, 32767, -32767};
+    default:
+      return {0};
+  }
+}
+
 }  // namespace
+
+std::vector<float> code_heights_m(GDALRasterBand& band, const RasterSpec& spec) {
+  std::vector<float> heights_m;
+  if (!spec.encoding.empty()) return heights_m;
+  for (const double code : codes_of(band.GetRasterDataType()))
+    heights_m.push_back(static_cast<float>(spec.scale * (band.GetScale() * code + band.GetOffset()) + spec.offset_m));
+  return heights_m;
+}
 
 Result<std::vector<float>> read_samples(GDALDataset& dataset, const PixelWindow& window, const RasterSpec& spec) {
   assert(window.column >= 0 && window.column + (window.columns - 1) * window.stride < dataset.GetRasterXSize());

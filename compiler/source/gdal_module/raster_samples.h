@@ -1,11 +1,14 @@
 // Converts the bands of a raster to heights in metres.
 #pragma once
 
+#include <vector>
+
 #include "compiler/contract/result.h"
 #include "compiler/source/gdal_module/raster_window.h"
 #include "compiler/source/raster.h"
 
 class GDALDataset;
+class GDALRasterBand;
 
 namespace citykiln::source::gdal {
 
@@ -15,5 +18,9 @@ namespace citykiln::source::gdal {
 /// mapbox: value = -10000 + 0.1 * (65536 R + 256 G + B); voids are transparent pixels. Errors: bands that do not fit
 /// the encoding, unreadable data.
 Result<std::vector<float>> read_samples(GDALDataset& dataset, const PixelWindow& window, const RasterSpec& spec);
+
+/// Returns the heights of a band's values 0 and, of whole numbers with 8 or 16 bits, the ends of their type; none for
+/// encoded bands.
+std::vector<float> code_heights_m(GDALRasterBand& band, const RasterSpec& spec);
 
 }  // namespace citykiln::source::gdal

@@ -10,6 +10,7 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/source/gdal_module/quiet_gdal.h"
+#include "compiler/source/height_units.h"
 
 namespace citykiln::source::gdal {
 namespace {
@@ -83,7 +84,18 @@ Transform to_wgs84(const std::string& wkt) {
 
 }  // namespace
 
-std::string system_wkt_of(const OGRSpatialReference& system) { return is_wgs84(system) ? "" : wkt_of(system); }
+std::string system_wkt_of(const OGRSpatialReference& system) {
+  if (!system.IsCompound()) return is_wgs84(system) ? "" : wkt_of(system);
+  OGRSpatialReference horizontal(system);
+  horizontal.StripVertical();
+  return is_wgs84(horizontal) ? "" : wkt_of(horizontal);
+}
+
+std::optional<double> height_unit_m(const OGRSpatialReference* system, const std::string& band_unit) {
+  if (const std::optional<double> of_band = unit_of_heights_m(band_unit)) return of_band;
+  if (system == nullptr || !system->IsCompound()) return std::nullopt;
+  return system->GetTargetLinearUnits("COMPD_CS|VERT_CS");
+}
 
 std::string web_mercator_wkt() {
   OGRSpatialReference system;

@@ -1,6 +1,7 @@
 // Reference systems of rasters, with GDAL and PROJ.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "compiler/source/read_raster.h"
@@ -9,8 +10,14 @@ class OGRSpatialReference;
 
 namespace citykiln::source::gdal {
 
-/// Returns the value of Raster::system_wkt (well-known text) for a system; "" for longitude and latitude on WGS84.
+/// Returns the value of Raster::system_wkt (well-known text) of the horizontal part of a system; "" for longitude and
+/// latitude on WGS84.
 std::string system_wkt_of(const OGRSpatialReference& system);
+
+/// Returns the unit of heights in metres: that of a band ("ft"), else that of the system's vertical part; nothing where
+/// neither is known.
+/// @param system  May be null.
+std::optional<double> height_unit_m(const OGRSpatialReference* system, const std::string& band_unit);
 
 /// The system of Web Mercator tiles (EPSG:3857).
 std::string web_mercator_wkt();

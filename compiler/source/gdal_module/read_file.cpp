@@ -145,12 +145,24 @@ void cut_to_window(const PixelWindow& window, Raster& raster) {
   raster.rows = window.rows;
 }
 
+// The spec with a scale that includes the unit of the file's heights. A scale or unit by the user replaces it.
+RasterSpec with_unit(GDALDataset& dataset, RasterSpec spec, Raster& raster) {
+  if (spec.unit_m) {
+    spec.scale *= *spec.unit_m;
+  } else if (spec.scale == 1 && spec.encoding.empty()) {
+    raster.unit_m = height_unit_m(dataset.GetSpatialRef(), dataset.GetRasterBand(1)->GetUnitType()).value_or(1);
+    spec.scale = raster.unit_m;
+  }
+  return spec;
+}
+
 Result<Raster> read(const RasterSpec& spec, const LonLatBox* box, double spacing_m) {
   Result<GDALDatasetUniquePtr> dataset = open(spec.path);
   if (!dataset) return dataset.error();
   Raster raster;
   raster.file_name = fs::path(spec.path).filename().string();
   raster.credit = spec.credit;
+  raster.is_fitted = spec.is_fitted;
   raster.columns = (*dataset)->GetRasterXSize();
   raster.rows = (*dataset)->GetRasterYSize();
   if (const std::optional<Error> error = locate_samples(**dataset, spec, raster)) return *error;
@@ -168,7 +180,9 @@ Result<Raster> read(const RasterSpec& spec, const LonLatBox* box, double spacing
   raster.file_spacing_m = std::min(whole_m.x, whole_m.y) * window.stride;
   cut_to_window(window, raster);
   if (raster.columns == 0) return raster;
-  Result<std::vector<float>> heights_m = read_samples(**dataset, window, spec);
+  const RasterSpec in_metres = with_unit(**dataset, spec, raster);
+  raster.code_heights_m = code_heights_m(*(*dataset)->GetRasterBand(1), in_metres);
+  Result<std::vector<float>> heights_m = read_samples(**dataset, window, in_metres);
   if (!heights_m) return heights_m.error();
   raster.heights_m = std::move(*heights_m);
   put_north_first(raster);

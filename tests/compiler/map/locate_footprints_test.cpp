@@ -243,6 +243,25 @@ TEST(LocateFootprints, PartsHaveTheHeightAndTheStoreysOfTheirBuilding) {
   EXPECT_EQ(report.counts()[Code::kNoBuildingHeight], 0u);
 }
 
+TEST(LocateFootprints, PartsTakeUseYearColoursAndMaterialsOfTheirBuilding) {
+  Report report;
+  const std::vector<Footprint> footprints = built(R"(
+      a1 0:0 40:0 40:20 0:20 building=church building:material=brick roof:colour=#ff0000 start_date=1890 height=9
+      a2 0:0 20:0 20:20 0:20 building:part=yes height=12
+      a3 20:0 40:0 40:20 20:20 building:part=garage height=20 building:material=glass roof:colour=#0000ff start_date=1960)",
+                                                  report);
+  ASSERT_EQ(footprints.size(), 2u);
+  const Footprint &plain = footprints[0], &own = footprints[1];
+  EXPECT_EQ(plain.building_class, static_cast<std::uint8_t>(building_class_of("church")));
+  EXPECT_EQ(plain.wall_material, materials::Material::kBrick);
+  EXPECT_EQ(plain.roof_colour, (Srgb{255, 0, 0}));
+  EXPECT_EQ(plain.year, 1890);
+  EXPECT_EQ(own.building_class, static_cast<std::uint8_t>(building_class_of("garage")));
+  EXPECT_NE(own.wall_material, materials::Material::kBrick);
+  EXPECT_EQ(own.roof_colour, (Srgb{0, 0, 255}));
+  EXPECT_EQ(own.year, 1960);
+}
+
 TEST(LocateFootprints, DefaultHeightsAreDiagnosedWhereNoTagCanBeReadAndSomethingIsBuilt) {
   Report report;
   built(R"(

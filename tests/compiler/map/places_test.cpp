@@ -8,7 +8,7 @@ namespace {
 constexpr OsmId kNode{OsmType::kNode, 1}, kWay{OsmType::kWay, 2}, kArea{OsmType::kRelation, 3},
     kRoute{OsmType::kRelation, 4}, kUnknown{OsmType::kWay, 99};
 
-LonLat at(std::int32_t lon_e7, std::int32_t lat_e7) {
+LonLat place_of_e7(std::int32_t lon_e7, std::int32_t lat_e7) {
   const source::Location place{lon_e7, lat_e7};
   return {place.lon_deg(), place.lat_deg()};
 }
@@ -30,11 +30,11 @@ TEST(Places, AreThoseOfTheElementsThatDiagnosesName) {
   Report report;
   for (const OsmId id : {kNode, kWay, kArea, kRoute, kUnknown, OsmId{}}) report.add(Code::kUnknownKind, id);
   const Places places = places_of(made_data(), report);
-  const LonLat middle = at(30'000'000, 40'000'000);
-  EXPECT_EQ(
-      places,
-      (Places{
-          {kNode, at(10'000'000, 20'000'000)}, {kWay, middle}, {kArea, at(10'000'000, 5'000'000)}, {kRoute, middle}}));
+  const LonLat middle = place_of_e7(30'000'000, 40'000'000);
+  EXPECT_EQ(places, (Places{{kNode, place_of_e7(10'000'000, 20'000'000)},
+                            {kWay, middle},
+                            {kArea, place_of_e7(10'000'000, 5'000'000)},
+                            {kRoute, middle}}));
 }
 
 TEST(Places, DiagnosesOfElementsOutsideTheExtentAreRemoved) {

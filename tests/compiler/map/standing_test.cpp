@@ -32,9 +32,9 @@ TEST(Standing, LevelsAreNumbersListsAndRanges) {
 }
 
 TEST(Standing, BuildingsThatAreGoneAreNotBuilt) {
-  for (const char* tags :
-       {"building=demolished", "building=razed", "building=destroyed", "building=collapsed", "building=proposed",
-        "building=yes demolished=yes", "building=yes removed=yes", "building=yes end_date=1990"})
+  for (const char* tags : {"building=demolished", "building=razed", "building=destroyed", "building=collapsed",
+                           "building=proposed", "building=yes demolished=yes", "building=yes removed=yes",
+                           "building=yes end_date=1990", "building=yes start_date=2990"})
     EXPECT_EQ(dropped(tags, Code::kNotThere), 1u) << tags;
   for (const char* tags : {"building=yes", "building=yes disused=yes", "building=yes demolished=no",
                            "building=yes end_date=2990", "disused:building=house", "abandoned:building=yes"})

@@ -21,6 +21,22 @@ TEST(Across180, AMapOnBothSidesIsOneNarrowMap) {
   for (const Location& point : data.ring_points) EXPECT_NEAR(point.lon_deg(), 180, 0.001);
 }
 
+TEST(Across180, MultipolygonsAreAssembledAcrossIt) {
+  const std::string relation =
+      R"(<node id="11" lat="-16.79998" lon="179.99995"/><node id="12" lat="-16.79998" lon="-179.99995"/>)"
+      R"(<node id="13" lat="-16.79993" lon="-179.99995"/><node id="14" lat="-16.79993" lon="179.99995"/>)"
+      R"(<way id="8"><nd ref="11"/><nd ref="12"/><nd ref="13"/><nd ref="14"/><nd ref="11"/></way>)"
+      R"(<relation id="9"><member type="way" ref="7" role="outer"/><member type="way" ref="8" role="inner"/>)"
+      R"(<tag k="type" v="multipolygon"/><tag k="natural" v="water"/></relation>)";
+  Report report;
+  const OsmData data = read(kFiji + relation, report);
+  ASSERT_EQ(data.areas.size(), 2u);
+  EXPECT_EQ(data.areas[1].rings.count, 2u);
+  for (const Location& point : data.ring_points) EXPECT_NEAR(point.lon_deg(), 180, 0.001);
+  EXPECT_TRUE(report.balances());
+  EXPECT_EQ(report.counts().count(Code::kBrokenArea), 0u);
+}
+
 TEST(Across180, OtherMapsStayAsTheyAre) {
   Report report;
   const OsmData wide = read(R"(<node id="1" lat="0" lon="-120"/><node id="2" lat="0" lon="100"/>)"

@@ -323,5 +323,31 @@ TEST(CloseCutAreas, ClosingRingsAreNoWaysAndNoMembersOfTheMap) {
   EXPECT_EQ(report.ledger().at("source/way").in, 2u);
 }
 
+TEST(CloseCutAreas, AreasWhoseWaysAreCutThemselvesAreClosed) {
+  for (const bool has_box : {true, false}) {
+    Sketch sketch;
+    sketch.has_box = has_box;
+    sketch.add({{0, 20}, {100, 20}}, kRoadTag);
+    sketch.add({{0, 0}, {100, 0}}), sketch.add({{0, 100}, {100, 100}});
+    sketch.house({50, 30});
+    Report report;
+    const OsmData data = sketch.read_with(sketch.area({{{{0, 60}, {50, 50}, {100, 60}}}}, kWaterTag), report);
+    const Area* lake = area_in(data);
+    ASSERT_NE(lake, nullptr) << has_box;
+    for (const Location at : data.points_of(data.rings_of(*lake)[0])) EXPECT_GE(at.lat_e7, 50000);
+    EXPECT_EQ(report.counts().at(Code::kAreaClosed), 1u);
+    EXPECT_TRUE(report.balances());
+  }
+}
+
+TEST(CloseCutAreas, AnOpenAreaInsideTheBoxStaysBroken) {
+  Sketch sketch;
+  sketch.house({5, 5});
+  Report report;
+  const OsmData data = sketch.read_with(sketch.area({{{{40, 40}, {60, 40}, {60, 60}, {40, 60}}}}, kWaterTag), report);
+  EXPECT_EQ(area_in(data), nullptr);
+  EXPECT_EQ(report.counts().at(Code::kBrokenArea), 1u);
+}
+
 }  // namespace
 }  // namespace citykiln::source

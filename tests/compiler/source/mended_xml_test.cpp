@@ -77,5 +77,18 @@ TEST(MendedXml, PlainDocumentsStayAsTheyAre) {
   EXPECT_FALSE(mended_elements("<osm><way id='1' action='modify'><nd ref='1'/></way></osm>"));
 }
 
+TEST(MendedXml, ElementsThatTheFormatDoesNotHaveAreSkipped) {
+  Report report;
+  const std::string expected = text_of(read_bytes(osm(kHouse), report));
+  const std::string count = R"(<count id="0"><tag k="nodes" v="7"/><tag k="ways" v="2"/></count>)";
+  const std::string deep = R"(<tile><row><cell/><!-- x --></row></tile><remark> runtime error </remark>)";
+  EXPECT_EQ(text_of(read_bytes(osm(count + kHouse + deep), report)), expected);
+}
+
+TEST(MendedXml, AByteOrderMarkIsNoText) {
+  Report report;
+  EXPECT_EQ(text_of(read_bytes("\xef\xbb\xbf" + osm(kHouse), report)), text_of(read_bytes(osm(kHouse), report)));
+}
+
 }  // namespace
 }  // namespace citykiln::source

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "compiler/source/blocks_to_voids.h"
+#include "compiler/source/codes_to_voids.h"
 #include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
 #include "compiler/source/spikes_to_voids.h"
@@ -291,6 +292,20 @@ TEST_F(RasterReal, OnlyBlocksOfZerosArePlacesThatNobodyPlanted) {
     }
     blocks_to_voids(broken, planted);
     EXPECT_GE(planted.diagnoses().size(), blocks - blocks / 20) << spec;
+  }
+}
+
+TEST_F(RasterReal, NoRealHeightIsTakenForAValueThatStandsForNone) {
+  for (const char* name :
+       {"andorra/N42E001.hgt", "monaco/N43E007.hgt", "berlin/N52E013.hgt", "portland/portland-ned.tif",
+        "porto-alegre/poa_elevation.tif", "dem-formats/N48W125-srtm1.hgt.zip", "dem-formats/N57E011.hgt",
+        "dem-formats/elevation1.tif", "dem-formats/elevation2.tif", "dem-formats/qgis-dem.tif",
+        "dem-formats/qgis-analysis-dem-laea.tif", "dem-formats/terra-luxembourg-elev.tif",
+        "dem-formats/capetown-LO19_050M_3318CD.tif"}) {
+    Report report;
+    const Raster raster = codes_to_voids(read_real(name), report);
+    for (const Diagnosis& found : report.diagnoses()) ADD_FAILURE() << name << " " << found.tag << " " << found.size;
+    EXPECT_FALSE(height_not_on_earth(raster)) << name;
   }
 }
 

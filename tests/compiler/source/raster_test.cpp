@@ -30,6 +30,24 @@ TEST(ParseRasterSpec, ReadsEveryKey) {
   EXPECT_EQ(spec->credit, "Someone");
 }
 
+TEST(ParseRasterSpec, OffsetAutoAndUnitsAreRead) {
+  EXPECT_TRUE(parse_raster_spec("a.tif,offset=auto")->is_fitted);
+  EXPECT_EQ(parse_raster_spec("a.tif,unit=Feet")->unit_m, 0.3048);
+  EXPECT_EQ(parse_raster_spec("a.tif,unit=us-ft")->unit_m, 1200.0 / 3937);
+  EXPECT_EQ(error_of_spec("a.tif,unit=ell"), "a.tif: expected a unit, such as m, ft or us-ft after unit=, found 'ell'");
+  EXPECT_EQ(error_of_spec("a.tif,offset=up"), "a.tif: expected a number or auto after offset=, found 'up'");
+}
+
+TEST(ParseRasterSpec, TheNameOfAFileMayHaveCommas) {
+  const ScratchFolder folder;
+  const std::string path = folder.write("a, b,scale=2.tif", "x");
+  EXPECT_EQ(parse_raster_spec(path)->path, path);
+  const Result<RasterSpec> with_key = parse_raster_spec(path + ",scale=3");
+  ASSERT_TRUE(with_key);
+  EXPECT_EQ(with_key->path, path);
+  EXPECT_EQ(with_key->scale, 3);
+}
+
 TEST(ParseRasterSpec, TakesAFileWithoutKeys) {
   const Result<RasterSpec> spec = parse_raster_spec("N42E001.hgt");
   ASSERT_TRUE(spec);
@@ -39,7 +57,7 @@ TEST(ParseRasterSpec, TakesAFileWithoutKeys) {
 
 TEST(ParseRasterSpec, ErrorsNameTheKeyAndTheValue) {
   EXPECT_EQ(error_of_spec("a.png,colour=red"),
-            "a.png: unknown key 'colour'; expected one of bounds, scale, offset, encoding, tile, credit");
+            "a.png: unknown key 'colour'; expected one of bounds, scale, offset, unit, encoding, tile, credit");
   EXPECT_EQ(error_of_spec("a.png,scale=big"), "a.png: expected a number after scale=, found 'big'");
   EXPECT_EQ(error_of_spec("a.png,scale=1m"), "a.png: expected a number after scale=, found '1m'");
   EXPECT_EQ(error_of_spec("a.png,bounds=1/2/3"), "a.png: expected W/S/E/N in degrees after bounds=, found '1/2/3'");

@@ -291,5 +291,118 @@ TEST(ReadOsmErrors, UnknownSuffix) {
   EXPECT_EQ(osm_error_of("a.txt", osm(lines())), ": unknown suffix; expected .osm, .osm.gz, .osm.bz2 or .osm.pbf");
 }
 
+// ---- of two descriptions the richer one
+
+constexpr const char* kSquare =
+    R"(<node id="1" lon="0" lat="0"/><node id="2" lon="0.003" lat="0"/><node id="3" lon="0.003" lat="0.003"/>)"
+    R"(<node id="4" lon="0" lat="0.003"/><node id="5" lon="0.001" lat="0.001"/><node id="6" lon="0.002" lat="0.001"/>)"
+    R"(<node id="7" lon="0.002" lat="0.002"/><node id="8" lon="0.001" lat="0.002"/>)";
+
+std::string outer_way(std::string_view tags) {
+  return fmt::format(R"(<way id="10"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="4"/><nd ref="1"/>{}</way>)", tags);
+}
+
+std::string with_hole(std::string_view outer_tags, std::string_view relation_tags) {
+  return kSquare + outer_way(outer_tags) +
+         R"(<way id="11"><nd ref="5"/><nd ref="6"/><nd ref="7"/><nd ref="8"/><nd ref="5"/></way>)" +
+         fmt::format(R"(<relation id="20"><member type="way" ref="10" role="outer"/><member type="way" ref="11" )"
+                     R"(role="inner"/><tag k="type" v="multipolygon"/>{}</relation>)",
+                     relation_tags);
+}
+
+TEST(ReadOsm, OfAnElementThatOccursTwiceTheOneWithTagsIsKept) {
+  const std::string house = R"(<tag k="building" v="house"/><tag k="name" v="a name that is long"/>)";
+  const std::string tree = R"(<node id="9" lon="0.001" lat="0.001"><tag k="natural" v="tree"/></node>)";
+  const std::string bare = R"(<node id="9" lon="0.001" lat="0.001"/>)";
+  for (const bool tagged_first : {true, false}) {
+    Report report;
+    const std::string ways = tagged_first ? outer_way(house) + outer_way("") : outer_way("") + outer_way(house);
+    const OsmData data = read(kSquare + (tagged_first ? tree + bare : bare + tree) + ways, report);
+    ASSERT_EQ(data.ways.size(), 1u);
+    EXPECT_EQ(data.value_of(data.ways[0].tags, "building"), "house");
+    EXPECT_EQ(data.nodes.size(), 1u);
+    EXPECT_EQ(count(report, Code::kDuplicateElement), 2u);
+    EXPECT_TRUE(report.balances());
+  }
+}
+
+TEST(ReadOsm, AHigherVersionIsKeptEvenIfItSaysLess) {
+  Report report;
+  const OsmData data =
+      read(std::string(kSquare) + R"(<node id="9" version="1" lon="0" lat="0"><tag k="natural" v="tree"/></node>)"
+                                  R"(<node id="9" version="2" lon="0" lat="0"/>)",
+           report);
+  EXPECT_EQ(data.nodes.size(), 0u);
+}
+
+TEST(ReadOsm, AWayAndAMultipolygonOfItThatAreOneThingAreOneArea) {
+  const std::string water = R"(<tag k="natural" v="water"/>)", reservoir = R"(<tag k="landuse" v="reservoir"/>)";
+  const std::string flats = R"(<tag k="building" v="apartments"/><tag k="height" v="12"/>)",
+                    building = R"(<tag k="building" v="yes"/>)";
+  for (const auto& [way, relation] :
+       {std::pair(water, water), std::pair(reservoir, water), std::pair(flats, building)}) {
+    Report report;
+    const OsmData data = read(with_hole(way, relation), report);
+    ASSERT_EQ(data.areas.size(), 1u) << way;
+    EXPECT_EQ(data.areas[0].from, (OsmId{OsmType::kRelation, 20}));
+    EXPECT_EQ(data.rings_of(data.areas[0]).size(), 2u);
+    EXPECT_EQ(report.account("source", "area").merged, 1u);
+    EXPECT_TRUE(report.balances());
+    if (way == flats) {
+      EXPECT_EQ(data.value_of(data.areas[0].tags, "height"), "12");
+    }
+  }
+}
+
+TEST(ReadOsm, AWayAndAMultipolygonThatAreTwoThingsAreTwoAreas) {
+  Report report;
+  const OsmData data =
+      read(with_hole(R"(<tag k="landuse" v="residential"/>)", R"(<tag k="natural" v="wood"/>)"), report);
+  EXPECT_EQ(data.areas.size(), 2u);
+}
+
+TEST(ReadOsm, AnIslandThatIsARelationIsAHoleOfItsLake) {
+  const std::string island =
+      R"(<way id="11"><nd ref="5"/><nd ref="6"/><nd ref="7"/></way><way id="12"><nd ref="7"/><nd ref="8"/><nd ref="5"/></way>)"
+      R"(<relation id="20"><member type="way" ref="11" role="outer"/><member type="way" ref="12" role="outer"/>)"
+      R"(<tag k="type" v="multipolygon"/><tag k="place" v="island"/></relation>)";
+  const std::string lake =
+      R"(<relation id="21"><member type="way" ref="10" role="outer"/><member type="relation" ref="20" role="inner"/>)"
+      R"(<tag k="type" v="multipolygon"/><tag k="natural" v="water"/></relation>)";
+  Report report;
+  const OsmData data = read(kSquare + outer_way("") + island + lake, report);
+  ASSERT_EQ(data.areas.size(), 2u);
+  ASSERT_EQ(data.areas[1].rings.count, 2u);
+  EXPECT_FALSE(data.rings_of(data.areas[1])[1].is_outer);
+  EXPECT_TRUE(report.balances());
+}
+
+// ---- files that hold no map
+
+std::string error_of_file(const std::string& name, const std::string& bytes) {
+  const ScratchFolder folder;
+  Report report;
+  const Result<OsmData> data = read_osm(folder.write(name, bytes), 1, report);
+  return data ? "no error" : data.error().message;
+}
+
+TEST(ReadOsm, AnswersWithoutNodesSayWhichQueryGivesThem) {
+  std::string ways;
+  for (int id = 1; id < 4; ++id)
+    ways += fmt::format(R"(<way id="{}"><center lat="48" lon="11"/><nd ref="1"/><nd ref="2"/><tag k="a" v="b"/></way>)",
+                        id);
+  EXPECT_NE(error_of_file("a.osm", osm(ways)).find("out geom;"), std::string::npos);
+  EXPECT_NE(error_of_file("a.osm", osm(R"(<node id="9" lat="48" lon="11"><tag k="a" v="b"/></node>)" + ways))
+                .find("out center"),
+            std::string::npos);
+}
+
+TEST(ReadOsm, ChangeFilesAreNamedAsSuch) {
+  const std::string changes =
+      R"(<osmChange version="0.6"><create><node id="1" lat="48" lon="11"/></create></osmChange>)";
+  for (const char* name : {"a.osc", "a.osm", "a.osc.gz"})
+    EXPECT_NE(error_of_file(name, changes).find("holds changes of a map"), std::string::npos) << name;
+}
+
 }  // namespace
 }  // namespace citykiln::source
