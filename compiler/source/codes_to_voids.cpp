@@ -173,6 +173,8 @@ class Codes {
     const bool at_edge = touches_edge(patch);
     const bool is_small = patch.east - patch.west < kLargestBlock && patch.south - patch.north < kLargestBlock;
     if (is_small && !(at_edge && patch.cells.size() > 2)) return false;
+    // most of a heightmap is its land or sea, also where a plateau ends beside it
+    if (2 * patch.cells.size() > raster_.heights_m.size()) return false;
     Rings rings = rings_of(patch);
     std::ranges::sort(rings.at[kFarthestRing]);
     if (rings.at[kLandRing].empty() || rings.at[kFarthestRing].empty()) return false;

@@ -54,6 +54,11 @@ TEST(CodesToVoids, ValuesFarFromTheLandAroundAreVoids) {
   }
 }
 
+TEST(CodesToVoids, APlainBesideAPlateauIsLandWhereItIsMostOfTheHeightmap) {
+  const Raster raster = raster_of([](int c, int) { return c < 25 ? 200.0 : 0.0; });
+  EXPECT_EQ(counted(raster, [](int, int) { return false; }).wrong, 0);
+}
+
 TEST(CodesToVoids, ACollarIsVoid) {
   const auto is_collar = [](int c, int r) { return c + r < 35; };
   for (const double value : {-9999.0, 0.0, -500.0, 99999.0}) {
