@@ -38,7 +38,8 @@ double seconds_once(const std::vector<Road>& part, int threads) {
   const std::clock_t begin = std::clock();
   const std::vector<roads::Junction> junctions = roads::plan_junctions(part, ignored);
   const auto outlines = roads::outline_junctions(junctions, part, threads);
-  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  // a small part may take less than a tick
+  return static_cast<double>(std::max<std::clock_t>(std::clock() - begin, 1)) / CLOCKS_PER_SEC;
 }
 
 double median_seconds(const std::vector<Road>& part, int threads) {

@@ -20,8 +20,9 @@ inline constexpr double kLowestOnEarth_m = -500, kHighestOnEarth_m = 9000;
 ///   -9999, -32767, 65535 or 99999 (all nines, or an end of a number type), wherever they are; or
 /// - have one value that may be a height, but also stands for none: 0, a negative value, one from 6000 m on, or
 ///   one of Raster::code_heights_m. It is at most half of the raster; it is wider or deeper than a block of
-///   blocks_to_voids(), or touches the edge of the raster; the land on all sides lies above it, or on all sides below it, by more than 12 m plus half of the sample
-///   spacing (60 m plus twice the spacing at the raster's edge); and this is four times the steps of that land.
+///   blocks_to_voids(), or touches the edge of the raster; the land on all sides lies above it, or on all sides below
+///   it, by more than 12 m plus half of the sample spacing (60 m plus twice the spacing at the raster's edge); and this
+///   is four times the steps of that land.
 ///
 /// The samples around a patch into which a program has mixed its value are replaced too. The sea, lakes and polders
 /// stay, since shores lead down to them, and so do single samples, which are spikes. Samples change to NaN only.
