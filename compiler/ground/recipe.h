@@ -24,12 +24,12 @@ struct LandCoverPolygon {
   std::uint32_t piece = 0;    ///< Number of a road's piece (roads/pieces): 1, 2 … along it; 0 for other polygons.
   std::optional<double> level_m{};  ///< Plane height of standing water, a multiple of kProfileQuantum_m.
   bool is_graded = false;           ///< True if it belongs to a road with a profile, which decides its height.
-  /// The highest priority of the areas that it lies in, if that is above the priority of its class; else 0.
+  /// The highest priority, raised ones included, of the larger areas that it lies in; 0 if none is above its class's.
   std::uint8_t lies_on = 0;
   bool operator==(const LandCoverPolygon&) const = default;
 };
 
-/// The priority that decides which of overlapping polygons is on top: that of the class, or LandCoverPolygon::lies_on.
+/// Returns the priority that decides which of overlapping polygons is on top: the larger of its class's and lies_on.
 inline int priority_of(const LandCoverPolygon& polygon) {
   return std::max(map::values_of(polygon.surface).priority, polygon.lies_on);
 }

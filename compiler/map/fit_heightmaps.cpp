@@ -117,10 +117,12 @@ double mean_of(const std::vector<double>& values) {
   return sum / static_cast<double>(values.size());
 }
 
-// The metres by which a heightmap lies above the first other one with which it has places in common.
-std::optional<double> excess_of(std::size_t raster, const Differences& found) {
+// The metres by which a heightmap lies above the first other one, not fitted itself, with which it has places in
+// common.
+std::optional<double> excess_of(std::size_t raster, const std::vector<Raster>& rasters, const Differences& found) {
   for (const auto* places : {&found.where_they_meet, &found.where_both_are})
     for (const auto& [pair, differences_m] : *places) {
+      if (rasters[pair.first].is_fitted && rasters[pair.second].is_fitted) continue;
       if (pair.first == raster) return mean_of(differences_m);
       if (pair.second == raster) return -mean_of(differences_m);
     }
@@ -155,9 +157,9 @@ Result<std::vector<Raster>> fit_heightmaps(std::vector<Raster> rasters, const Pl
   report_steps(rasters, *found, report);
   for (std::size_t i = 0; i < rasters.size(); ++i) {
     if (!is_fitted(rasters[i])) continue;
-    const std::optional<double> excess_m = excess_of(i, *found);
+    const std::optional<double> excess_m = excess_of(i, rasters, *found);
     if (!excess_m)
-      return Error{rasters[i].file_name, "offset=auto needs another heightmap that lies beside or under it"};
+      return Error{rasters[i].file_name, "offset=auto needs another heightmap without it that lies beside or under it"};
     // rounded, to be independent of the last bits of the CPU's sums
     const double shift_m = -std::round(*excess_m / kHeightQuantum_m) * kHeightQuantum_m;
     rasters[i].shift_m = shift_m;

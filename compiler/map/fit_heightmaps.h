@@ -11,13 +11,14 @@
 
 namespace citykiln::map {
 
-/// Returns the heightmaps; those with Raster::is_fitted are shifted by the mean difference to another one that they
-/// meet in the extent, or that covers the same places.
+/// Returns the heightmaps. Each with Raster::is_fitted is shifted by its mean difference to one that is not fitted: the
+/// first in the given order that it meets in the extent, else the first that it overlaps there.
 ///
-/// Heightmaps meet where, along lines across the extent, the first that covers one place is not the first that covers
-/// the next. Heights are extrapolated across the border. Steps between two datums (source::step_of_m()) are diagnosed
-/// kHeightStep once a pair, shifts kHeightShifted. Errors: a fitted heightmap that meets no other in the extent; a
-/// reference system that is unknown. Cost: 128 lines of up to 1024 places, if there are two heightmaps or more.
+/// The first heightmap with a height at a place is used there. Two meet where it changes along one of 128 lines across
+/// the extent; if neither covers both sides, heights are extrapolated. Diagnosed: kHeightStep for each pair that meets
+/// with a step (source::step_of_m()), if neither is fitted; kHeightShifted for each shift. Errors: a fitted heightmap
+/// without such a partner; a reference system that is unknown. Cost: 128 lines of at most 1,025 places, times the
+/// heightmaps.
 Result<std::vector<source::Raster>> fit_heightmaps(std::vector<source::Raster> rasters, const Plane& plane,
                                                    const Box2& extent, Report& report);
 

@@ -1,5 +1,4 @@
-// The units of heights that files declare, by their usual names. A header, since the module that reads heightmaps uses
-// it too.
+// The units of heights that files declare, by their usual names. Header-only, since the GDAL module uses it too.
 #pragma once
 
 #include <optional>
@@ -29,6 +28,7 @@ inline constexpr HeightUnitName kHeightUnitNames[] = {{"m", 1},
                                                       {"ftus", kSurveyFoot_m},
                                                       {"usft", kSurveyFoot_m},
                                                       {"footus", kSurveyFoot_m},
+                                                      {"usfoot", kSurveyFoot_m},
                                                       {"surveyfoot", kSurveyFoot_m},
                                                       {"surveyfeet", kSurveyFoot_m},
                                                       {"ussurveyfoot", kSurveyFoot_m},
@@ -40,6 +40,8 @@ inline constexpr HeightUnitName kHeightUnitNames[] = {{"m", 1},
                                                       {"km", 1000},
                                                       {"kilometre", 1000},
                                                       {"kilometer", 1000},
+                                                      {"kilometres", 1000},
+                                                      {"kilometers", 1000},
                                                       {"dm", 0.1},
                                                       {"decimetre", 0.1},
                                                       {"decimeter", 0.1},
@@ -52,11 +54,12 @@ inline constexpr HeightUnitName kHeightUnitNames[] = {{"m", 1},
                                                       {"millimetre", 0.001},
                                                       {"millimeter", 0.001}};
 
-/// Returns a unit in metres: "ft", "foot" and "feet" are 0.3048. Capitals, spaces and signs do not matter. Nothing for
-/// names that are unknown.
+/// Returns the metres of a unit by its name, such as 0.3048 for "ft", "Foot" and "feet". Capitals, spaces and
+/// punctuation do not matter. Returns nothing for unknown names, and for those with digits or letters beyond ASCII.
 inline std::optional<double> unit_of_heights_m(std::string_view name) {
   std::string letters;
   for (const char c : name) {
+    if ((c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80) return std::nullopt;
     if (c >= 'A' && c <= 'Z') letters += static_cast<char>(c - 'A' + 'a');
     if (c >= 'a' && c <= 'z') letters += c;
   }

@@ -24,8 +24,8 @@ std::vector<std::byte> encode_manifest(const scene::Scene& scene, int threads);
 Result<scene::Scene> decode_manifest(std::span<const std::byte> bytes, const std::string& name,
                                      std::span<const scene::TileKey> only);
 
-/// Reads the header of an encoded manifest, with the errors of decode_manifest(). Writers call it before they write, so
-/// that no manifest is written that cannot be read. Cost: that of the header.
+/// Checks the header and the index of an encoded manifest, not its chunks, with the errors of decode_manifest() for
+/// these. Writers call it before they write. Cost: unpacks the header.
 Result<Done> check_header(std::span<const std::byte> bytes, const std::string& name);
 
 /// Hashes all properties of a header, or all recipes (planned objects of one tile) of a chunk. The hash does not depend
@@ -37,10 +37,10 @@ std::uint64_t hash_of(const scene::Chunk& chunk);
 struct StreamSize {
   const char* name;
   std::uint64_t raw_bytes;     ///< Before compression.
-  std::uint64_t packed_bytes;  ///< The sum over the chunks of a zstd frame of the stream alone. A manifest packs the
-                               ///< streams of a chunk together, so that its frames are smaller than all sums.
+  std::uint64_t packed_bytes;  ///< The sum over the chunks of the stream packed alone, without a dictionary. All
+                               ///< streams together usually exceed the manifest's frames, which pack streams together.
 };
-/// Returns the streams that are not empty, in the order of a chunk. Cost: as encode_manifest().
+/// Returns the streams that are not empty, in the order of a chunk. Cost: as encode_manifest(), on one thread.
 std::vector<StreamSize> stream_sizes_of(const scene::Scene& scene);
 
 /// Reads a scene from a file, with the errors of decode_manifest().

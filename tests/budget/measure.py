@@ -39,12 +39,12 @@ def run(*words, program=PROGRAM):
 
 # ---- maps ----
 
-def maps(scratch):
-    """Name and words of compile of each map; those that are invented are made in the folder by the program under test."""
+def maps(scratch, program=PROGRAM):
+    """Yields name and words of compile of each map. The program makes the invented ones in the folder."""
     yield "example town", TOWN
     for name, (kind, seed, side_m) in INVENTED.items():
         folder = scratch / name.replace(" ", "_")
-        run("invent", "--kind", kind, "--seed", seed, "--size", side_m, "-o", folder, "--quiet")
+        run("invent", "--kind", kind, "--seed", seed, "--size", side_m, "-o", folder, "--quiet", program=program)
         yield name, ["--spec", folder / "spec.json"]
     if DATA.exists():
         yield "monaco, 360 m", MONACO
@@ -115,7 +115,7 @@ def add_glb(path, rows):
 # ---- all outputs of a run ----
 
 def rows_of_tiles(out):
-    """Rows of the .glb tiles: the sums over the tiles of a level."""
+    """Returns sums over a level's tiles, and the largest stated errors; zeros are left out."""
     levels = defaultdict(lambda: defaultdict(float))
     for path in sorted((out / "glb").glob("*.glb")):
         if level := re.search(r"_L(\d+)$", path.stem):
@@ -124,13 +124,14 @@ def rows_of_tiles(out):
 
 
 def rows_of_files(out):
-    """Bytes of all other outputs, by folder and, of tiles, by level."""
+    """Returns the bytes of all files but .glb tiles and timing.json, by folder and level."""
     sums = defaultdict(int)
     for path in out.rglob("*"):
         name = path.relative_to(out)
-        if not path.is_file() or name.parts[0] in ("glb", "timing.json"):
-            continue
         found = re.search(r"(?:_|^)([LQ]\d+)", path.name)
+        is_tile = name.parts[0] == "glb" and found
+        if not path.is_file() or is_tile or name.name == "timing.json":
+            continue
         level = found[1] if found else ""
         sums[name.parts[0] if len(name.parts) > 1 else name.name, level, "bytes"] += path.stat().st_size
     return dict(sorted(sums.items()))
@@ -167,7 +168,7 @@ def instructions(words, scratch, program=PROGRAM):
 
 def measured(scratch, program=PROGRAM):
     """(map, output, level, item) to value of all maps. Instructions are counted beside the other runs."""
-    table, words_of = {}, dict(maps(scratch))
+    table, words_of = {}, dict(maps(scratch, program))
     with ThreadPoolExecutor(1) as beside:
         count = beside.submit(instructions, words_of[COUNTED[0]], scratch, program)
         for name, words in words_of.items():

@@ -67,7 +67,7 @@ def side_by_side(table, found, keys, names=("table", "now")):
 
 
 def whole_comparison(table, found):
-    """Both tables side by side, the maps that differ whole, rows that differ first."""
+    """Returns the rows that differ, then the other rows of their maps, as Markdown."""
     changed = differences(table, found)
     maps = {key[0] for key in changed}
     others = [key for key in [*table, *found] if key[0] in maps and key not in changed]
@@ -80,7 +80,7 @@ def kind_of(key):
 
 
 def rises(base, found):
-    """The keys of rows that rise by more than an issue may raise them."""
+    """Returns the keys of rows more than 10 % above the base and above 1 % of the largest of their kind."""
     largest = {}
     for key, value in base.items():
         largest[kind_of(key)] = max(largest.get(kind_of(key), 0), value)

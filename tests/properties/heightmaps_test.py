@@ -155,6 +155,9 @@ class Heightmaps(ProgramTest):
         alone = run("compile", self.map, "--dem", f"{fine},offset=auto", "-o", self.folder / "alone")
         self.assertEqual(alone.returncode, 1)
         self.assertIn("offset=auto needs another heightmap", alone.stderr)
+        both = run("compile", self.map, "--dem", f"{fine},offset=auto", "--dem", f"{coarse},offset=auto", "-o", self.folder / "both")
+        self.assertEqual(both.returncode, 1)
+        self.assertIn("offset=auto needs another heightmap", both.stderr)
 
     def test_files_of_one_grid_with_a_step_between_them_are_a_finding(self):
         def cut(name, first, last, by_m):

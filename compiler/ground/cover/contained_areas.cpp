@@ -72,7 +72,7 @@ std::uint8_t raised_priority(const std::vector<LandCoverPolygon>& areas, std::ui
   if (samples.empty()) return 0;
   int highest = map::values_of(areas[i].surface).priority;
   const int own = highest;
-  for (const std::uint32_t k : boxes_about(containers.grid, samples.front().at)) {
+  for (const std::uint32_t k : boxes_about(containers.grid, containers.boxes[i])) {
     const LandCoverPolygon& larger = areas[k];
     if (k == i || larger.surface == LandCoverClass::kBuilding || priority_of(larger) <= highest ||
         larger.area_m2 < kLargerBy * areas[i].area_m2)

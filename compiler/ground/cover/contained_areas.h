@@ -7,12 +7,12 @@
 
 namespace citykiln::ground {
 
-/// Returns the polygons with `lies_on` set, so that each covers the larger polygons that it lies in: the highest of
-/// their priorities, if that is above the priority of its own class.
+/// Returns the polygons with `lies_on` set: the highest priority, raised ones included, of the larger polygons that
+/// each lies in, if that is above the priority of its class; else 0.
 ///
-/// A polygon lies in another one that is at least 5 % larger if nine tenths of the length of its outline do, tested at
-/// points 10 cm inside of the middle of each edge. Surfaces of yards, which are assumed, are not raised, and buildings
-/// raise nothing. Parts of polygons that the surroundings of the extent cut off are not tested.
+/// A polygon lies in one whose area_m2 is at least 1.05 times its own if edges with nine tenths of the length of its
+/// outer ring do. An edge counts by one point, 10 cm inside of its middle; edges below 20 cm are skipped. Yards, which
+/// are assumed, are not raised, and buildings raise nothing.
 ///
 /// Cost: O(n log n + edges of polygons times the larger polygons of higher priority about them).
 std::vector<LandCoverPolygon> with_contained_on_top(std::vector<LandCoverPolygon> areas);

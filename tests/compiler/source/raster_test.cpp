@@ -34,6 +34,8 @@ TEST(ParseRasterSpec, OffsetAutoAndUnitsAreRead) {
   EXPECT_TRUE(parse_raster_spec("a.tif,offset=auto")->is_fitted);
   EXPECT_EQ(parse_raster_spec("a.tif,unit=Feet")->unit_m, 0.3048);
   EXPECT_EQ(parse_raster_spec("a.tif,unit=us-ft")->unit_m, 1200.0 / 3937);
+  for (const char* unit : {"m2", "0.3048 m", "\u00b5m"})
+    EXPECT_FALSE(error_of_spec(std::string("a.tif,unit=") + unit).empty()) << unit;
   EXPECT_EQ(error_of_spec("a.tif,unit=ell"), "a.tif: expected a unit, such as m, ft or us-ft after unit=, found 'ell'");
   EXPECT_EQ(error_of_spec("a.tif,offset=up"), "a.tif: expected a number or auto after offset=, found 'up'");
 }
