@@ -56,8 +56,8 @@ TEST(ContainedAreas, MayShareEdgesWithWhatTheyLieIn) {
 
 TEST(ContainedAreas, MayBeginWithAnEdgeBeyondWhatTheyLieIn) {
   LandCoverPolygon garden = square(2, LandCoverClass::kGarden, {3, 10}, 60);
-  // a spur of the outline, with its first edges, reaches 100 m beyond the square
-  garden.rings = {{{-100, 11}, {-100, 10}, {3, 10}, {3, 3}, {397, 3}, {397, 397}, {3, 397}, {3, 11}}};
+  // a spur of the outline, with its first edges, reaches 70 m beyond the square
+  garden.rings = {{{-70, 11}, {-70, 10}, {3, 10}, {3, 3}, {397, 3}, {397, 397}, {3, 397}, {3, 11}}};
   garden.area_m2 = 155000;
   const std::vector<LandCoverPolygon> areas =
       with_contained_on_top({square(1, LandCoverClass::kSquare, {0, 0}, 410), garden});
