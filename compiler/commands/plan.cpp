@@ -51,6 +51,11 @@ Result<source::LonLatBox> extent_of(const CompileSpec& spec, Report& report) {
   const Result<source::LonLatBox> box = regions::header_box_of(spec.map_path);
   if (!box && !spec.map.bbox) return box.error();
   if (!box) return *spec.map.bbox;
+  const double width_deg = box->east - box->west;
+  if (!spec.map.bbox && width_deg > 180 && width_deg < 360)
+    return Error{spec.map_path,
+                 "has a box that crosses 180 degrees, which a plan cannot cut; compile it in one run, "
+                 "or plan each side with --bbox W,S,E,N"};
   header.header_box = *box, header.node_box = *box;
   return map::choose_extent(header, spec.map.bbox, report);
 }

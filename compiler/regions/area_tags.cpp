@@ -90,4 +90,8 @@ bool is_area_relation(const osmium::TagList& tags) {
   return tags.has_tag("type", "multipolygon") || (tags.has_tag("type", "boundary") && describes_area(tags));
 }
 
+bool is_kept_with_members(const osmium::TagList& tags) {
+  return is_area_relation(tags) || tags.has_tag("type", "building");
+}
+
 }  // namespace citykiln::regions

@@ -22,6 +22,9 @@ bool is_coastline(const osmium::TagList& tags);
 /// describes_area().
 bool is_area_relation(const osmium::TagList& tags);
 
+/// True for relations that a region needs with their members: areas, and buildings with their parts.
+bool is_kept_with_members(const osmium::TagList& tags);
+
 /// The number of plants per square metre of an area.
 struct PlantDensity {
   double trees_per_m2 = 0;      ///< From plants/wood_defaults.inc.

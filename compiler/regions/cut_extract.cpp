@@ -91,6 +91,14 @@ struct MemberWay {
   bool describes_water = false;
 };
 
+/// What a relation needs in the file of a region.
+struct RelationContents {
+  Box2 box;
+  std::vector<std::uint32_t> ways;               ///< Indices in members_.
+  std::vector<const osmium::OSMObject*> others;  ///< Areas that are members, and closing rings.
+  bool has_water_ways = false;
+};
+
 class Cutter {
  public:
   Cutter(const CutRequest& cut, const map::Plane& plane, const RegionGrid& grid)
@@ -109,6 +117,7 @@ class Cutter {
   std::size_t coasts() const { return keys_.size() + 1; }
 
   void find_members();
+  void find_nested_areas(std::vector<osmium::object_id_type> ids);
   Result<Done> spool_nodes_and_ways();
   void spool_node(const osmium::Node& node);
   void spool_way(const osmium::Way& way);
@@ -124,8 +133,9 @@ class Cutter {
   void index_closed();
   const osmium::Relation& closed_or_same(const osmium::Relation& relation) const;
   std::vector<const osmium::Way*> closing_rings_of(const osmium::Relation& relation) const;
-  void spool_areas();
-  void spool_area(const osmium::Relation& relation);
+  void collect(const osmium::Relation& relation, RelationContents& contents) const;
+  void spool_relations();
+  void spool_relation(const osmium::Relation& relation);
   void spool_members();
   void count(const osmium::OSMObject& object);
   std::uint32_t owner(Vec2 place) const;
@@ -153,6 +163,9 @@ class Cutter {
   std::vector<MemberWay> member_ways_;                                // by index in members_
   std::vector<std::pair<std::uint32_t, std::uint32_t>> has_, wants_;  // member, spool
   std::unique_ptr<PlaceIndex> places_;
+  osmium::memory::Buffer nested_{64 * 1024, osmium::memory::Buffer::auto_grow::yes};  // areas that are members
+  std::map<osmium::object_id_type, const osmium::Relation*> nested_areas_;            // in nested_
+  Box2 node_box_;                                                                     // of all nodes, in degrees
   osmium::memory::Buffer closed_{64 * 1024, osmium::memory::Buffer::auto_grow::yes};  // areas that were closed
   std::map<osmium::object_id_type, const osmium::Relation*> closed_areas_;            // in closed_
   std::map<osmium::object_id_type, const osmium::Way*> closing_rings_;                // in closed_
@@ -228,18 +241,38 @@ void Cutter::count(const osmium::OSMObject& object) {
 }
 
 void Cutter::find_members() {
+  std::vector<osmium::object_id_type> nested;
   for_each<osmium::Relation>(cut_.map_path, bits::relation, pool_, [&](const osmium::Relation& relation) {
     count(relation);
-    if (!is_area_relation(relation.tags())) return;
+    if (!is_kept_with_members(relation.tags())) return;
     for (const osmium::RelationMember& each : relation.members())
-      if (each.type() == osmium::item_type::way) members_.push_back(each.ref());
+      if (each.type() == osmium::item_type::way)
+        members_.push_back(each.ref());
+      else if (each.type() == osmium::item_type::relation)
+        nested.push_back(each.ref());
   });
-  sort_unique(members_);
+  sort_unique(members_), sort_unique(nested);
   member_ways_.resize(members_.size());
+  if (!nested.empty()) find_nested_areas(std::move(nested));
+}
+
+void Cutter::find_nested_areas(std::vector<osmium::object_id_type> ids) {
+  for_each<osmium::Relation>(cut_.map_path, bits::relation, pool_, [&](const osmium::Relation& relation) {
+    if (relation.deleted() || !is_area_relation(relation.tags()) || !std::ranges::binary_search(ids, relation.id()))
+      return;
+    nested_.add_item(relation);
+    nested_.commit();
+  });
+  for (const osmium::Relation& relation : nested_.select<osmium::Relation>()) {
+    const osmium::Relation*& known = nested_areas_[relation.id()];
+    if (known == nullptr || source::says_more(relation, *known)) known = &relation;
+  }
 }
 
 void Cutter::spool_node(const osmium::Node& node) {
-  if (node.tags().empty() || !node.location().valid()) return;
+  if (node.deleted() || !node.location().valid()) return;
+  node_box_.grow({node.location().lon_without_check(), node.location().lat_without_check()});
+  if (node.tags().empty()) return;
   Box2 box;
   box.grow(in_plane(node.location()));
   for_each_region_near(grid_, box, [&](std::uint32_t region) { spools_.add(region, node); });
@@ -290,7 +323,8 @@ std::optional<source::LocationBox> Cutter::box_of_map() const {
   osmium::io::Reader reader(file_of(cut_.map_path), bits::nothing);
   const osmium::Box box = reader.header().joined_boxes();
   reader.close();
-  if (!box.valid()) return std::nullopt;
+  if (!box.valid() && node_box_.is_empty()) return std::nullopt;
+  if (!box.valid()) return source::location_box({node_box_.min.x, node_box_.min.y, node_box_.max.x, node_box_.max.y});
   return source::location_box(
       {box.bottom_left().lon(), box.bottom_left().lat(), box.top_right().lon(), box.top_right().lat()});
 }
@@ -400,37 +434,51 @@ std::vector<const osmium::Way*> Cutter::closing_rings_of(const osmium::Relation&
   return rings;
 }
 
-void Cutter::spool_area(const osmium::Relation& relation) {
-  Box2 box;
-  std::vector<std::uint32_t> ways, spools;
-  bool is_water = describes_water(relation.tags());
+// Adds the members of an area, its closing rings, and their box.
+void Cutter::collect(const osmium::Relation& relation, RelationContents& contents) const {
   for (const osmium::RelationMember& each : relation.members()) {
     const std::size_t index = each.type() == osmium::item_type::way ? member(each.ref()) : members_.size();
     if (index == members_.size() || member_ways_[index].box.is_empty()) continue;
-    ways.push_back(static_cast<std::uint32_t>(index));
-    box.grow(member_ways_[index].box.min), box.grow(member_ways_[index].box.max);
-    // a relation without tags of its own can have the tags of its outer ways
-    is_water = is_water || (!describes_area(relation.tags()) && member_ways_[index].describes_water);
+    const MemberWay& way = member_ways_[index];
+    contents.ways.push_back(static_cast<std::uint32_t>(index));
+    contents.box.grow(way.box.min), contents.box.grow(way.box.max);
+    contents.has_water_ways = contents.has_water_ways || way.describes_water;
   }
-  if (box.is_empty()) return;
-  const std::vector<const osmium::Way*> rings = closing_rings_of(relation);
-  for (const osmium::Way* ring : rings)
-    for (const osmium::NodeRef& node : ring->nodes()) box.grow(in_plane(node.location()));
-  for_each_region_near(grid_, box, [&](std::uint32_t region) { spools.push_back(region); });
-  if (!spools.empty()) spools.push_back(owner(member_ways_[ways.front()].first));
-  sort_unique(spools);
-  if (is_water && box.touches(grid_.extent.widened(kCoastMargin_m)))
-    spools.push_back(static_cast<std::uint32_t>(survey()));
-  for (const std::uint32_t spool : spools) {
-    spools_.add(spool, relation);
-    for (const std::uint32_t way : ways) wants_.emplace_back(way, spool);
-    for (const osmium::Way* ring : rings) spools_.add(spool, *ring);
+  for (const osmium::Way* ring : closing_rings_of(relation)) {
+    contents.others.push_back(ring);
+    for (const osmium::NodeRef& node : ring->nodes()) contents.box.grow(in_plane(node.location()));
   }
 }
 
-void Cutter::spool_areas() {
+void Cutter::spool_relation(const osmium::Relation& relation) {
+  RelationContents contents;
+  collect(relation, contents);
+  for (const osmium::RelationMember& each : relation.members()) {
+    const auto nested = nested_areas_.find(each.ref());
+    if (each.type() != osmium::item_type::relation || nested == nested_areas_.end()) continue;
+    contents.others.push_back(&closed_or_same(*nested->second));
+    collect(closed_or_same(*nested->second), contents);
+  }
+  if (contents.box.is_empty()) return;
+  std::vector<std::uint32_t> spools;
+  for_each_region_near(grid_, contents.box, [&](std::uint32_t region) { spools.push_back(region); });
+  if (!spools.empty() && !contents.ways.empty()) spools.push_back(owner(member_ways_[contents.ways.front()].first));
+  sort_unique(spools);
+  // a relation without tags of its own can have the tags of its outer ways
+  const bool is_water =
+      describes_water(relation.tags()) || (!describes_area(relation.tags()) && contents.has_water_ways);
+  if (is_water && contents.box.touches(grid_.extent.widened(kCoastMargin_m)))
+    spools.push_back(static_cast<std::uint32_t>(survey()));
+  for (const std::uint32_t spool : spools) {
+    spools_.add(spool, relation);
+    for (const std::uint32_t way : contents.ways) wants_.emplace_back(way, spool);
+    for (const osmium::OSMObject* other : contents.others) spools_.add(spool, *other);
+  }
+}
+
+void Cutter::spool_relations() {
   for_each<osmium::Relation>(cut_.map_path, bits::relation, pool_, [&](const osmium::Relation& relation) {
-    if (is_area_relation(relation.tags())) spool_area(closed_or_same(relation));
+    if (is_kept_with_members(relation.tags())) spool_relation(closed_or_same(relation));
   });
 }
 
@@ -509,7 +557,7 @@ Result<CutFiles> Cutter::run() {
   find_members();
   if (const Result<Done> done = spool_nodes_and_ways(); !done) return done.error();
   close_areas();
-  spool_areas();
+  spool_relations();
   spool_members();
   if (const Result<Done> done = spools_.flush(); !done) return done.error();
   CutFiles files;

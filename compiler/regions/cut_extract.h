@@ -45,8 +45,9 @@ Vec2 place_near(const map::Plane& plane, const source::LonLatBox& extent, double
 /// square of the region widened by its halo (for_each_region_near()).
 /// - nodes with tags near the region;
 /// - whole ways with a segment whose box is near, or, if they may become areas, whose own box is near;
-/// - multipolygons and boundaries that may become areas and whose box is near, with all their ways;
-/// - with the rings that close them along the box in the header of the map, if members are missing;
+/// - multipolygons and boundaries that may become areas, and relations of type building, whose box is near, with all
+///   their ways, and with the areas that are their members (islands) and the ways of these;
+/// - the rings that close cut areas along the box in the header of the map, or along that of its nodes;
 /// - all coastlines whose box touches the extent widened by kCoastMargin_m;
 /// - each way and area that the region owns and that is in another region's file: owner_of() the way's first node, or
 ///   of the area's first member way.

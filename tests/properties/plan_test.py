@@ -82,15 +82,64 @@ class Plan(ProgramTest):
         path.write_text(text + "</osm>")
         return path
 
-    def test_areas_that_the_map_cuts_are_the_same_in_regions(self):
-        path = self.cut_lake()
+    def lake_with_islands(self):
+        """A lake of 1 km with islands that are a relation, and a building relation of one outline and a part."""
+        places = {1: (10, 0), 2: (10.01, 0), 3: (10.01, 0.01), 4: (10, 0.01), 5: (10.001, 0.001), 6: (10.002, 0.001),
+                  7: (10.002, 0.002), 8: (10.001, 0.002), 9: (10.004, 0.004), 10: (10.006, 0.004), 11: (10.006, 0.006),
+                  12: (10.004, 0.006), 13: (10.0105, 0.001), 14: (10.012, 0.001), 15: (10.012, 0.002), 16: (10.0105, 0.002),
+                  17: (10.0125, -0.001), 18: (10.0125, 0.011), 19: (9.9995, -0.001)}
+        ways = {20: ([1, 2, 3, 4, 1], {}), 21: ([5, 6, 7, 8, 5], {}), 22: ([9, 10, 11, 12, 9], {}),
+                23: ([13, 14, 15, 16, 13], {"building": "church"}), 24: ([13, 14, 15, 16, 13], {"building:part": "yes", "height": "9"}),
+                25: ([17, 18], {"highway": "residential"}), 26: ([19, 17], {"highway": "residential"})}
+        relations = {30: ([("relation", 31, "inner"), ("way", 20, "outer")], {"type": "multipolygon", "natural": "water"}),
+                     31: ([("way", 21, "outer"), ("way", 22, "outer")], {"type": "multipolygon", "natural": "wood"}),
+                     32: ([("way", 23, "outline"), ("way", 24, "part")], {"type": "building", "building:colour": "red"})}
+        text = '<osm version="0.6"><bounds minlat="-0.001" minlon="9.9995" maxlat="0.011" maxlon="10.0125"/>'
+        text += "".join(f'<node id="{i}" lon="{x}" lat="{y}"/>' for i, (x, y) in places.items())
+        tags_of = lambda tags: "".join(f'<tag k="{key}" v="{value}"/>' for key, value in tags.items())
+        for way, (nodes, tags) in ways.items():
+            text += f'<way id="{way}">' + "".join(f'<nd ref="{node}"/>' for node in nodes) + tags_of(tags) + "</way>"
+        for relation, (members, tags) in relations.items():
+            text += f'<relation id="{relation}">' + "".join(
+                f'<member type="{kind}" ref="{ref}" role="{role}"/>' for kind, ref, role in members) + tags_of(tags) + "</relation>"
+        path = self.folder / "islands.osm"
+        path.write_text(text + "</osm>")
+        return path
+
+    def test_members_that_are_relations_are_the_same_in_regions(self):
+        path = self.lake_with_islands()
         whole = self.compiled("whole", path, *ARGUMENTS)
-        plan = self.planned(map_path=path)
+        self.assertEqual(bytes_of_outputs(self.gathered(path)), bytes_of_outputs(whole))
+
+    def test_areas_that_a_map_without_a_box_cuts_are_the_same_in_regions(self):
+        path = self.cut_lake()
+        path.write_text(re.sub("<bounds[^>]*>", "", path.read_text()))
+        box = ["--bbox", "10,0,10.0128,0.01"]
+        whole = self.compiled("whole", path, *box, *ARGUMENTS)
+        self.assertEqual(report_of(whole)["diagnoses"]["AreaClosed"]["count"], 2)
+        self.assertEqual(bytes_of_outputs(self.gathered(path, *box)), bytes_of_outputs(whole))
+
+    def test_a_box_across_180_degrees_is_refused_with_what_to_do(self):
+        path = self.cut_lake()
+        path.write_text(path.read_text().replace('minlon="10"', 'minlon="-179.9"').replace('maxlon="10.0128"', 'maxlon="179.9"'))
+        done = run("plan", path, "-o", self.folder / "plan")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("crosses 180 degrees", done.stderr)
+
+    def gathered(self, path, *arguments):
+        """The outputs of all regions of a map, compiled apart; at least four."""
+        plan = self.planned(*arguments, map_path=path)
         self.assertGreater(len(self.regions_of(plan)), 3)
         self.compile_all(plan)
-        self.assertEqual(run("gather", plan).returncode, 0)
-        self.assertEqual(bytes_of_outputs(plan / "out"), bytes_of_outputs(whole))
-        ours, theirs = report_of(plan / "out"), report_of(whole)
+        done = run("gather", plan)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return plan / "out"
+
+    def test_areas_that_the_map_cuts_are_the_same_in_regions(self):
+        path = self.cut_lake()
+        whole, gathered = self.compiled("whole", path, *ARGUMENTS), self.gathered(path)
+        self.assertEqual(bytes_of_outputs(gathered), bytes_of_outputs(whole))
+        ours, theirs = report_of(gathered), report_of(whole)
         self.assertEqual(theirs["diagnoses"]["AreaClosed"]["count"], 2)
         self.assertEqual(ours["ledger"], theirs["ledger"])
         self.assertEqual({name: each["count"] for name, each in ours["diagnoses"].items()},
