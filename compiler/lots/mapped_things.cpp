@@ -4,11 +4,15 @@
 #include <array>
 #include <utility>
 
+#include "compiler/roads/junctions/corner_pavements.h"
+
 namespace citykiln::lots {
 namespace {
 
 using map::LandCoverGroup;
 using roads::Road;
+
+constexpr double kBucket_m = 32;
 
 void add_line(std::span<const Vec2> line, double half_m, std::vector<Capsule>& capsules) {
   for (std::size_t i = 0; i + 1 < line.size(); ++i) capsules.push_back({line[i], line[i + 1], half_m});
@@ -29,8 +33,25 @@ void add_road(const Road& road, std::vector<Capsule>& capsules) {
   }
 }
 
-Capsules zones_of(std::span<const Road> roads, std::span<const roads::Junction> junctions) {
-  const auto arms = roads::arms_of(junctions, roads);
+using ArmsOfJunctions = std::vector<std::vector<roads::Arm>>;
+
+OwnPolygons surfaces_of(std::span<const Road> roads, std::span<const roads::Junction> junctions,
+                        const ArmsOfJunctions& arms) {
+  OwnPolygons surfaces;
+  std::vector<Box2> boxes;
+  for (std::size_t j = 0; j < junctions.size(); ++j) {
+    for (Ring& ring : roads::stroke(junctions[j], roads, arms[j]))
+      surfaces.all.push_back({.outer = std::move(ring), .holes = {}});
+    for (Ring& ring : roads::stroke_corner_pavements(junctions[j], roads, arms[j]))
+      surfaces.all.push_back({.outer = std::move(ring), .holes = {}});
+  }
+  for (const Polygon& surface : surfaces.all) boxes.push_back(box_of(surface.outer));
+  if (!boxes.empty()) surfaces.grid = grid_of(boxes, kBucket_m);
+  return surfaces;
+}
+
+Capsules zones_of(std::span<const Road> roads, std::span<const roads::Junction> junctions,
+                  const ArmsOfJunctions& arms) {
   std::vector<Capsule> nodes;
   for (std::size_t j = 0; j < junctions.size(); ++j) {
     if (junctions[j].family != roads::Family::kStreet) continue;
@@ -51,7 +72,6 @@ Capsules zones_of(std::span<const Road> roads, std::span<const roads::Junction> 
 }  // namespace
 
 PolygonIndex index_polygons(std::vector<const Polygon*> all) {
-  constexpr double kBucket_m = 32;
   PolygonIndex index{std::move(all), {}};
   std::vector<Box2> boxes;
   for (const Polygon* polygon : index.all) boxes.push_back(box_of(polygon->outer));
@@ -62,6 +82,11 @@ PolygonIndex index_polygons(std::vector<const Polygon*> all) {
 bool is_inside_any(const PolygonIndex& polygons, Vec2 p) {
   return !polygons.all.empty() && std::ranges::any_of(boxes_about(polygons.grid, p),
                                                       [&](std::uint32_t i) { return contains(*polygons.all[i], p); });
+}
+
+bool is_inside_any(const OwnPolygons& polygons, Vec2 p) {
+  return !polygons.all.empty() && std::ranges::any_of(boxes_about(polygons.grid, p),
+                                                      [&](std::uint32_t i) { return contains(polygons.all[i], p); });
 }
 
 MappedThings mapped_things(const map::Features& features, std::span<const Road> roads,
@@ -88,6 +113,7 @@ MappedThings mapped_things(const map::Features& features, std::span<const Road> 
     if (area.surface == map::LandCoverClass::kParking) add_outline(area.polygon.outer, 0, parking);
     if (area.surface == map::LandCoverClass::kPool) pools.push_back(&area.polygon);
   }
+  const ArmsOfJunctions arms = roads::arms_of(junctions, roads);
   return {.buildings = index_polygons(std::move(buildings)),
           .walls = index_capsules(std::move(walls)),
           .roads = index_capsules(std::move(streets)),
@@ -96,7 +122,8 @@ MappedThings mapped_things(const map::Features& features, std::span<const Road> 
           .barriers = index_capsules(std::move(barriers)),
           .trees = index_capsules(std::move(trees)),
           .wires = index_capsules(std::move(wires)),
-          .junction_zones = zones_of(roads, junctions),
+          .junction_zones = zones_of(roads, junctions, arms),
+          .junctions = surfaces_of(roads, junctions, arms),
           .parking = index_capsules(std::move(parking)),
           .pools = index_polygons(std::move(pools))};
 }

@@ -21,6 +21,15 @@ struct PolygonIndex {
 /// True if a polygon contains p. O(vertices near).
 bool is_inside_any(const PolygonIndex& polygons, Vec2 p);
 
+/// Polygons of its own with an index of their boxes.
+struct OwnPolygons {
+  std::vector<Polygon> all;
+  BoxGrid grid;
+};
+
+/// True if a polygon contains p. O(vertices near).
+bool is_inside_any(const OwnPolygons& polygons, Vec2 p);
+
 /// The mapped things on the ground.
 struct MappedThings {
   PolygonIndex buildings;  ///< All outlines on the ground, roofs without walls included.
@@ -32,6 +41,7 @@ struct MappedThings {
   Capsules trees;           ///< Trees and tree rows.
   Capsules wires;           ///< Power lines, as wide as trees keep clear of them.
   Capsules junction_zones;  ///< Nodes and outlines of junctions: hedges and trees there would hide traffic.
+  OwnPolygons junctions;    ///< The surfaces of junctions, of paths and rails too.
   Capsules parking;         ///< Borders of car parks.
   PolygonIndex pools;
 };

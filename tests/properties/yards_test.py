@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Yards that are assumed: in any order of the map, in regions and by bake the same bytes, none with --assume none."""
 import json
+import math
 import random
 import struct
 import unittest
@@ -62,6 +63,56 @@ def made_map(seed):
     return "\n".join([*lines, "</osm>"])
 
 
+def short_ways(seed, blocks):
+    """Blocks of 150 m with houses beside ways of a few metres of any class, some of which end in turning circles."""
+    draw = random.Random(seed)
+    nodes, ways, tags_of = [], [], {}
+    classes = ["footway", "cycleway", "track", "service", "service", "residential", "living_street", "tertiary", "secondary"]
+
+    def node(x, y):
+        nodes.append((LON + x / LON_M, LAT + y / LAT_M))
+        return len(nodes)
+
+    def block(left, low):
+        corners = [node(left + x, low + y) for x, y in ((3, 3), (147, 3), (147, 147), (3, 147))]
+        ways.append(([*corners, corners[0]], {"landuse": "residential"}))
+        ends = [(left + 75, low + 75, 0, node(left + 75, low + 75))]
+        for _ in range(draw.randint(2, 5)):
+            x, y, _, first = draw.choice(ends)
+            refs, turn, parts = [first], draw.uniform(0, 2 * math.pi), draw.randint(1, 3)
+            length = draw.choice([draw.uniform(2, 15), draw.uniform(10, 40)]) / parts
+            for _ in range(parts):
+                turn += draw.uniform(-0.5, 0.5)
+                x = min(max(x + length * math.cos(turn), left + 10), left + 140)
+                y = min(max(y + length * math.sin(turn), low + 10), low + 140)
+                refs.append(node(x, y))
+                ends.append((x, y, turn, refs[-1]))
+            if draw.random() < 0.3:
+                tags_of[refs[-1]] = draw.choice(["turning_circle", "turning_loop", "mini_roundabout"])
+            ways.append((refs, {"highway": draw.choice(classes)}))
+        for _ in range(4):
+            x, y, turn, _ = draw.choice(ends[1:])
+            away, side = draw.uniform(9, 22), draw.choice((-1, 1))
+            middle = x - side * away * math.sin(turn), y + side * away * math.cos(turn)
+            width, depth = draw.uniform(3, 6), draw.uniform(3, 5)
+            corners = [node(middle[0] + u * width * math.cos(turn) - v * depth * math.sin(turn),
+                            middle[1] + u * width * math.sin(turn) + v * depth * math.cos(turn))
+                       for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+            ways.append(([*corners, corners[0]], {"building": "house"}))
+
+    for column in range(blocks):
+        for row in range(blocks):
+            block(column * 150, row * 150)
+    lines = ['<osm version="0.6">']
+    for i, (lon, lat) in enumerate(nodes, 1):
+        tag = f'<tag k="highway" v="{tags_of[i]}"/>' if i in tags_of else ""
+        lines.append(f'<node id="{i}" version="1" lon="{lon:.7f}" lat="{lat:.7f}">{tag}</node>')
+    for i, (refs, tags) in enumerate(ways, 1):
+        inner = "".join(f'<nd ref="{ref}"/>' for ref in refs) + "".join(f'<tag k="{k}" v="{v}"/>' for k, v in tags.items())
+        lines.append(f'<way id="{i}" version="1">{inner}</way>')
+    return "\n".join([*lines, "</osm>"])
+
+
 def node_names(path):
     """The names of the nodes of a .glb."""
     data = path.read_bytes()
@@ -107,6 +158,16 @@ class Yards(ProgramTest):
         row = next(line for line in run("check", out).stdout.splitlines() if "no tree of an assumed yard" in line)
         self.assertTrue(row.startswith("holds"), row)
         self.assertNotIn("by 0 tests", row)
+
+    def test_no_tree_of_a_yard_stands_in_a_short_way_or_its_turning_circle(self):
+        # 600 lots, or 10,000
+        for seed in range(4 if IS_FULL else 1):
+            path = self.folder / f"short{seed}.osm"
+            path.write_text(short_ways(seed, 25 if IS_FULL else 12))
+            out = self.compiled(f"short{seed}", path, "--lods", "12.5")
+            checked = run("check", out).stdout
+            row = next(line for line in checked.splitlines() if "no tree of an assumed yard" in line)
+            self.assertTrue(row.startswith("holds"), row)
 
     def test_they_are_switched(self):
         plants = {}
