@@ -46,9 +46,47 @@ lots::ClimateAt climate_of_places(const map::Plane& plane) {
   };
 }
 
-// Adds the houses that fill lots, and yards.
-Result<map::Features> with_lots(map::Features features, const CompileSpec& spec, const source::OsmData& osm,
-                                const map::Plane& plane, const scene::Recipes& recipes, Report& report) {
+// Roads with their junctions, not wider than the buildings beside them allow.
+struct RoadPlan {
+  std::vector<roads::Road> roads;
+  std::vector<roads::Junction> junctions;
+};
+
+RoadPlan plan_roads(const map::Features& features, Report& report) {
+  RoadPlan plan{roads::plan(features, report), {}};
+  plan.junctions = roads::plan_junctions(plan.roads, report);
+  plan.roads = roads::limit_widths(std::move(plan.roads), plan.junctions, features.footprints,
+                                   roads::ways_through_buildings(features), report);
+  return plan;
+}
+
+// What is assumed of streets by the houses beside them.
+constexpr Assumptions kOfStreets =
+    bit_of(Assumption::kPavements) | bit_of(Assumption::kVerges) | bit_of(Assumption::kParking);
+
+// Adds the houses that fill lots, beside the streets as they would be without them. What is assumed afterwards counts
+// them as mapped ones.
+Result<map::Features> with_filled_lots(map::Features features, const CompileSpec& spec, const source::OsmData& osm,
+                                       const map::Plane& plane, Report& report) {
+  const Result<lots::HouseRules> rules = house_rules_for(spec);
+  if (!rules) return rules.error();
+  Report without_houses;
+  map::Features streets = assume::assume(features, {Assumptions(spec.assume & kOfStreets), spec.seed}, without_houses);
+  streets.passageways = map::plan_passageways(streets, without_houses);
+  const RoadPlan planned = plan_roads(streets, without_houses);
+  const lots::ClimateAt climate_at = climate_of_places(plane);
+  const std::vector<OsmId> private_ways = map::private_ways(osm);
+  const lots::LotInputs inputs{.roads = planned.roads,
+                               .junctions = planned.junctions,
+                               .private_ways = private_ways,
+                               .climate_at = climate_at,
+                               .seed = spec.seed,
+                               .threads = spec.threads};
+  return lots::with_houses(std::move(features), inputs, *rules, report);
+}
+
+map::Features with_yards(map::Features features, const CompileSpec& spec, const source::OsmData& osm,
+                         const map::Plane& plane, const scene::Recipes& recipes, Report& report) {
   const lots::ClimateAt climate_at = climate_of_places(plane);
   const std::vector<OsmId> private_ways = map::private_ways(osm);
   const lots::LotInputs inputs{.roads = recipes.roads,
@@ -57,13 +95,7 @@ Result<map::Features> with_lots(map::Features features, const CompileSpec& spec,
                                .climate_at = climate_at,
                                .seed = spec.seed,
                                .threads = spec.threads};
-  if (spec.fill_lots) {
-    const Result<lots::HouseRules> rules = house_rules_for(spec);
-    if (!rules) return rules.error();
-    features = lots::with_houses(std::move(features), inputs, *rules, spec.assume, report);
-  }
-  if (has(spec.assume, Assumption::kYards)) features = lots::with_yards(std::move(features), inputs, report);
-  return features;
+  return lots::with_yards(std::move(features), inputs, report);
 }
 
 /// Compiles a whole map; with a survey, the tiles of spec.only from an extract that covers their surroundings.
@@ -102,17 +134,18 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   timer.enter("roads");
   // assumptions measure the room beside the fitted kerbs
   features.tracks = roads::fit_assumed_widths(features);
+  if (spec.fill_lots) {
+    Result<map::Features> filled = with_filled_lots(std::move(features), spec, *osm, plane, report);
+    if (!filled) return filled.error();
+    features = std::move(*filled);
+  }
   features = assume::assume(std::move(features), {spec.assume, spec.seed}, report);
   features.passageways = map::plan_passageways(features, report);
-  recipes.roads = roads::plan(features, report);
-  recipes.junctions = roads::plan_junctions(recipes.roads, report);
-  recipes.roads = roads::limit_widths(std::move(recipes.roads), recipes.junctions, features.footprints,
-                                      roads::ways_through_buildings(features), report);
-  if (spec.fill_lots || has(spec.assume, Assumption::kYards)) {
+  RoadPlan planned = plan_roads(features, report);
+  recipes.roads = std::move(planned.roads), recipes.junctions = std::move(planned.junctions);
+  if (has(spec.assume, Assumption::kYards)) {
     timer.enter("lots");
-    Result<map::Features> with = with_lots(std::move(features), spec, *osm, plane, recipes, report);
-    if (!with) return with.error();
-    features = std::move(*with);
+    features = with_yards(std::move(features), spec, *osm, plane, recipes, report);
   }
   timer.enter("land cover and water");
   ground::Waters waters = survey ? surveyed_waters(plan_dry_waters(features, report), *survey)

@@ -230,7 +230,9 @@ constexpr double kMostStoreys = 60;
 double whole_storeys(double storeys) { return std::clamp(std::floor(storeys + 0.5), 1.0, kMostStoreys); }
 
 double tagged_storeys(const map::Footprint& f, const HeightFacts& facts) {
-  if (f.has_default_height || f.min_height_m > 0 || !has_assumed_storeys(facts.building_class)) return 0;
+  if (has(f.assumed, Assumption::kHouses) || f.has_default_height || f.min_height_m > 0 ||
+      !has_assumed_storeys(facts.building_class))
+    return 0;
   if (!f.has_roof_in_height) return f.levels > 0 ? whole_storeys(f.levels) : 0;
   return whole_storeys((f.height_m - included_roof_m(facts)) / class_level_m(facts.building_class));
 }

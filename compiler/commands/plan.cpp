@@ -30,7 +30,8 @@ namespace fs = std::filesystem;
 
 struct PlanRequest {
   CompileRequest compile;
-  double region_m = 16384, halo_m = regions::kRegionHalo_m, zone_m = regions::kZoneSide_m;
+  double region_m = 16384, zone_m = regions::kZoneSide_m;
+  double halo_m = 0;  // 0: usual_halo_m()
   std::string status, geojson;
 };
 
@@ -60,6 +61,10 @@ Result<source::LonLatBox> extent_of(const CompileSpec& spec, Report& report) {
   return map::choose_extent(header, spec.map.bbox, report);
 }
 
+double usual_halo_m(const CompileSpec& spec) {
+  return regions::kRegionHalo_m + (spec.fill_lots ? regions::kFilledLotsHalo_m : 0);
+}
+
 Result<Plan> make_plan(const PlanRequest& request, const CompileSpec& spec, const source::LonLatBox& extent,
                        const map::Plane& plane) {
   Plan plan{.working_folder = fs::current_path().string(),
@@ -73,7 +78,7 @@ Result<Plan> make_plan(const PlanRequest& request, const CompileSpec& spec, cons
   plan.grid = {.extent = map::extent_of(plane, extent),
                .tile_m = spec.tile_m,
                .region_m = request.region_m,
-               .halo_m = request.halo_m};
+               .halo_m = request.halo_m > 0 ? request.halo_m : usual_halo_m(spec)};
   if (const Result<Done> sound = regions::check_grid(plan.grid); !sound) return sound.error();
   if (plan.grid.extent.width() > map::kMaxSide_m || plan.grid.extent.height() > map::kMaxSide_m)
     return Error{spec.map_path, fmt::format("the area measures {:.0f} x {:.0f} km; give a part of at most {:.0f} km a "
@@ -225,7 +230,7 @@ Verb plan_verb() {
                           store_number(request->region_m, {})});
   verb.options.push_back({"--halo", "M",
                           "data around a region that are compiled with it; less than the default changes tiles at its "
-                          "sides (default: 11264)",
+                          "sides (default: 11264; 13056 with --fill lots)",
                           false, store_number(request->halo_m, {})});
   verb.options.push_back({"--zone", "M",
                           "longest side of a zone, which has a plane of its own, in metres (default: 200000)", false,

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "compiler/assume/assume.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/centroid.h"
@@ -212,26 +211,21 @@ Result<HouseRules> read_house_rules(const grammars::Loader& load) {
   return rules;
 }
 
-map::Features with_houses(map::Features features, const LotInputs& inputs, const HouseRules& rules, Assumptions assumed,
-                          Report& report) {
+map::Features with_houses(map::Features features, const LotInputs& inputs, const HouseRules& rules, Report& report) {
   MapLand land = land_of(features, inputs.roads, inputs.private_ways);
   land.land.split_empty = true;
   const parcels::Parcels parcels = parcels::divide(land.land, inputs.threads);
   const LotFiller filler{features, land, inputs, rules};
   const auto houses = for_each_slot<std::vector<map::Footprint>>(
       parcels.lots.size(), inputs.threads, [&](std::size_t i) { return filler.houses_on(parcels.lots[i]); });
-  map::Features made;
-  made.extent = features.extent;
+  std::vector<map::Footprint> made;
   for (const std::vector<map::Footprint>& of_lot : houses)
     for (const map::Footprint& house : of_lot) {
       if (!features.extent.contains(centroid(house.polygon))) continue;
-      made.footprints.push_back(house);
+      made.push_back(house);
       report.count_assumed(Assumption::kHouses, house.id.osm);
     }
-  std::ranges::sort(made.footprints, {}, &map::Footprint::id);
-  const Assumptions of_houses = assumed & (bit_of(Assumption::kRoofs) | bit_of(Assumption::kStyles));
-  made = assume::assume(std::move(made), {of_houses, inputs.seed}, report);
-  features.footprints.insert(features.footprints.end(), made.footprints.begin(), made.footprints.end());
+  features.footprints.insert(features.footprints.end(), made.begin(), made.end());
   std::ranges::stable_sort(features.footprints, {}, &map::Footprint::id);
   return features;
 }

@@ -6,7 +6,7 @@
 // | a row of usual sizes is drawn for each side of a street | houses.inc |
 // | the largest rectangle of the lot that keeps its distances | house_room.h |
 // | the rules of the row divide it into bodies | grammars/rules/lots |
-// | roofs, styles: as for mapped houses without them | assume/assume.h |
+// | roofs, styles, pavements beside them: as for mapped houses | assume/assume.h |
 #pragma once
 
 #include <map>
@@ -35,11 +35,9 @@ Result<HouseRules> read_house_rules(const grammars::Loader& load);
 /// use beside a residential street. They are footprints of a type of their own (OsmType::kLot), numbered by the ids of
 /// lots, and marked with Assumption::kHouses.
 ///
-/// None stands on anything that is mapped, and none where the lot has no room for one. Roofs and styles are assumed if
-/// `assumed` says so. A house depends on what lies within parcels::kInfluenceRadius_m. The result does not depend on
-/// the order of features.
+/// None stands on anything that is mapped, and none where the lot has no room for one. They have no roofs yet. A house
+/// depends on what lies within parcels::kInfluenceRadius_m. The result does not depend on the order of features.
 /// @param rules  The result of read_house_rules().
-map::Features with_houses(map::Features features, const LotInputs& inputs, const HouseRules& rules, Assumptions assumed,
-                          Report& report);
+map::Features with_houses(map::Features features, const LotInputs& inputs, const HouseRules& rules, Report& report);
 
 }  // namespace citykiln::lots

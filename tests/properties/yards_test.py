@@ -200,6 +200,18 @@ class Yards(ProgramTest):
         self.assertTrue(row.startswith("holds"), row)
         self.assertNotIn("by 0 tests", row)
 
+    def test_streets_of_filled_lots_have_pavements_as_those_of_mapped_houses(self):
+        places = ((9.9972, 50), (10.0028, 50), (9.9972, 49.999), (10.0028, 49.999), (10.0028, 50.001), (9.9972, 50.001))
+        text = '<osm version="0.6"><bounds minlat="49.998" minlon="9.997" maxlat="50.002" maxlon="10.003"/>'
+        text += "".join(f'<node id="{i}" lon="{lon}" lat="{lat}"/>' for i, (lon, lat) in enumerate(places, 1))
+        text += '<way id="1"><nd ref="1"/><nd ref="2"/><tag k="highway" v="residential"/></way>'
+        text += '<way id="2"><nd ref="3"/><nd ref="4"/><nd ref="5"/><nd ref="6"/><nd ref="3"/><tag k="landuse" v="residential"/></way>'
+        path = self.folder / "street.osm"
+        path.write_text(text + "</osm>")
+        pavements = {fill: report_of(self.compiled(fill, path, "--emit", "kiln", "--fill", fill))["assumed"]["pavements"]
+                     for fill in ("none", "lots")}
+        self.assertEqual(pavements, {"none": 0, "lots": 1})
+
     def test_own_rules_of_houses_replace_the_shipped_ones(self):
         rules = self.folder / "rules" / "lots"
         rules.mkdir(parents=True)

@@ -30,7 +30,7 @@ map::Features filled(map::Features features, Report& report) {
   const ClimateAt climate_at = [](Vec2) { return climate::ClimateClass::kCfb; };
   return with_houses(std::move(features),
                      {.roads = roads, .junctions = {}, .private_ways = {}, .climate_at = climate_at, .seed = 1},
-                     shipped_house_rules(), kUsualAssumptions, report);
+                     shipped_house_rules(), report);
 }
 map::Features filled(map::Features features) {
   Report report;
