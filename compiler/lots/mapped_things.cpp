@@ -35,19 +35,36 @@ void add_road(const Road& road, std::vector<Capsule>& capsules) {
 
 using ArmsOfJunctions = std::vector<std::vector<roads::Arm>>;
 
-OwnPolygons surfaces_of(std::span<const Road> roads, std::span<const roads::Junction> junctions,
-                        const ArmsOfJunctions& arms) {
-  OwnPolygons surfaces;
+// Adds the corners that a road's outer edges have at its bends, beyond the strips about its axis.
+void add_bends(const Road& road, std::vector<Polygon>& corners) {
+  constexpr double kStraight = 0.999, kHairpin = -0.8;
+  const double left_m = roads::left_m(road) + roads::raised_left_m(road),
+               right_m = roads::right_m(road) + roads::raised_right_m(road);
+  for (std::size_t i = 1; i + 1 < road.axis.size(); ++i) {
+    const Vec2 at = road.axis[i], in = unit(at - road.axis[i - 1]), out = unit(road.axis[i + 1] - at);
+    if (dot(in, out) > kStraight || dot(in, out) < kHairpin) continue;
+    const double aside_m = cross(in, out) > 0 ? -right_m : left_m;
+    const Vec2 from = left_of(in) * aside_m, to = left_of(out) * aside_m;
+    const Vec2 tip = (from + to) * (1 / (1 + dot(in, out)));
+    corners.push_back({.outer = {at, at + from, at + tip, at + to}, .holes = {}});
+    if (signed_area_m2(corners.back().outer) < 0) std::ranges::reverse(corners.back().outer);
+  }
+}
+
+OwnPolygons corners_of(std::span<const Road> roads, std::span<const roads::Junction> junctions,
+                       const ArmsOfJunctions& arms) {
+  OwnPolygons corners;
+  for (const Road& road : roads) add_bends(road, corners.all);
   std::vector<Box2> boxes;
   for (std::size_t j = 0; j < junctions.size(); ++j) {
     for (Ring& ring : roads::stroke(junctions[j], roads, arms[j]))
-      surfaces.all.push_back({.outer = std::move(ring), .holes = {}});
+      corners.all.push_back({.outer = std::move(ring), .holes = {}});
     for (Ring& ring : roads::stroke_corner_pavements(junctions[j], roads, arms[j]))
-      surfaces.all.push_back({.outer = std::move(ring), .holes = {}});
+      corners.all.push_back({.outer = std::move(ring), .holes = {}});
   }
-  for (const Polygon& surface : surfaces.all) boxes.push_back(box_of(surface.outer));
-  if (!boxes.empty()) surfaces.grid = grid_of(boxes, kBucket_m);
-  return surfaces;
+  for (const Polygon& surface : corners.all) boxes.push_back(box_of(surface.outer));
+  if (!boxes.empty()) corners.grid = grid_of(boxes, kBucket_m);
+  return corners;
 }
 
 Capsules zones_of(std::span<const Road> roads, std::span<const roads::Junction> junctions,
@@ -123,7 +140,7 @@ MappedThings mapped_things(const map::Features& features, std::span<const Road> 
           .trees = index_capsules(std::move(trees)),
           .wires = index_capsules(std::move(wires)),
           .junction_zones = zones_of(roads, junctions, arms),
-          .junctions = surfaces_of(roads, junctions, arms),
+          .corners = corners_of(roads, junctions, arms),
           .parking = index_capsules(std::move(parking)),
           .pools = index_polygons(std::move(pools))};
 }

@@ -41,7 +41,7 @@ struct MappedThings {
   Capsules trees;           ///< Trees and tree rows.
   Capsules wires;           ///< Power lines, as wide as trees keep clear of them.
   Capsules junction_zones;  ///< Nodes and outlines of junctions: hedges and trees there would hide traffic.
-  OwnPolygons junctions;    ///< The surfaces of junctions, of paths and rails too.
+  OwnPolygons corners;      ///< The surfaces of all junctions, and the outer corners of bends.
   Capsules parking;         ///< Borders of car parks.
   PolygonIndex pools;
 };

@@ -50,7 +50,7 @@ struct Planter {
            clearance_m(mapped.walls, p, to_wall_m) >= to_wall_m && !is_inside_any(mapped.buildings, p) &&
            !is_inside_any(mapped.pools, p) && is_off_ways(p) && is_off_barriers(p) &&
            clearance_m(mapped.wires, p, 0.25) > 0 && clearance_m(mapped.junction_zones, p, 0.25) > 0 &&
-           !is_inside_any(mapped.junctions, p) && clearance_m(mapped.trees, p, kToTree_m) >= kToTree_m;
+           !is_inside_any(mapped.corners, p) && clearance_m(mapped.trees, p, kToTree_m) >= kToTree_m;
   }
 
   bool has_mapped_tree() const {

@@ -27,7 +27,7 @@ inline constexpr std::size_t kMostPlants = 48;
 /// - 3 m (shrubs 2 m) from walls: a crown of 2 m reaches no roof, and eaves are at most 1.5 m wide;
 /// - 1 m from pavements, paths and drives, 0.75 m from barriers and the lot's border, 2 m from mapped trees;
 /// - outside of pools, of the corridors of wires (kClearOfWires_m) of the zones about junctions (kSight_m), and of
-///   the surfaces of all junctions.
+///   the surfaces of junctions and the outer corners of bends.
 /// No trees stand where one is mapped in the lot.
 /// @param barriers  The barriers of the lot (barriers_of()).
 /// @param draw      The random numbers of the lot; indices from 16 on are used.

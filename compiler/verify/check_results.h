@@ -72,7 +72,7 @@ struct CheckResults {
   Check land{"no road, railway or watercourse is cut deep into a peak, or high over a hole, that stands alone", 0, {}};
   Check trunks{"no tree trunk stands in a road, a railway, a building or water", 0, {}};
   Check things{"no thing stands in a road, a railway, a building or water unless it is mapped there", 0, {}};
-  Check wires{"no wire hangs lower than 4.5 m above a carriageway or railway", 0, {}};
+  Check wires{"no wire hangs lower than 4.5 m, less the tile's error, above a carriageway or railway", 0, {}};
   Check assumed_pavements{"no assumed pavement lies in water, a building, a railway or another road", 0, {}};
   Check assumed_lamps{"no assumed lamp stands on a carriageway, a railway, a building or water", 0, {}};
   Check assumed_railings{

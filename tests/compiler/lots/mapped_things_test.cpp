@@ -47,5 +47,24 @@ TEST(MappedThings, CornersOfJunctionsReachFarAtSmallAngles) {
   EXPECT_GT(farthest_m, 8);
 }
 
+TEST(MappedThings, OuterCornersOfBendsAreSurfacesOfRoads) {
+  map::Features town;
+  town.tracks = {street(1, {{-60, 0}, {0, 0}, {0, 60}}), street(2, {{200, 0}, {140, 0}, {140, -60}})};
+  Report report;
+  const std::vector<roads::Road> roads = roads::plan(town, report);
+  const MappedThings mapped = mapped_things(town, roads, {}, {});
+  ASSERT_EQ(roads.size(), 2u);
+  for (const roads::Road& road : roads) {
+    const bool is_left_turn = cross(road.axis[1] - road.axis[0], road.axis[2] - road.axis[1]) > 0;
+    const double aside_m = is_left_turn ? roads::right_m(road) + roads::raised_right_m(road)
+                                        : roads::left_m(road) + roads::raised_left_m(road);
+    const Vec2 in = unit(road.axis[1] - road.axis[0]), out = unit(road.axis[2] - road.axis[1]);
+    const Vec2 tip = (in - out) * aside_m;
+    EXPECT_TRUE(is_inside_any(mapped.corners, road.axis[1] + tip * 0.98)) << road.id.osm.id;
+    EXPECT_GT(clearance_m(mapped.roads, road.axis[1] + tip * 0.98, 10), 0) << "beyond the strips";
+    EXPECT_FALSE(is_inside_any(mapped.corners, road.axis[1] + tip * 1.02));
+  }
+}
+
 }  // namespace
 }  // namespace citykiln::lots
