@@ -54,8 +54,8 @@ bool may_be_pavement(const Road& road) {
 }
 
 parcels::Line line_of(const Road& road, LineKind kind) {
-  const double left_m = roads::left_m(road) + roads::raised_left_m(road),
-               right_m = roads::right_m(road) + roads::raised_right_m(road);
+  const double left_m = roads::widest_left_m(road) + roads::raised_left_m(road),
+               right_m = roads::widest_right_m(road) + roads::raised_right_m(road);
   return {.id = stable_id(road.id),
           .axis = road.axis,
           .left_m = left_m - kUnderPavement_m,

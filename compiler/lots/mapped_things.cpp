@@ -23,11 +23,27 @@ void add_outline(const Ring& ring, double half_m, std::vector<Capsule>& capsules
   if (ring.size() > 1) capsules.push_back({ring.back(), ring.front(), half_m});
 }
 
+// The distances from the axis to the road's outer edges, raised lanes included, at a vertex.
+struct OuterEdges {
+  double left_m, right_m;
+};
+
+std::vector<OuterEdges> outer_edges(const Road& road) {
+  std::vector<OuterEdges> edges;
+  for (const double along_m : roads::distances_along(road)) {
+    const double drift_m = roads::drift_m(road, along_m);
+    edges.push_back({roads::left_m(road) + roads::raised_left_m(road) + drift_m,
+                     roads::right_m(road) + roads::raised_right_m(road) - drift_m});
+  }
+  return edges;
+}
+
 // The road with its raised lanes; its middle lies beside the axis if its sides differ.
 void add_road(const Road& road, std::vector<Capsule>& capsules) {
-  const double left_m = roads::left_m(road) + roads::raised_left_m(road),
-               right_m = roads::right_m(road) + roads::raised_right_m(road);
+  const std::vector<OuterEdges> edges = outer_edges(road);
   for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
+    const double left_m = std::max(edges[i].left_m, edges[i + 1].left_m),
+                 right_m = std::max(edges[i].right_m, edges[i + 1].right_m);
     const Vec2 a = road.axis[i], b = road.axis[i + 1], aside = left_of(unit(b - a)) * ((left_m - right_m) / 2);
     capsules.push_back({a + aside, b + aside, (left_m + right_m) / 2});
   }
@@ -38,12 +54,11 @@ using ArmsOfJunctions = std::vector<std::vector<roads::Arm>>;
 // Adds the corners that a road's outer edges have at its bends, beyond the strips about its axis.
 void add_bends(const Road& road, std::vector<Polygon>& corners) {
   constexpr double kStraight = 0.999, kHairpin = -0.8;
-  const double left_m = roads::left_m(road) + roads::raised_left_m(road),
-               right_m = roads::right_m(road) + roads::raised_right_m(road);
+  const std::vector<OuterEdges> edges = outer_edges(road);
   for (std::size_t i = 1; i + 1 < road.axis.size(); ++i) {
     const Vec2 at = road.axis[i], in = unit(at - road.axis[i - 1]), out = unit(road.axis[i + 1] - at);
     if (dot(in, out) > kStraight || dot(in, out) < kHairpin) continue;
-    const double aside_m = cross(in, out) > 0 ? -right_m : left_m;
+    const double aside_m = cross(in, out) > 0 ? -edges[i].right_m : edges[i].left_m;
     const Vec2 from = left_of(in) * aside_m, to = left_of(out) * aside_m;
     const Vec2 tip = (from + to) * (1 / (1 + dot(in, out)));
     corners.push_back({.outer = {at, at + from, at + tip, at + to}, .holes = {}});

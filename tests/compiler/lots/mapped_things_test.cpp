@@ -66,5 +66,17 @@ TEST(MappedThings, OuterCornersOfBendsAreSurfacesOfRoads) {
   }
 }
 
+TEST(MappedThings, RoadsWhoseAxisDriftsAreAsWideAsTheyAreAtEachPlace) {
+  map::Features town;
+  town.tracks = {street(1, {{0, 0}, {50, 0}, {100, 0}})};
+  Report report;
+  std::vector<roads::Road> roads = roads::plan(town, report);
+  ASSERT_EQ(roads.size(), 1u);
+  roads[0].section.axis_drift = 0.0625;
+  const double left_m = roads::left_m(roads[0]) + roads::raised_left_m(roads[0]);
+  const MappedThings mapped = mapped_things(town, roads, {}, {});
+  EXPECT_LT(clearance_m(mapped.roads, {99, left_m + 5.75}, 10), 0.05) << "6.25 m farther left at the end";
+}
+
 }  // namespace
 }  // namespace citykiln::lots
