@@ -15,11 +15,16 @@ struct Halves {
   double left_m, right_m;
 };
 
+// The extent on the outside of a bend. A left bend opens on its right; an edge that width limits press beyond the axis
+// opens nothing.
+double outer_half_m(Vec2 before, Vec2 after, Halves halves) {
+  return std::max(cross(before, after) > 0 ? halves.right_m : halves.left_m, 0.0);
+}
+
 // The wedge that a bend opens between two quads, filled to the mitre: p, the two outer corners, and the point where the
 // outer edges meet.
 Ring mitre_wedge(Vec2 p, Vec2 before, Vec2 after, Halves halves) {
-  // a left bend opens on its right; an edge that width limits press beyond the axis opens nothing
-  const double half_m = cross(before, after) > 0 ? -std::max(halves.right_m, 0.0) : std::max(halves.left_m, 0.0);
+  const double half_m = outer_half_m(before, after, halves) * (cross(before, after) > 0 ? -1 : 1);
   const Vec2 a = left_of(before) * half_m, b = left_of(after) * half_m;
   const Vec2 tip = (a + b) * (1 / (1 + dot(before, after)));
   return {snapped(p), snapped(p + a), snapped(p + tip), snapped(p + b)};
@@ -28,7 +33,7 @@ Ring mitre_wedge(Vec2 p, Vec2 before, Vec2 after, Halves halves) {
 // Bends of less than a right angle take a mitre, whose tip lies within 1.42 half widths; sharper ones take a disk.
 Ring bend(Vec2 p, Vec2 before, Vec2 after, Halves halves) {
   return dot(before, after) > 0 ? mitre_wedge(p, before, after, halves)
-                                : sixteen_gon(p, std::max(halves.left_m, halves.right_m));
+                                : sixteen_gon(p, outer_half_m(before, after, halves));
 }
 
 // Appends a ring counter-clockwise, unless snapping left no area.

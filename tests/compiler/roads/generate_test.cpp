@@ -148,5 +148,12 @@ TEST(DriftingRoads, MeetTheNextRoadWithTheOffsetOfTheirEnd) {
   EXPECT_TRUE(find_nodes(roads).empty());
 }
 
+// The axis lies 1 m from the left edge, on the outside of a bend of more than a right angle.
+TEST(RoadStrip, SharpBendsAreRoundWithTheHalfOutsideOfThem) {
+  Road shifted = road_of_6_m({{0, 0}, {100, 0}, {90, -60}});
+  shifted.section.axis_offset_m = 1;
+  for (const Ring& ring : stroke_of(shifted)) EXPECT_LE(box_of(ring).max.x, 101.001);
+}
+
 }  // namespace
 }  // namespace citykiln::roads
