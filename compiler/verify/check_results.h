@@ -70,6 +70,9 @@ struct CheckResults {
       "no building on the ground has its floor a storey above the ground on all sides, or its top below it", 0, {}};
   Check openings{"no wall stands in a building's opening for a way, at levels up to 2.5 m", 0, {}};
   Check land{"no road, railway or watercourse is cut deep into a peak, or high over a hole, that stands alone", 0, {}};
+  Check on_earth{"all heights lie between -500 and 9,000 m", 0, {}};
+  Check areas{"no mapped area is hidden by a larger one that it lies in", 0, {}};
+  Check tracks{"no railway or tramway runs below a carriageway, except where they cross", 0, {}};
   Check trunks{"no tree trunk stands in a road, a railway, a building or water", 0, {}};
   Check things{"no thing stands in a road, a railway, a building or water unless it is mapped there", 0, {}};
   Check wires{"no wire hangs lower than 4.5 m, less the tile's error, above a carriageway or railway", 0, {}};

@@ -18,6 +18,7 @@
 #include "compiler/verify/measure_bend.h"
 #include "compiler/verify/measure_blank_walls.h"
 #include "compiler/verify/measure_footing.h"
+#include "compiler/verify/measure_hidden.h"
 #include "compiler/verify/measure_lakes.h"
 #include "compiler/verify/measure_road_faces.h"
 #include "compiler/verify/measure_standing.h"
@@ -33,6 +34,9 @@
 
 namespace citykiln::verify {
 namespace {
+
+// The heights of all land on Earth, metres: the shore of the Dead Sea and Mount Everest, rounded outwards.
+constexpr double kLowestLand_m = -500, kHighestLand_m = 9000;
 
 // A quarter of the largest number of samples of a file, since the graded terrain is the most expensive height. It is
 // equal for all tiles, so that the share of places over the limit is a share of area.
@@ -209,6 +213,29 @@ void check_things(TileUnderCheck& tile, const bake::BakedTile& level, const std:
                                   name});
 }
 
+void add_hidden(const HiddenThings& found, const char* what, const std::string& name, Check& check) {
+  check.test_all(found.tests, found.hidden == 0,
+                 {fmt::format("{}: {} of {} {}, {} below {} at {:.2f}, {:.2f}", name, found.hidden, found.tests, what,
+                              to_string(found.first), to_string(found.below), found.at.x, found.at.y),
+                  found.at,
+                  {found.first, found.below},
+                  static_cast<double>(found.hidden),
+                  name});
+}
+
+// The recipes of the ground and of what lies on it.
+void check_land(TileUnderCheck& tile, const std::string& name) {
+  const std::vector<std::int32_t>& heights = tile.chunk.heights.heights;
+  if (!heights.empty()) {
+    const auto [low, high] = std::ranges::minmax(heights);
+    const double low_m = low * map::kHeightQuantum_m, high_m = high * map::kHeightQuantum_m;
+    tile.results().on_earth.test_all(heights.size(), low_m >= kLowestLand_m && high_m <= kHighestLand_m,
+                                     fmt::format("{}: {:.1f} to {:.1f} m", name, low_m, high_m));
+  }
+  add_hidden(measure_hidden_areas(tile.cover, tile.box), "areas", name, tile.results().areas);
+  add_hidden(measure_hidden_tracks(tile.chunk, tile.cover, tile.box), "places of tracks", name, tile.results().tracks);
+}
+
 // The ground of a coarse tile may lie as far above the road as the tile's error says.
 void check_wires(TileUnderCheck& tile, const bake::BakedTile& level, const GroundIndex& ground,
                  const std::string& name) {
@@ -332,7 +359,7 @@ Result<Done> check_glb_level(TileUnderCheck& tile, bake::PreparedTile& prepared,
   check_trunks(tile, *written, file.name);
   check_things(tile, *written, file.name);
   if (level == 0) check_buildings(tile, *written, ground, file.name), check_assumed(tile, *written, file.name);
-  if (level == 0) check_wires(tile, *written, ground, file.name);
+  if (level == 0) check_land(tile, file.name), check_wires(tile, *written, ground, file.name);
   check_ways(tile, *written, file.name);
   tile.checked.borders.push_back(borders_of(*written, tile.box));
   return Done{};
