@@ -25,13 +25,14 @@ struct LandCoverPolygon {
   std::optional<double> level_m{};  ///< Plane height of standing water, a multiple of kProfileQuantum_m.
   bool is_graded = false;           ///< True if it belongs to a road with a profile, which decides its height.
   /// The highest priority, raised ones included, of the larger areas that it lies in; 0 if none is above its class's.
-  std::uint8_t lies_on = 0;
+  std::uint8_t raised_priority = 0;
   bool operator==(const LandCoverPolygon&) const = default;
 };
 
-/// Returns the priority that decides which of overlapping polygons is on top: the larger of its class's and lies_on.
+/// Returns the priority that decides which of overlapping polygons is on top: the larger of its class's and
+/// raised_priority.
 inline int priority_of(const LandCoverPolygon& polygon) {
-  return std::max(map::values_of(polygon.surface).priority, polygon.lies_on);
+  return std::max(map::values_of(polygon.surface).priority, polygon.raised_priority);
 }
 
 /// True for the surfaces of yards, which are assumed.

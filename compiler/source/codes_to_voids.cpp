@@ -30,7 +30,7 @@ constexpr double kMixed_m = 6, kMixedSlope = 0.5, kMixedSteps = 3;
 constexpr float kCodesFrom_m = 6000;
 constexpr float kNearlyZero_m = 1e-3F;
 
-bool is_on_earth(float height_m) { return height_m >= kLowestOnEarth_m && height_m <= kHighestOnEarth_m; }
+bool is_on_earth(float height_m) { return height_m >= kLowestLand_m && height_m <= kHighestLand_m; }
 
 // -9999, 99999 and the like, and the ends of number types.
 bool is_usual_code(double height_m) {
@@ -248,7 +248,7 @@ Raster codes_to_voids(Raster raster, Report& report) {
   return std::move(codes).result(report);
 }
 
-std::optional<Error> height_not_on_earth(const Raster& raster) {
+std::optional<Error> first_height_off_land(const Raster& raster) {
   const auto is_wrong = [](float height_m) { return !std::isnan(height_m) && !is_on_earth(height_m); };
   const auto first = std::ranges::find_if(raster.heights_m, is_wrong);
   if (first == raster.heights_m.end()) return std::nullopt;
@@ -258,11 +258,11 @@ std::optional<Error> height_not_on_earth(const Raster& raster) {
   const double x = g[0] + g[1] * column + g[2] * row, y = g[3] + g[4] * column + g[5] * row;
   const std::string place = raster.system_wkt.empty() ? fmt::format("{:.5f},{:.5f} (longitude, latitude)", x, y)
                                                       : fmt::format("{:.1f},{:.1f} in its own system", x, y);
-  return Error{raster.file_name,
-               fmt::format("expected heights on Earth, {:.0f} to {:.0f} m, found {:g} m at {}; {} samples are such. If "
-                           "its unit is not the metre, add unit= or scale=, such as unit=ft",
-                           kLowestOnEarth_m, kHighestOnEarth_m, *first, place,
-                           std::ranges::count_if(raster.heights_m, is_wrong))};
+  return Error{
+      raster.file_name,
+      fmt::format("expected heights on Earth, {:.0f} to {:.0f} m, found {:g} m at {}; {} samples are such. If "
+                  "its unit is not the metre, add unit= or scale=, such as unit=ft",
+                  kLowestLand_m, kHighestLand_m, *first, place, std::ranges::count_if(raster.heights_m, is_wrong))};
 }
 
 }  // namespace citykiln::source

@@ -9,10 +9,12 @@
 
 namespace citykiln::source {
 
-/// Returns the file with all blobs unpacked if it has such a blob, else nothing. Holds the unpacked file in memory
-/// then; else it reads a few bytes of each blob.
+/// Returns the bytes of the file with all blobs unpacked, if it has a blob that libosmium does not read, else nothing.
+/// Nothing too for a file that is no PBF: libosmium says what is wrong with it. Holds the unpacked file in memory; a
+/// file that needs no change costs a few bytes read for each blob.
 ///
-/// Errors: a blob that is damaged, larger than 32 MiB (the format's limit), or packed in another way.
+/// Errors, only for files with such a blob: data that cannot be unpacked, a packed blob of more than 32 MiB (the
+/// format's limit), or one packed in another way.
 /// @param path  A file whose blobs are complete (osm_format_of()).
 Result<std::optional<std::string>> mended_pbf(const std::string& path);
 

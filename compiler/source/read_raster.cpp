@@ -34,7 +34,7 @@ std::optional<Error> problem_of_file(const std::string& path) {
 // Replaces heights that are not on Earth by the nearest that are. Voids stay.
 void clamp_to_earth(Raster& raster) {
   for (float& height_m : raster.heights_m)
-    height_m = std::clamp(height_m, static_cast<float>(kLowestOnEarth_m), static_cast<float>(kHighestOnEarth_m));
+    height_m = std::clamp(height_m, static_cast<float>(kLowestLand_m), static_cast<float>(kHighestLand_m));
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ Result<std::vector<Raster>> read_heightmaps(std::span<const RasterSpec> specs, c
     raster = blocks_to_voids(spikes_to_voids(codes_to_voids(std::move(raster), report), report), report);
   for (Raster& raster : rasters) {
     if (spacing_m > 0) clamp_to_earth(raster);
-    if (const std::optional<Error> error = height_not_on_earth(raster)) return *error;
+    if (const std::optional<Error> error = first_height_off_land(raster)) return *error;
     raster = fill_voids(std::move(raster), report);
   }
   return rasters;

@@ -30,7 +30,7 @@ Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window, doub
 /// (codes_to_voids.h), spikes (spikes_to_voids.h) and blocks of broken samples (blocks_to_voids.h), fills voids
 /// (samples without a height). The result has the order of the specs. A unit other than the metre is diagnosed
 /// kHeightUnit. Parameters and errors are those of read_raster(), and heights that are not on Earth
-/// (height_not_on_earth()); with spacing_m, for land that is only seen from afar, these are clamped instead.
+/// (first_height_off_land()); with spacing_m, for land that is only seen from afar, these are clamped instead.
 Result<std::vector<Raster>> read_heightmaps(std::span<const RasterSpec> specs, const LonLatBox* window, Report& report,
                                             double spacing_m = 0);
 

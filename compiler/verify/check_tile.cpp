@@ -13,6 +13,7 @@
 #include "compiler/ground/mesh/reference.h"
 #include "compiler/outputs/tile_lights.h"
 #include "compiler/scene/land_cover.h"
+#include "compiler/source/codes_to_voids.h"
 #include "compiler/verify/ground_index.h"
 #include "compiler/verify/measure_assumed.h"
 #include "compiler/verify/measure_bend.h"
@@ -34,9 +35,6 @@
 
 namespace citykiln::verify {
 namespace {
-
-// The heights of all land on Earth, metres: the shore of the Dead Sea and Mount Everest, rounded outwards.
-constexpr double kLowestLand_m = -500, kHighestLand_m = 9000;
 
 // A quarter of the largest number of samples of a file, since the graded terrain is the most expensive height. It is
 // equal for all tiles, so that the share of places over the limit is a share of area.
@@ -229,7 +227,7 @@ void check_land(TileUnderCheck& tile, const std::string& name) {
   if (!heights.empty()) {
     const auto [low, high] = std::ranges::minmax(heights);
     const double low_m = low * map::kHeightQuantum_m, high_m = high * map::kHeightQuantum_m;
-    tile.results().on_earth.test_all(heights.size(), low_m >= kLowestLand_m && high_m <= kHighestLand_m,
+    tile.results().on_earth.test_all(heights.size(), low_m >= source::kLowestLand_m && high_m <= source::kHighestLand_m,
                                      fmt::format("{}: {:.1f} to {:.1f} m", name, low_m, high_m));
   }
   add_hidden(measure_hidden_areas(tile.cover, tile.box), "areas", name, tile.results().areas);

@@ -29,11 +29,11 @@ void level(auto& io, ground::LandCoverPolygon& s) {
 
 // One number: whether the surface belongs to a graded road, and twice the priority of the areas it lies in.
 void standing(auto& io, ground::LandCoverPolygon& s) {
-  auto number = static_cast<std::uint16_t>(s.lies_on << 1 | s.is_graded);
+  auto number = static_cast<std::uint16_t>(s.raised_priority << 1 | s.is_graded);
   io.number("graded", number);
   if constexpr (std::remove_reference_t<decltype(io)>::kReads)
     if (number >> 1 > 0xff) io.fail("graded"), number = 0;
-  s.is_graded = (number & 1) != 0, s.lies_on = static_cast<std::uint8_t>(number >> 1);
+  s.is_graded = (number & 1) != 0, s.raised_priority = static_cast<std::uint8_t>(number >> 1);
 }
 
 void serialise(auto& io, ground::LandCoverPolygon& s) {

@@ -92,7 +92,7 @@ std::vector<LandCoverPolygon> with_contained_on_top(std::vector<LandCoverPolygon
   std::iota(from_largest.begin(), from_largest.end(), 0u);
   std::ranges::stable_sort(from_largest, std::greater(), [&](std::uint32_t i) { return areas[i].area_m2; });
   for (const std::uint32_t i : from_largest)
-    if (may_be_raised(areas[i])) areas[i].lies_on = raised_priority(areas, i, containers);
+    if (may_be_raised(areas[i])) areas[i].raised_priority = raised_priority(areas, i, containers);
   return areas;
 }
 

@@ -7,8 +7,8 @@
 
 namespace citykiln::ground {
 
-/// Returns the polygons with `lies_on` set: the highest priority, raised ones included, of the larger polygons that
-/// each lies in, if that is above the priority of its class; else 0.
+/// Returns the polygons with `raised_priority` set: the highest priority, raised ones included, of the larger polygons
+/// that each lies in, if that is above the priority of its class; else 0.
 ///
 /// A polygon lies in one whose area_m2 is at least 1.05 times its own if edges with nine tenths of the length of its
 /// outer ring do. An edge counts by one point, 10 cm inside of its middle; edges below 20 cm are skipped. Yards, which

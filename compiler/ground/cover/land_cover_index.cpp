@@ -130,7 +130,7 @@ void find_in_buckets(const LandCoverIndex& land_cover, std::uint32_t number,
       const auto count = static_cast<std::uint32_t>(all_edges.size()) - first;
       if (count == 0 && windings[at] <= 0) continue;
       found.push_back(
-          {land_cover.index(c, r), {number, windings[at], priority, surface.lies_on > 0, first, count, about}});
+          {land_cover.index(c, r), {number, windings[at], priority, surface.raised_priority > 0, first, count, about}});
     }
 }
 

@@ -38,7 +38,7 @@ LandCoverPolygon rim_of(const LandCoverPolygon& pool) {
           .area_m2 = pool.area_m2,
           .rings = rim_rings(pool),
           .level_m = *pool.level_m + kPoolRimRise_m,
-          .lies_on = pool.lies_on};
+          .raised_priority = pool.raised_priority};
 }
 
 }  // namespace

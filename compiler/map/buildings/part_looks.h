@@ -9,13 +9,14 @@
 
 namespace citykiln::map {
 
-/// Gives each part, except steps, what its tags do not say: the class, the year, the colour and the material of walls
-/// and roof. They come from the outline that is in one relation of type=building with the part, else from the outline
-/// around it, then from the tags of the relation itself. The outlines of a relation get them from its tags, too.
+/// Completes each part of a building, except steps, from the first of these that has a value: the member of its
+/// type=building relation that is no part, the outline around it, the tags of the relation. Values are the class, the
+/// shop (for parts on the ground), the year, and colour and material of walls and roof. Members that are no parts take
+/// the values of their relation.
 ///
-/// A part with a value of its own, such as building:part=garage, keeps its class; so do parts of roofs and shelters,
-/// which have no use of their own. A part that states a material takes no colour. Diagnosed: kBadTagValue for values of
-/// relations. O(n log n).
+/// Only parts of class kPlain take a class, and neither that of steps nor of a building without walls. A surface whose
+/// material is tagged takes no colour. Changes `footprints` in place. Diagnosed: kBadTagValue for values of relations.
+/// O(n log n).
 /// @param outlines  part_outlines() of the footprints.
 void complete_looks(const ReadContext& context, std::vector<Footprint>& footprints,
                     std::span<const std::uint32_t> outlines);

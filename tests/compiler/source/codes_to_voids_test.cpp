@@ -104,8 +104,8 @@ TEST(CodesToVoids, SamplesIntoWhichAValueIsMixedGoToo) {
 }
 
 TEST(HeightNotOnEarth, NamesTheFileAndThePlace) {
-  EXPECT_FALSE(height_not_on_earth(raster_of(land_m)));
-  const auto error = height_not_on_earth(raster_of([](int c, int r) { return 100 * land_m(c, r); }));
+  EXPECT_FALSE(first_height_off_land(raster_of(land_m)));
+  const auto error = first_height_off_land(raster_of([](int c, int r) { return 100 * land_m(c, r); }));
   ASSERT_TRUE(error);
   EXPECT_EQ(error->where, "heights.tif");
   EXPECT_NE(error->message.find("found 18000 m at 10.00000,50.00000"), std::string::npos) << error->message;
@@ -114,7 +114,7 @@ TEST(HeightNotOnEarth, NamesTheFileAndThePlace) {
 TEST(HeightNotOnEarth, ManyValuesBeyondItAreNoCode) {
   Report report;
   const Raster mended = codes_to_voids(raster_of([](int c, int r) { return 100 * land_m(c, r); }), report);
-  EXPECT_TRUE(height_not_on_earth(mended));
+  EXPECT_TRUE(first_height_off_land(mended));
 }
 
 }  // namespace

@@ -305,7 +305,7 @@ TEST_F(RasterReal, NoRealHeightIsTakenForAValueThatStandsForNone) {
     Report report;
     const Raster raster = codes_to_voids(read_real(name), report);
     for (const Diagnosis& found : report.diagnoses()) ADD_FAILURE() << name << " " << found.tag << " " << found.size;
-    EXPECT_FALSE(height_not_on_earth(raster)) << name;
+    EXPECT_FALSE(first_height_off_land(raster)) << name;
   }
 }
 

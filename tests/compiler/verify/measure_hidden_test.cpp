@@ -11,7 +11,7 @@ using map::LandCoverClass;
 
 constexpr Box2 kHiddenTile{{0, 0}, {256, 256}};
 
-Ring square(Vec2 corner, double side_m) {
+Ring square_ring(Vec2 corner, double side_m) {
   return {corner, corner + Vec2{side_m, 0}, corner + Vec2{side_m, side_m}, corner + Vec2{0, side_m}};
 }
 
@@ -19,7 +19,7 @@ ground::LandCoverPolygon area_of(std::int64_t way, LandCoverClass surface, Vec2 
   return {.id = {{OsmType::kWay, way}, 0},
           .surface = surface,
           .area_m2 = static_cast<std::uint32_t>(side_m * side_m),
-          .rings = {square(corner, side_m)}};
+          .rings = {square_ring(corner, side_m)}};
 }
 
 HiddenThings hidden_areas(const std::vector<ground::LandCoverPolygon>& surfaces) {
@@ -28,14 +28,14 @@ HiddenThings hidden_areas(const std::vector<ground::LandCoverPolygon>& surfaces)
 
 TEST(MeasureHidden, AnAreaBelowALargerOneIsHidden) {
   auto pond = area_of(1, LandCoverClass::kGrass, {20, 20}, 10);
-  const auto square = area_of(2, LandCoverClass::kLake, {0, 0}, 100);
-  const HiddenThings found = hidden_areas({pond, square});
+  const auto plaza = area_of(2, LandCoverClass::kLake, {0, 0}, 100);
+  const HiddenThings found = hidden_areas({pond, plaza});
   EXPECT_EQ(found.tests, 2u);
   EXPECT_EQ(found.hidden, 1u);
   EXPECT_EQ(found.first.id, 1);
   EXPECT_EQ(found.below.id, 2);
-  pond.lies_on = 255;
-  EXPECT_EQ(hidden_areas({pond, square}).hidden, 0u);
+  pond.raised_priority = 255;
+  EXPECT_EQ(hidden_areas({pond, plaza}).hidden, 0u);
 }
 
 TEST(MeasureHidden, AnAreaIsSeenWhereItIsOnTopAtOnePlaceOrSmallerOnesLieOnIt) {
