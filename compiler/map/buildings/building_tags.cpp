@@ -237,6 +237,8 @@ Footprint read_building_tags(const ReadContext& context, OsmId id, source::Range
   footprint.wall_material = wall_material_of(context.tag(tags, "building:material"));
   footprint.roof_material = roof_material_of(context.tag(tags, "roof:material"));
   footprint.year = parsed_tag(context, id, tags, "start_date", year_of).value_or(0);
+  footprint.layer = tagged_layer(context, id, tags);
+  footprint.has_tagged_layer = !context.tag(tags, "layer").empty();
   footprint.has_shop = is_shop(context, tags);
   return footprint;
 }
