@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <span>
 #include <tuple>
 
 #include "compiler/contract/erase_repeated.h"
+#include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/area_rules.h"
@@ -41,31 +43,29 @@ std::optional<LandCoverClass> deck_class_of(const ReadContext& context, const so
 
 // ---- which bridges lie on an area -----------------------------------------------------------------------------------
 
-// The least share of a bridge's length on the area that carries it.
-constexpr double kCarriedShare = 0.85;
 constexpr double kCarriedStep_m = 1;
 
-// The share of an axis that lies in a polygon.
-double share_inside(const Polyline& axis, const Polygon& polygon) {
-  int all = 0, inside = 0;
-  for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
-    const int steps = std::max(1, static_cast<int>(std::ceil(distance(axis[i], axis[i + 1]) / kCarriedStep_m)));
-    for (int k = 0; k < steps; ++k) {
-      ++all;
-      inside += contains(polygon, axis[i] + (axis[i + 1] - axis[i]) * ((k + 0.5) / steps));
-    }
-  }
-  return all > 0 ? static_cast<double>(inside) / all : 0;
+bool lies_on(const BridgeArea& area, const Track& track) {
+  constexpr double kLeastShare = 1.0 / 3, kOfExtent = 0.5;
+  if (track.passage != Passage::kBridge) return false;
+  const double share = share_inside(track.axis, area.polygon);
+  const Box2 box = box_of(area.polygon.outer);
+  return share >= kLeastShare || share * length_m(track.axis) >= kOfExtent * std::max(box.width(), box.height());
 }
 
-bool may_touch(const Track& track, const BridgeArea& area) {
-  return box_of(area.polygon.outer).touches(box_of(track.axis));
+bool has_same_layer(const BridgeArea& area, const Track& track) {
+  return track.layer == 0 || area.layer == 0 || track.layer == area.layer;
 }
 
-bool carries(const BridgeArea& area, const Track& track) {
-  if (track.passage != Passage::kBridge || !may_touch(track, area)) return false;
-  const bool is_other_layer = track.layer != 0 && area.layer != 0 && track.layer != area.layer;
-  return !is_other_layer && share_inside(track.axis, area.polygon) >= kCarriedShare;
+// The bridges on an area that no area before it carries: those of its layer, or all if there are none.
+std::vector<const Track*> carried_by(const BridgeArea& area, std::span<const Track* const> near,
+                                     std::span<const ObjectId> taken) {
+  std::vector<const Track*> here, of_layer;
+  for (const Track* track : near)
+    if (lies_on(area, *track) && std::ranges::find(taken, track->id) == taken.end()) here.push_back(track);
+  std::ranges::copy_if(here, std::back_inserter(of_layer),
+                       [&](const Track* track) { return has_same_layer(area, *track); });
+  return of_layer.empty() ? here : of_layer;
 }
 
 // ---- places where ways meet the outline -----------------------------------------------------------------------------
@@ -91,10 +91,10 @@ void add_places(const BridgeArea& area, const Track& track, std::vector<JoinPlac
       places.push_back({track.axis[v], track.node_ids[v], track.surface});
 }
 
-std::vector<JoinPlace> join_places_of(const BridgeArea& area, std::span<const Track> tracks) {
+std::vector<JoinPlace> join_places_of(const BridgeArea& area, std::span<const Track* const> near) {
   std::vector<JoinPlace> places;
-  for (const Track& track : tracks)
-    if (track.passage != Passage::kTunnel && may_touch(track, area)) add_places(area, track, places);
+  for (const Track* track : near)
+    if (track->passage != Passage::kTunnel) add_places(area, *track, places);
   // the class of the widest way first
   std::ranges::sort(places, {}, [](const JoinPlace& p) {
     return std::tuple(p.at.x, p.at.y, -values_of(p.surface).priority, p.node_id);
@@ -219,11 +219,11 @@ std::vector<Track> branches(const BridgeArea& area, std::span<const Track* const
 }
 
 // True if a way on the ground runs through most of an outline: its bridge is not tagged.
-bool is_crossed_on_ground(const BridgeArea& area, std::span<const Track> tracks) {
+bool is_crossed_on_ground(const BridgeArea& area, std::span<const Track* const> near) {
   constexpr double kThrough = 0.6;
-  return std::ranges::any_of(tracks, [&](const Track& track) {
-    return track.passage == Passage::kGround && may_touch(track, area) && track.layer >= area.layer &&
-           share_inside(track.axis, area.polygon) >= kThrough;
+  return std::ranges::any_of(near, [&](const Track* track) {
+    return track->passage == Passage::kGround && track->layer >= area.layer &&
+           share_inside(track->axis, area.polygon) >= kThrough;
   });
 }
 
@@ -261,6 +261,18 @@ bool is_bridge_area(const ReadContext& context, const source::Area& area) {
   return deck_class_of(context, area).value_or(LandCoverClass::kUnknown) != LandCoverClass::kUnknown;
 }
 
+double share_inside(const Polyline& axis, const Polygon& polygon) {
+  int all = 0, inside = 0;
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+    const int steps = std::max(1, static_cast<int>(std::ceil(distance(axis[i], axis[i + 1]) / kCarriedStep_m)));
+    for (int k = 0; k < steps; ++k) {
+      ++all;
+      inside += contains(polygon, axis[i] + (axis[i + 1] - axis[i]) * ((k + 0.5) / steps));
+    }
+  }
+  return all > 0 ? static_cast<double>(inside) / all : 0;
+}
+
 std::vector<BridgeArea> locate_bridge_areas(const ReadContext& context) {
   std::vector<BridgeArea> areas;
   Account account;
@@ -281,16 +293,21 @@ std::vector<BridgeArea> locate_bridge_areas(const ReadContext& context) {
 }
 
 CarriedTracks with_bridge_areas(std::vector<Track> tracks, std::vector<BridgeArea> areas) {
+  constexpr double kBucket_m = 64;
+  if (areas.empty()) return {std::move(tracks), {}};
   std::ranges::sort(areas, {}, &BridgeArea::id);
-  CarriedTracks with{std::move(tracks), {}};
+  std::vector<Box2> boxes;
+  for (const Track& track : tracks) boxes.push_back(box_of(track.axis));
+  const BoxGrid grid = grid_of(boxes, kBucket_m);
+  std::vector<BridgeArea> with_tracks;
   std::vector<Track> axes;
   std::vector<ObjectId> taken;
   for (BridgeArea& area : merged_outlines(std::move(areas))) {
-    std::vector<const Track*> carried;
-    for (const Track& track : with.tracks)
-      if (carries(area, track) && std::ranges::find(taken, track.id) == taken.end()) carried.push_back(&track);
-    if (carried.empty() && area.is_outline && is_crossed_on_ground(area, with.tracks)) continue;
-    const std::vector<JoinPlace> joins = join_places_of(area, with.tracks);
+    std::vector<const Track*> near;
+    for (const std::uint32_t t : boxes_about(grid, box_of(area.polygon.outer))) near.push_back(&tracks[t]);
+    const std::vector<const Track*> carried = carried_by(area, near, taken);
+    if (carried.empty() && area.is_outline && is_crossed_on_ground(area, near)) continue;
+    const std::vector<JoinPlace> joins = join_places_of(area, near);
     std::vector<Track> own = carried.empty() ? own_axes(area, joins) : branches(area, carried, joins);
     for (const Track* track : carried) area.tracks.push_back(track->id);
     for (const Track& track : own) area.tracks.push_back(track.id);
@@ -298,10 +315,10 @@ CarriedTracks with_bridge_areas(std::vector<Track> tracks, std::vector<BridgeAre
     std::ranges::sort(area.tracks);
     taken.insert(taken.end(), area.tracks.begin(), area.tracks.end());
     axes.insert(axes.end(), own.begin(), own.end());
-    with.areas.push_back(std::move(area));
+    with_tracks.push_back(std::move(area));
   }
-  with.tracks.insert(with.tracks.end(), axes.begin(), axes.end());
-  return with;
+  tracks.insert(tracks.end(), axes.begin(), axes.end());
+  return {std::move(tracks), std::move(with_tracks)};
 }
 
 }  // namespace citykiln::map

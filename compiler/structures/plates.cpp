@@ -5,9 +5,11 @@
 #include <limits>
 #include <optional>
 
+#include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/overlay.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
+#include "compiler/map/bridge_areas.h"
 #include "compiler/structures/ribs.h"
 
 namespace citykiln::structures {
@@ -106,10 +108,10 @@ void add_gaps_at_nodes(const map::Track& track, PlatePlanner& planner) {
         planner.gaps.push_back({corner, half_way_m(track) + kBesideWay_m});
 }
 
-void add_gaps(const map::Features& features, PlatePlanner& planner) {
-  const Box2 box = box_of(planner.area.polygon.outer).widened(kCorners_m);
-  for (const map::Track& track : features.tracks) {
-    if (!box.touches(box_of(track.axis)) || track.passage == map::Passage::kTunnel) continue;
+void add_gaps(const map::Features& features, const BoxGrid& near, PlatePlanner& planner) {
+  for (const std::uint32_t t : boxes_about(near, box_of(planner.area.polygon.outer).widened(kCorners_m))) {
+    const map::Track& track = features.tracks[t];
+    if (track.passage == map::Passage::kTunnel) continue;
     const bool is_axis = track.id.osm == planner.area.id.osm;
     if (is_axis) continue;
     if (std::ranges::binary_search(planner.area.tracks, track.id))
@@ -170,7 +172,7 @@ Plate plate_of(const PlatePlanner& planner) {
   Plate plate{planner.area.id.osm, planner.area.surface, {}};
   std::vector<Polygon> roads;
   for (const Span* bridge : planner.carried)
-    if (Polygon plan = road_plan_of(*bridge); bridge->deck == DeckForm::kPlate && plan.outer.size() > 2)
+    if (Polygon plan = road_plan_of(*bridge); bridge->deck != DeckForm::kNone && plan.outer.size() > 2)
       roads.push_back(std::move(plan));
   if (roads.empty()) {
     plate.parts.push_back(plate_part_of(planner, planner.area.polygon, false));
@@ -191,16 +193,24 @@ Span* bridge_with(std::vector<Span>& bridges, ObjectId id) {
 }  // namespace
 
 std::vector<Span> with_plates(std::vector<Span> bridges, const map::Features& features) {
+  constexpr double kBucket_m = 64;
+  if (features.bridge_areas.empty()) return bridges;
+  std::vector<Box2> boxes;
+  for (const map::Track& track : features.tracks) boxes.push_back(box_of(track.axis));
+  const BoxGrid near = grid_of(boxes, kBucket_m);
   for (const map::BridgeArea& area : features.bridge_areas) {
     PlatePlanner planner{area, {}, {}};
     for (const ObjectId id : area.tracks) {
       Span* bridge = bridge_with(bridges, id);
       if (bridge == nullptr) continue;
-      bridge->deck = id.osm == area.id.osm ? DeckForm::kNone : DeckForm::kPlate;
+      if (id.osm == area.id.osm)
+        bridge->deck = DeckForm::kNone;
+      else if (map::share_inside(bridge->axis, area.polygon) >= map::kCarriedShare)
+        bridge->deck = DeckForm::kPlate;
       planner.carried.push_back(bridge);
     }
     if (planner.carried.empty()) continue;
-    add_gaps(features, planner);
+    add_gaps(features, near, planner);
     Plate plate = plate_of(planner);
     if (!plate.parts.empty()) bridge_with(bridges, planner.carried.front()->id)->plates.push_back(std::move(plate));
   }

@@ -17,7 +17,8 @@ namespace citykiln::structures {
 ///
 /// Guarantees: at a road that it carries, and at nodes where other ways meet its outline, a plate has the height of the
 /// bridge there within 2^-7 m; elsewhere the mean of all its bridges, weighted by the inverse square of the distance.
-/// Walls stand on the outline except where ways cross it or meet it at a node. O(areas · (tracks + corners · bridges)).
+/// Walls stand on the outline except where ways cross it or meet it at a node. O(areas · corners · bridges
+/// near).
 /// @param bridges  Sorted by id, with profiles.
 std::vector<Span> with_plates(std::vector<Span> bridges, const map::Features& features);
 

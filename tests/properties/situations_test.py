@@ -376,8 +376,27 @@ class TwoBridgesWithoutLayers(Situation):
         case.assertAlmostEqual(height_at(tiles, self.frame, 0, 18, ("structures",)), faces[-1], delta=1.5)
 
 
+class SkywalksBetweenHouses(Situation):
+    """A corridor that is a bridge and a building that is one, over a street."""
+    def add(self, osm, frame):
+        self.frame = frame
+        osm.way(frame, [(0, -40), (0, 40)], {"highway": "residential"})
+        for x in (-22, 8):
+            osm.box(frame, x, -14, x + 14, 14, {"building": "office", "building:levels": "5", "roof:shape": "flat"})
+        self.path = osm.way(frame, [(-8, 6), (8, 6)],
+                            {"highway": "footway", "bridge": "yes", "layer": "1", "level": "1", "indoor": "yes"})
+        self.building = osm.box(frame, -8, -8, 8, -4, {"building": "yes", "bridge": "yes", "layer": "1"})
+
+    def test(self, case, tiles):
+        self.expect_empty(case, tiles, self.building, (-7, -9, 99), (7, -3, 104.8))
+        case.assertGreater(self.highest(tiles, self.building, -5, -7, 5, -5), 107)
+        deck = [p[2] for triangle in tiles.of(self.path, self.frame, ("structures",)) for p in triangle]
+        case.assertTrue(deck)
+        case.assertGreater(min(deck), 103.5)
+
+
 SITUATIONS = (Passage, ObliquePassageOfTwoHouses, OpenRoof, Parts, BowTie, WhatIsNotOnTheGround, Ruin, RetainingWall, Pier, AreaThatIsABridge,
-              OutlineOfABridge, TwoBridgesWithoutLayers)
+              OutlineOfABridge, TwoBridgesWithoutLayers, SkywalksBetweenHouses)
 
 
 def grey_png(rows):
