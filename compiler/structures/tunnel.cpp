@@ -16,7 +16,7 @@ namespace {
 constexpr double kFrameOut_m = 0.5, kFrameSide_m = 0.6, kFrameTop_m = 0.8, kFrameFoot_m = 0.5;
 
 // A path this far below the ground has come down before the tunnel begins.
-constexpr double kBelowGround_m = 1;
+constexpr double kBelowGround_m = 1.75;
 
 bool is_covered(const Span& tunnel, std::span<const Rib> ribs, double at_m, const map::Heightfield& heights) {
   const Rib rib = rib_at(ribs, at_m);
