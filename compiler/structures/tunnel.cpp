@@ -15,9 +15,6 @@ namespace {
 // Depth of a portal's frame in front of the opening, and its extent beyond it: sideways, upwards, downwards.
 constexpr double kFrameOut_m = 0.5, kFrameSide_m = 0.6, kFrameTop_m = 0.8, kFrameFoot_m = 0.5;
 
-// A path this far below the ground has come down before the tunnel begins.
-constexpr double kBelowGround_m = 1.75;
-
 bool is_covered(const Span& tunnel, std::span<const Rib> ribs, double at_m, const map::Heightfield& heights) {
   const Rib rib = rib_at(ribs, at_m);
   return map::height_m_at(heights, rib.at) >= rib.z_m + ground::bore_height_m(tunnel);
@@ -62,22 +59,9 @@ void add_frame(const Rib& portal, double outwards, const Section& road, double h
 
 }  // namespace
 
-bool enters_from_above(const Span& tunnel, const map::Heightfield& heights) {
-  if (map::values_of(tunnel.surface).group != map::LandCoverGroup::kPath) return false;
-  const std::vector<Rib> ribs = ribs_of(tunnel);
-  if (ribs.empty()) return false;
-  const double from_m = ribs.front().along_m, to_m = ribs.back().along_m;
-  const double inside_m = std::min(ground::kPortalLength_m, (to_m - from_m) / 2);
-  const auto goes_down = [&](const Rib& end, double at_m) {
-    const double end_m = map::height_m_at(heights, end.at), inner_m = map::height_m_at(heights, rib_at(ribs, at_m).at);
-    return end.z_m > end_m - kBelowGround_m && inner_m < end.z_m + ground::bore_height_m(tunnel) / 2;
-  };
-  return goes_down(ribs.front(), from_m + inside_m) || goes_down(ribs.back(), to_m - inside_m);
-}
-
 bool is_underground(const Span& tunnel, const map::Heightfield& heights) {
   const std::vector<Rib> ribs = ribs_of(tunnel);
-  if (ribs.empty() || tunnel.profile.empty() || enters_from_above(tunnel, heights)) return false;
+  if (ribs.empty() || tunnel.profile.empty() || ground::enters_from_above(tunnel, heights)) return false;
   const double from_m = ribs.front().along_m, to_m = ribs.back().along_m;
   const double first_m = from_m + (is_on_ground(tunnel.from) ? ground::kPortalLength_m : 0),
                last_m = to_m - (is_on_ground(tunnel.to) ? ground::kPortalLength_m : 0);
