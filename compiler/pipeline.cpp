@@ -170,7 +170,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
       structures::place_piers(std::move(recipes.structures.bridges), graded, pier_obstacles(recipes, features), report);
   recipes.structures = structures::within_extent(std::move(recipes.structures), features.extent, report);
   timer.enter("buildings");
-  recipes.buildings = buildings::plan(features, graded, report);
+  recipes.buildings = buildings::plan(features, graded, report, recipes.structures.bridges);
   timer.enter("plants");
   recipes.plants = plants::plan(features, recipes.surfaces, recipes.roads, recipes.heights, report, own_species->table);
   timer.enter("props");

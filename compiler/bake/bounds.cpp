@@ -40,6 +40,10 @@ Bounds bounds_of(const buildings::Building& building) {
 
 Bounds bounds_of(const structures::Span& span) {
   Bounds bounds{box_of(span.axis).widened(roads::max_offset_m(span) + kSpanMargin_m)};
+  for (const Vec3 corner : structures::plate_corners(span)) {
+    bounds.plan.grow(Box2{in_plan(corner), in_plan(corner)}.widened(kSpanMargin_m).min);
+    bounds.plan.grow(Box2{in_plan(corner), in_plan(corner)}.widened(kSpanMargin_m).max);
+  }
   if (span.profile.empty()) return bounds;
   const auto [low, high] = std::ranges::minmax(span.profile, {}, &Knot::z_m);
   bounds.low_m = low.z_m - kSpanMargin_m, bounds.high_m = high.z_m + kBore_m;

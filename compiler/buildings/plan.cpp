@@ -20,6 +20,7 @@
 #include "compiler/geometry/snap.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/buildings/part_outlines.h"
+#include "compiler/structures/plates.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -29,6 +30,8 @@ constexpr double kMinWallAboveGround_m = 2;
 
 // The ground may dip between two height samples, and coarse levels of the ground lie a little lower.
 constexpr double kFoundation_m = 3;
+// The depth of walls below the top of a bridge's deck: less than the thickness of the deck.
+constexpr double kOnPlate_m = 0.25;
 
 // Spacing of height samples along walls: embankments beside roads are a few metres wide.
 constexpr double kSampleSpacing_m = 4;
@@ -97,7 +100,23 @@ struct Site {
   const std::vector<bool> supported;
   const PostObstacles post_obstacles;
   const std::vector<map::Passageway> passageways;
+  const std::vector<const structures::Plate*> plates;  // by footprint: the plate of a bridge that it stands on, or null
 };
+
+// The height of what a footprint stands on along each edge of its outer ring.
+std::vector<GroundRange> feet_of_walls(std::size_t i, const Site& site) {
+  const Polygon& polygon = site.footprints[i].polygon;
+  if (site.plates[i] == nullptr) return ground_along_walls(polygon, site.ground);
+  std::vector<GroundRange> ranges;
+  for (std::size_t k = 0; k < polygon.outer.size(); ++k) {
+    GroundRange& range = ranges.emplace_back();
+    for (const Vec2 p : {polygon.outer[k], polygon.outer[(k + 1) % polygon.outer.size()]}) {
+      const double z_m = structures::plate_height_m(*site.plates[i], p);
+      range.grow({z_m, z_m});
+    }
+  }
+  return ranges;
+}
 
 // The footprint whose ground the heights of footprint i are measured from: its outline, or itself.
 std::size_t root_of(std::size_t i, std::span<const std::uint32_t> outlines) {
@@ -139,7 +158,7 @@ double entrance_m(const Polygon& polygon, const std::vector<GroundRange>& walls,
 double base_m(std::size_t i, const Site& site) {
   const std::size_t root = root_of(i, site.outlines);
   const Polygon& whole = site.footprints[root].polygon;
-  const std::vector<GroundRange> walls = ground_along_walls(whole, site.ground);
+  const std::vector<GroundRange> walls = feet_of_walls(root, site);
   if (site.have_height[root]) return all_of(walls).lowest_m;
   return entrance_m(whole, walls, street_sides(whole, site.streets));
 }
@@ -336,7 +355,7 @@ struct Planned {
 
 Planned plan_building(std::size_t i, const Site& site, Report& report) {
   const map::Footprint& footprint = site.footprints[i];
-  const std::vector<GroundRange> walls = ground_along_walls(footprint.polygon, site.ground);
+  const std::vector<GroundRange> walls = feet_of_walls(i, site);
   const GroundRange under = all_of(walls);
   const double from_m = base_m(i, site), lift_m = min_height_m(footprint, report);
   const std::vector<bool> sides = street_sides(footprint.polygon, site.streets);
@@ -347,7 +366,7 @@ Planned plan_building(std::size_t i, const Site& site, Report& report) {
                     .footprint = footprint.polygon,
                     .floor_m = snapped(from_m + lift_m),
                     .top_m = top_m(footprint, from_m, roof.height_m, under, report),
-                    .stands_on_ground = lift_m == 0,
+                    .stands_on_ground = lift_m == 0 && site.plates[i] == nullptr,
                     .wall = materials.wall,
                     .roof = materials.roof,
                     .wall_colour = footprint.wall_colour,
@@ -358,13 +377,15 @@ Planned plan_building(std::size_t i, const Site& site, Report& report) {
                     .has_shop = footprint.has_shop,
                     .country = footprint.country,
                     .assumed = footprint.assumed};
-  building.bottom_m = lift_m > 0 ? building.floor_m : snapped(std::min(from_m, under.lowest_m) - kFoundation_m);
+  const double foundation_m = site.plates[i] != nullptr ? kOnPlate_m : kFoundation_m;
+  building.bottom_m = lift_m > 0 ? building.floor_m : snapped(std::min(from_m, under.lowest_m) - foundation_m);
   building.roof_shape.height_m = std::min(roof.height_m, building.top_m - building.floor_m);
   const std::span<const map::Passageway> passageways = passageways_in(footprint.id, site.passageways);
   if (!footprint.is_open) make_room(building, footprint, passageways, site.ground, report);
   if (footprint.is_open) open_below(building, under.highest_m);
-  const bool is_opened = building.stands_on_ground != (lift_m == 0);
-  if (!building.stands_on_ground && (is_opened || !site.supported[i])) set_posts(i, site, under.lowest_m, building);
+  const bool is_opened = building.stands_on_ground != (lift_m == 0) && site.plates[i] == nullptr;
+  if (!building.stands_on_ground && (lift_m > 0 || is_opened) && (is_opened || !site.supported[i]))
+    set_posts(i, site, under.lowest_m, building);
   if (building.stands_on_ground) building.passageways = openings_of(building, passageways, site.ground, report);
   building.levels = levels_of(footprint, eaves_m(building) - building.floor_m);
   const std::uint8_t below = storeys_below(building, under.lowest_m);
@@ -459,7 +480,29 @@ void diagnose_unsupported(std::span<const map::Footprint> footprints, const std:
       report.add(Code::kUnsupportedBuilding, footprints[i].id.osm, footprints[i].min_height_m);
 }
 
-Site site_of(const map::Features& features, const ground::GradedTerrain& ground, Report& report) {
+// The plate that a footprint stands on: most of its corners lie on it, and no layer says that it is below.
+const structures::Plate* plate_under(const map::Footprint& footprint, std::span<const structures::Span> bridges) {
+  constexpr double kLeastShare = 0.75;
+  const Ring& ring = footprint.polygon.outer;
+  for (const structures::Span& bridge : bridges) {
+    if (footprint.has_tagged_layer && footprint.layer < bridge.layer) continue;
+    for (const structures::Plate& plate : bridge.plates) {
+      const auto on = std::ranges::count_if(ring, [&](Vec2 p) { return structures::is_on_plate(plate, p); });
+      if (on >= kLeastShare * static_cast<double>(ring.size())) return &plate;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<const structures::Plate*> plates_under(std::span<const map::Footprint> footprints,
+                                                   std::span<const structures::Span> bridges) {
+  std::vector<const structures::Plate*> plates;
+  for (const map::Footprint& footprint : footprints) plates.push_back(plate_under(footprint, bridges));
+  return plates;
+}
+
+Site site_of(const map::Features& features, const ground::GradedTerrain& ground,
+             std::span<const structures::Span> bridges, Report& report) {
   std::vector<std::vector<SharedWall>> shared = shared_walls(features.footprints);
   std::vector<bool> supported = find_supported(features.footprints, shared);
   diagnose_unsupported(features.footprints, supported, report);
@@ -474,7 +517,8 @@ Site site_of(const map::Features& features, const ground::GradedTerrain& ground,
           .doors = index_doors(features.points),
           .supported = std::move(supported),
           .post_obstacles = index_post_obstacles(features.tracks, features.footprints),
-          .passageways = features.passageways};
+          .passageways = features.passageways,
+          .plates = plates_under(features.footprints, bridges)};
 }
 
 // A building belongs to the extent by its centroid, and all parts of an outline with it.
@@ -484,8 +528,9 @@ bool is_in_region(std::size_t i, const Site& site, const Box2& extent) {
 
 }  // namespace
 
-std::vector<Building> plan(const map::Features& features, const ground::GradedTerrain& ground, Report& report) {
-  const Site site = site_of(features, ground, report);
+std::vector<Building> plan(const map::Features& features, const ground::GradedTerrain& ground, Report& report,
+                           std::span<const structures::Span> bridges) {
+  const Site site = site_of(features, ground, bridges, report);
   std::vector<std::optional<Planned>> planned(site.footprints.size());
   Account account;
   for (std::size_t i = 0; i < planned.size(); ++i) {

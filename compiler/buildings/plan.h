@@ -1,12 +1,14 @@
 // Plans buildings: decides which footprints become buildings, their heights, materials, styles and facade attributes.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "compiler/buildings/recipe.h"
 #include "compiler/contract/report.h"
 #include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/map/features.h"
+#include "compiler/structures/recipe.h"
 
 namespace citykiln::buildings {
 
@@ -23,7 +25,9 @@ namespace citykiln::buildings {
 /// less than 2 m above its highest ground is raised (kHeightRaised). Walls extend 3 m below the lowest ground. A roof
 /// without walls is a slab of 0.25 m, open below. It stands on posts (posts.h), as does a building that min_height
 /// lifts but nothing supports (vertical_support.h; kUnsupportedBuilding). The result does not depend on the order of
-/// the footprints. Accepts any footprints.
-std::vector<Building> plan(const map::Features& features, const ground::GradedTerrain& ground, Report& report);
+/// the footprints. A building on the plate of a bridge (structures/plates.h), unless its layer is lower, stands on
+/// that. Accepts any footprints.
+std::vector<Building> plan(const map::Features& features, const ground::GradedTerrain& ground, Report& report,
+                           std::span<const structures::Span> bridges = {});
 
 }  // namespace citykiln::buildings

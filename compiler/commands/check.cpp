@@ -69,6 +69,7 @@ void check_recipes(const scene::Scene& scene, std::span<const outputs::Finding> 
   results.jumps.test_all(
       jumps.places, jumps.largest_m <= kNoJump_m,
       {fmt::format("{} m at {}, {}", jumps.largest_m, jumps.at.x, jumps.at.y), jumps.at, {}, jumps.largest_m});
+  results.crossing_steps = verify::measure_crossing_steps(scene);
   for (const scene::Chunk& chunk : scene.chunks) {
     const verify::Rises rises = verify::measure_rises(chunk);
     results.rivers.test_all(

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compiler/ground/grading/bend_points.h"
+#include "compiler/ground/profiles/ground_crossings.h"
 
 namespace citykiln::commands {
 namespace {
@@ -103,6 +104,26 @@ OrderedJson print_measure(std::size_t earthworks, std::span<const verify::DeepEa
           {"over", std::move(places)}};
 }
 
+OrderedJson print_measure(std::span<const verify::CrossingStep> steps, const Console& console) {
+  constexpr std::size_t kPrinted = 5;
+  console.print_line(fmt::format(
+      "info  {} pairs of ways on the ground cross without a common node at heights that differ by over {} m",
+      steps.size(), ground::kSmallStep_m));
+  OrderedJson places = OrderedJson::array();
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const verify::CrossingStep& s = steps[i];
+    if (i < kPrinted)
+      console.print_line(fmt::format("      {:.1f} m between {} and {} at {:.0f}, {:.0f}", s.step_m, to_string(s.first),
+                                     to_string(s.second), s.at.x, s.at.y));
+    places.push_back({{"first", to_string(s.first)},
+                      {"second", to_string(s.second)},
+                      {"step_m", s.step_m},
+                      {"at", {s.at.x, s.at.y}}});
+  }
+  if (steps.size() > kPrinted) console.print_line(fmt::format("      and {} more", steps.size() - kPrinted));
+  return {{"measure", "steps where ways on the ground cross"}, {"places", std::move(places)}};
+}
+
 // Ways into walls without an opening for them; some end inside, others lack a tag or a finding says more.
 OrderedJson print_measure(std::span<const verify::WayIntoWall> ways, const Console& console) {
   const auto worst = std::ranges::max_element(ways, {}, &verify::WayIntoWall::area_m2);
@@ -171,6 +192,7 @@ void print(const verify::CheckResults& results, const Console& console) {
   json.push_back(print_folder(results, console));
   json.push_back(print_measure(results.grades, console));
   json.push_back(print_measure(results.clearances, console));
+  json.push_back(print_measure(results.crossing_steps, console));
   json.push_back(print_measure(results.earthworks.size(), results.deep_earthworks, console));
   json.push_back(print_measure(results.ways_into_walls, console));
   json.push_back(print_measure(results.blank_walls, console));

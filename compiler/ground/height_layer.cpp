@@ -14,6 +14,7 @@ HeightLayer layer_of_class(map::LandCoverClass surface) {
     case kCycleTrack:
       return HeightLayer::kRoad;
     case kTram:
+    case kStreetRails:
     case kParkingLane:
     case kFarmTrack:
       return HeightLayer::kCarriageway;

@@ -41,7 +41,7 @@ std::uint8_t size_of(map::CountryGroup group) {
 
 LineKind kind_of_line(const Road& road) {
   const LandCoverGroup group = map::values_of(road.surface).group;
-  if (road.surface == LandCoverClass::kTram) return LineKind::kNone;
+  if (road.surface == LandCoverClass::kTram || road.surface == LandCoverClass::kStreetRails) return LineKind::kNone;
   if (road.surface == LandCoverClass::kMotorwayRoad || road.surface == LandCoverClass::kRunway)
     return LineKind::kBarrier;
   if (group == LandCoverGroup::kRail) return LineKind::kBarrier;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "compiler/map/land_cover_class.h"
+#include "compiler/map/tag_values.h"
 
 namespace citykiln::map {
 
@@ -16,5 +17,16 @@ struct AreaRule {
 
 /// Returns the rows. The first one that matches an area gives its class.
 std::span<const AreaRule> area_rules();
+
+/// Returns the first row that the tags of an area match, or null.
+/// @param tag  Returns the value of a key, "" if it is not tagged.
+template <typename Tag>
+const AreaRule* area_rule_of(Tag tag) {
+  for (const AreaRule& row : area_rules()) {
+    const std::string_view value = tag(row.key);
+    if (row.value == "*" ? says_yes(value) : value == row.value) return &row;
+  }
+  return nullptr;
+}
 
 }  // namespace citykiln::map

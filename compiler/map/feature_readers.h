@@ -17,6 +17,8 @@ std::vector<Footprint> locate_footprints(const ReadContext& context);  ///< buil
 /// Returns the areas of area_rules.inc, without the sea. Pools that lie in one of the footprints are dropped,
 /// kInsideBuilding.
 std::vector<AreaFeature> locate_areas(const ReadContext& context, const std::vector<Footprint>& footprints = {});
+/// True for a closed way that is a line by its tags (a road, a hedge, a coast) unless area=yes.
+bool is_closed_line(const ReadContext& context, source::Range tags, OsmType type);
 /// Returns leisure=pitch with sport=*, among areas that are read. They are not counted: each is an area.
 std::vector<SportsArea> locate_sports_areas(const ReadContext& context, const std::vector<AreaFeature>& areas);
 std::vector<AreaFeature> locate_sea(

@@ -54,6 +54,8 @@ struct TrackPoint {
   std::uint32_t vertex = 0;  ///< Index into the track's axis.
   TrackPointKind kind{};
   std::int8_t facing = 0;  ///< 1 for traffic along the way, -1 against it, 0 for both or unknown.
+  /// kLevelCrossing on rails: the length of rails on either side that the crossing ways cover, in quarters of a metre.
+  std::uint8_t reach_quarters = 0;
   auto operator<=>(const TrackPoint&) const = default;
 };
 
@@ -120,6 +122,8 @@ struct Footprint {
   std::optional<materials::Material> wall_material, roof_material;
   std::uint8_t building_class = 0;       ///< A BuildingClass.
   std::uint16_t year = 0;                ///< The year in which construction began; 0: unknown.
+  std::int8_t layer = 0;                 ///< By layer=*, -10 to 10.
+  bool has_tagged_layer = false;         ///< True if layer=* is tagged.
   bool has_shop = false;                 ///< True if something is sold or served in it.
   CountryGroup country{};                ///< The group at its first point.
   Assumptions assumed = kNoAssumptions;  ///< The assumptions made of it.
@@ -146,6 +150,17 @@ struct AreaFeature {
   LandCoverClass surface{};
   double area_m2 = 0;  ///< Area of the whole polygon, before trimming.
   PlantTags plant_tags{};
+};
+
+/// An area that is a bridge: a surface with bridge=yes, or the outline of a bridge (man_made=bridge).
+struct BridgeArea {
+  ObjectId id;
+  Polygon polygon;
+  LandCoverClass surface{};  ///< The class of its top; kUnknown for a mere outline.
+  std::int8_t layer = 0;
+  bool is_outline = false;         ///< True for man_made=bridge.
+  bool is_by_layer = false;        ///< True if its layer alone says that it is a bridge.
+  std::vector<ObjectId> tracks{};  ///< The bridges that it carries: sorted ids of tracks, at least one.
 };
 
 /// An area where sports are played.
@@ -302,6 +317,7 @@ struct Features {
   std::vector<Footprint> footprints;
   std::vector<AreaFeature> areas;  ///< Includes the sea, closed around the extent.
   std::vector<SportsArea> sports_areas{};
+  std::vector<BridgeArea> bridge_areas{};
   std::vector<Waterway> waterways;
   std::vector<Barrier> barriers;
   std::vector<Landform> landforms;

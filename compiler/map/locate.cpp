@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compiler/map/assumed_layers.h"
+#include "compiler/map/bridge_areas.h"
 #include "compiler/map/culverts.h"
 #include "compiler/map/extent/map_box.h"
 #include "compiler/map/feature_readers.h"
@@ -59,8 +60,12 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   std::vector<Track> tracks = locate_tracks(context, options.driving_side);
   features.footprints = locate_footprints(context);
   // a tunnel that only leads through buildings needs no layer
-  features.tracks = with_assumed_layers(with_passages_on_ground(std::move(tracks), features.footprints));
-  features.areas = locate_areas(context, features.footprints);
+  CarriedTracks carried = with_bridge_areas(
+      with_ordered_bridges(with_assumed_layers(with_passages_on_ground(std::move(tracks), features.footprints)),
+                           report),
+      locate_bridge_areas(context));
+  features.tracks = std::move(carried.tracks), features.bridge_areas = std::move(carried.areas);
+  features.areas = without_bridges(locate_areas(context, features.footprints), features.bridge_areas);
   features.sports_areas = locate_sports_areas(context, features.areas);
   for (AreaFeature& sea : locate_sea(context)) features.areas.push_back(std::move(sea));
   features.waterways = locate_waterways(context);

@@ -4,6 +4,7 @@
 
 #include "compiler/geometry/box_grid.h"
 #include "compiler/map/area_rules.h"
+#include "compiler/map/bridge_areas.h"
 #include "compiler/map/feature_readers.h"
 #include "compiler/map/plant_tags.h"
 #include "compiler/map/standing.h"
@@ -13,21 +14,7 @@ namespace citykiln::map {
 namespace {
 
 const AreaRule* row_of(const ReadContext& context, source::Range tags) {
-  for (const AreaRule& row : area_rules()) {
-    const std::string_view value = context.tag(tags, row.key);
-    if (row.value == "*" ? says_yes(value) : value == row.value) return &row;
-  }
-  return nullptr;
-}
-
-// True for closed ways that are lines by their tags (a road, a hedge, a coast) unless area=yes.
-bool is_line(const ReadContext& context, source::Range tags, OsmType type) {
-  if (type == OsmType::kRelation || says_yes(context.tag(tags, "area"))) return false;
-  const bool road = !context.tag(tags, "highway").empty() && context.tag(tags, "highway") != "platform";
-  const bool hedge = context.tag(tags, "barrier") == "hedge" && context.tag(tags, "landuse").empty();
-  const std::string_view natural = context.tag(tags, "natural"), man_made = context.tag(tags, "man_made");
-  const bool landform = natural == "cliff" || man_made == "dyke" || man_made == "embankment";
-  return road || hedge || landform || context.tag(tags, "natural") == "coastline";
+  return area_rule_of([&](std::string_view key) { return context.tag(tags, key); });
 }
 
 // A forest's class by its leaf type.
@@ -119,13 +106,23 @@ bool is_pool_in_building(const std::vector<LocatedPolygon>& polygons, const Pool
 
 }  // namespace
 
+bool is_closed_line(const ReadContext& context, source::Range tags, OsmType type) {
+  if (type == OsmType::kRelation || says_yes(context.tag(tags, "area"))) return false;
+  const bool road = !context.tag(tags, "highway").empty() && context.tag(tags, "highway") != "platform";
+  const bool hedge = context.tag(tags, "barrier") == "hedge" && context.tag(tags, "landuse").empty();
+  const std::string_view natural = context.tag(tags, "natural"), man_made = context.tag(tags, "man_made");
+  const bool landform = natural == "cliff" || man_made == "dyke" || man_made == "embankment";
+  return road || hedge || landform || context.tag(tags, "natural") == "coastline";
+}
+
 std::vector<AreaFeature> locate_areas(const ReadContext& context, const std::vector<Footprint>& footprints) {
   const PoolObstacles buildings = pool_obstacles_of(footprints);
   std::vector<AreaFeature> areas;
   Account account;
   for (const source::Area& area : context.osm.areas) {
     const AreaRule* row = row_of(context, area.tags);
-    if (row == nullptr || row->surface == LandCoverClass::kUnknown || is_line(context, area.tags, area.from.type))
+    if (row == nullptr || row->surface == LandCoverClass::kUnknown ||
+        is_closed_line(context, area.tags, area.from.type) || is_bridge_area(context, area))
       continue;
     account.in += context.report.counts(area.from);
     if (const auto reason = reason_to_drop(standing_of_area(context.osm, area.tags, row->key))) {

@@ -1,6 +1,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "compiler/geometry/snap.h"
 #include "compiler/map/driving_side.h"
 #include "compiler/map/for_each_line.h"
 #include "compiler/map/lanes/lane_tags.h"
@@ -160,6 +161,35 @@ Track track_of(const ReadContext& context, std::optional<DrivingSide> driving_si
   return track;
 }
 
+// True if a road also has rails.
+bool has_street_rails(const ReadContext& context, const source::Way& way, const TrackRow& row) {
+  const std::string_view railway = context.tag(way.tags, "railway");
+  const bool are_rails = railway == "tram" || railway == "light_rail" || railway == "rail" || railway == "narrow_gauge";
+  return row.key == "highway" && are_rails && presence_of(context.osm, way.tags, "railway") != Presence::kGone;
+}
+
+// The rails of a way that is both a road and a railway: a track of its own, in the middle of the road.
+Track street_rails_of(const ReadContext& context, const source::Way& way, const Track& road) {
+  constexpr double kRails_m = 2.5;
+  Track rails = road;
+  rails.id.part = kDerivedPart;
+  rails.surface = LandCoverClass::kStreetRails;
+  rails.is_rail = true;
+  rails.is_lit = rails.is_link = rails.is_roundabout = rails.is_transition = false;
+  rails.has_tagged_width = rails.has_tagged_surface = rails.has_tagged_lighting = true;
+  rails.tagged_pavements = rails.tagged_verges = rails.tagged_parking = kBothSides;
+  rails.has_contact_line = has_contact_line(context.tag(way.tags, "electrified"), LandCoverClass::kTram);
+  rails.trees = {}, rails.points.clear(), rails.step_count = 0, rails.handrails = 0;
+  const double width_m = std::min(kRails_m, carriageway_width_m(road.section));
+  // the rails lie in the middle of the carriageway
+  const double axis_m =
+      snapped_to(1.0 / 2048, road.section.axis_offset_m - carriageway_width_m(road.section) / 2 + width_m / 2);
+  rails.section = {.lanes = {{.kind = LaneKind::kRail, .width_m = snapped_to(1.0 / 1024, width_m)}},
+                   .axis_offset_m = axis_m,
+                   .axis_drift = road.section.axis_drift};
+  return rails;
+}
+
 // Ways underground and inside buildings are tunnels, so only those that are gone or not finished are dropped.
 std::optional<Code> reason_without_track(const ReadContext& context, const source::Way& way) {
   for (const std::string_view key : kTrackKeys) {
@@ -185,6 +215,7 @@ std::vector<Track> locate_tracks(const ReadContext& context, std::optional<Drivi
         std::vector<TrackPoint> points = points_of(context, way, line, marks);
         tracks.push_back(track_of(context, side, way, row, std::move(line)));
         tracks.back().points = std::move(points);
+        if (has_street_rails(context, way, row)) tracks.push_back(street_rails_of(context, way, tracks.back()));
       });
   join_transitions(tracks);
   return tracks;

@@ -104,9 +104,11 @@ Passage tagged_passage(const ReadContext& context, source::Range tags) {
   const Storey storey = standing_of_object(context.osm, tags, "highway").storey;
   const bool is_inside =
       storey == Storey::kUnderground || storey == Storey::kIndoor || context.tag(tags, "highway") == "corridor";
-  // a passage through a building is on the ground
+  const bool is_bridge = says_yes(context.tag(tags, "bridge")) && storey != Storey::kUnderground;
+  // a bridge from house to house is no corridor, and a passage through a building is on the ground
+  if (is_bridge && !says_yes(tunnel)) return Passage::kBridge;
   if ((says_yes(tunnel) && tunnel != "building_passage") || is_inside) return Passage::kTunnel;
-  return says_yes(context.tag(tags, "bridge")) ? Passage::kBridge : Passage::kGround;
+  return is_bridge ? Passage::kBridge : Passage::kGround;
 }
 
 bool is_near(const ReadContext& context, const Polyline& line) { return box_of(line).touches(context.extent); }

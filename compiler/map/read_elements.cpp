@@ -12,8 +12,8 @@ std::vector<OsmId> read_elements(const Features& features, const Report& report)
     };
     (add_kind(kinds), ...);
   };
-  add(features.tracks, features.footprints, features.areas, features.waterways, features.barriers, features.landforms,
-      features.points, features.things, features.tree_rows);
+  add(features.tracks, features.footprints, features.areas, features.bridge_areas, features.waterways,
+      features.barriers, features.landforms, features.points, features.things, features.tree_rows);
   for (const Diagnosis& diagnosis : report.diagnoses())
     if (severity_of(diagnosis.code) == Severity::kDropped) read.push_back(diagnosis.object);
   std::ranges::sort(read);

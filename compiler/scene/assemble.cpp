@@ -127,7 +127,9 @@ ByTile by_segments(const TileGrid& grid, std::span<const Line> lines, HalfWidth 
 // Puts spans into the tiles whose ground they grade, and into the tile that bakes them.
 ByTile spans_by_tile(const TileGrid& grid, std::span<const structures::Span> spans) {
   ByTile tiles = by_touch(grid, spans, [](const structures::Span& s) {
-    return citykiln::box_of(s.axis).widened(max_offset_m(s) + ground::kGrading_m);
+    Box2 box = citykiln::box_of(s.axis).widened(max_offset_m(s));
+    for (const Vec3 corner : structures::plate_corners(s)) box.grow(in_plan(corner));
+    return box.widened(ground::kGrading_m);
   });
   add_to(tiles, by_anchor(grid, spans, [](const structures::Span& s) { return s.axis.front(); }));
   return tiles;

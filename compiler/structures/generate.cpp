@@ -10,6 +10,7 @@
 #include "compiler/ground/grading/road_influence.h"
 #include "compiler/structures/deck.h"
 #include "compiler/structures/loft.h"
+#include "compiler/structures/plate_mesh.h"
 #include "compiler/structures/supports.h"
 
 namespace citykiln::structures {
@@ -112,7 +113,7 @@ void add_supports(const Span& bridge, std::span<const Rib> ribs, const DeckDimen
   for (const Pier& pier : bridge.piers)
     // the middle of an omitted pier is half its height away from deck and ground
     if (budget.keeps((rib_at(ribs, pier.at_m).z_m - pier.foot_m) / 2)) add_pier(ribs, shape, pier, mesh);
-  const bool has_abutments = budget.keeps(kAbutment_m);
+  const bool has_abutments = bridge.deck != DeckForm::kNone && budget.keeps(kAbutment_m);
   if (has_abutments && is_on_ground(bridge.from)) add_abutment(ribs, shape, true, mesh);
   if (has_abutments && is_on_ground(bridge.to)) add_abutment(ribs, shape, false, mesh);
   add_bridge_concrete(std::move(mesh), bridge, generated);
@@ -127,17 +128,63 @@ DeckDetail detail_of(const DeckDimensions& shape, double tolerance_m, Budget& bu
   return detail;
 }
 
+// The largest thickness of plates under paths and roads.
+constexpr double kFootPlate_m = 0.75, kRoadPlate_m = 1;
+
+// Railings along the walls of a plate.
+void add_plate_railings(const Plate& plate, const DeckDimensions& shape, Budget& budget,
+                        GeneratedStructure& generated) {
+  if (shape.railing_m == 0) return;
+  const RailingDetail detail = railing_detail(shape.railing_m, budget.tolerance_m);
+  budget.error_m = std::max(budget.error_m, detail.error_m);
+  Mesh mesh;
+  for (const std::vector<Rib>& run : wall_runs(plate))
+    add_railing(run, kParapet_m / 2, shape.parapet_m, shape.railing_m, detail.form, mesh);
+  if (!mesh.triangles.empty())
+    generated.meshes.push_back({std::move(mesh), materials::Material::kPaintedMetal, materials::kNoTint, plate.id});
+}
+
+void add_plates(const Span& bridge, Budget& budget, GeneratedStructure& generated) {
+  DeckDimensions shape = deck_dimensions(bridge, longest_bay_m(bridge));
+  // plates bear in two directions, and leave most of the clearance below the road's top free
+  shape.thickness_m = std::min(shape.thickness_m, shape.railing_m > 0 ? kFootPlate_m : kRoadPlate_m);
+  for (const Plate& plate : bridge.plates) {
+    add_plate(plate, shape, budget.keeps(length(Vec2{shape.parapet_m, kParapet_m})), generated);
+    add_plate_railings(plate, shape, budget, generated);
+  }
+}
+
+// A bridge on a plate: its road, and piers that reach into the plate.
+void add_carried(const Span& bridge, const std::vector<Rib>& ribs, Budget& budget, GeneratedStructure& generated) {
+  if (bridge.deck == DeckForm::kPlate) {
+    const bool has_kerbs = has_detail(Detail::kRoadSurfaces, budget.tolerance_m / kPartShare);
+    if (!has_kerbs) budget.error_m = std::max(budget.error_m, ground::kKerbRise_m);
+    const Section road = add_road(bridge, ribs, has_kerbs, budget.tolerance_m / kPartShare, generated);
+    Mesh kerbs;
+    add_kerb_faces(ribs, road, kerbs);
+    add_bridge_concrete(std::move(kerbs), bridge, generated);
+  }
+  add_supports(bridge, ribs, deck_dimensions(bridge, 0), budget, generated);
+}
+
 }  // namespace
 
 GeneratedStructure generate(const Span& bridge, double tolerance_m) {
   assert(tolerance_m > 0);
   GeneratedStructure generated;
+  Budget budget{kPartShare * tolerance_m};
+  add_plates(bridge, budget, generated);
   const std::vector<Rib> all = ribs_of(bridge);
+  generated.error_m = budget.error_m;
   if (all.empty()) return generated;
+  if (bridge.deck != DeckForm::kOwn) {
+    add_carried(bridge, all, budget, generated);
+    generated.error_m = budget.error_m;
+    return generated;
+  }
   const DeckDimensions shape = deck_dimensions(bridge, longest_bay_m(bridge));
   SimplifiedRibs few =
       simplify_ribs(all, shape.left_m + kParapet_m, shape.right_m + kParapet_m, kRibShare * tolerance_m);
-  Budget budget{kPartShare * tolerance_m};
   const DeckDetail detail = detail_of(shape, tolerance_m, budget);
   if (detail.has_parapets) few.ribs = with_gap_ribs(bridge, few.ribs);
   add_deck(bridge, few.ribs, shape, detail, tolerance_m, generated);

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "compiler/roads/plan.h"
+#include "compiler/structures/plates.h"
 #include "compiler/structures/span_ends.h"
 #include "compiler/structures/tunnel.h"
 
@@ -11,7 +12,7 @@ namespace citykiln::structures {
 namespace {
 
 Span span_of(const map::Track& track, const Profile& profile, const SpanEnds& ends) {
-  Span span{roads::road_of(track), ends.from, ends.to, {}, {}, {}};
+  Span span{roads::road_of(track), ends.from, ends.to};
   span.profile = profile;
   span.layer = track.layer;
   // crossings and signals are tagged for roads on the ground
@@ -43,6 +44,7 @@ Structures plan(const map::Features& features, std::span<const Profile> off_grou
   }
   std::ranges::sort(structures.bridges, {}, &Span::id);
   std::ranges::sort(structures.tunnels, {}, &Span::id);
+  structures.bridges = with_plates(std::move(structures.bridges), features);
   count_spans(report, "bridge", structures.bridges);
   count_spans(report, "tunnel", structures.tunnels);
   return structures;

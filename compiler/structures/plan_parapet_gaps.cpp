@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "compiler/structures/deck_index.h"
+#include "compiler/structures/plates.h"
 
 namespace citykiln::structures {
 namespace {
@@ -32,6 +34,15 @@ bool is_on_deck(const DeckIndex& decks, std::uint32_t own, Vec3 p) {
   return false;
 }
 
+// True if a place lies on a plate at its height. Walls of a plate stand on its own outline.
+bool is_on_a_plate(std::span<const Span> bridges, Vec3 p) {
+  for (const Span& bridge : bridges)
+    for (const Plate& plate : bridge.plates)
+      if (is_on_plate(plate, in_plan(p)) && std::abs(plate_height_m(plate, in_plan(p)) - p.z) < kSameSurface_m)
+        return true;
+  return false;
+}
+
 void add_gap(std::vector<ParapetGap>& gaps, ParapetGap gap) {
   if (!gaps.empty() && gap.from_m - gaps.back().to_m < kMinParapet_m)
     gaps.back().to_m = gap.to_m;
@@ -39,11 +50,12 @@ void add_gap(std::vector<ParapetGap>& gaps, ParapetGap gap) {
     gaps.push_back(gap);
 }
 
-std::vector<ParapetGap> gaps_of(const DeckIndex& decks, std::uint32_t own, std::span<const Rib> ribs, double edge_m) {
+std::vector<ParapetGap> gaps_of(std::span<const Span> bridges, const DeckIndex& decks, std::uint32_t own,
+                                std::span<const Rib> ribs, double edge_m) {
   std::vector<ParapetGap> gaps;
   const double first_m = std::ceil(ribs.front().along_m / kGapStep_m) * kGapStep_m, last_m = ribs.back().along_m;
   for (double at_m = first_m; at_m <= last_m; at_m += kGapStep_m)
-    if (is_on_deck(decks, own, point_on(rib_at(ribs, at_m), edge_m, 0)))
+    if (const Vec3 p = point_on(rib_at(ribs, at_m), edge_m, 0); is_on_deck(decks, own, p) || is_on_a_plate(bridges, p))
       add_gap(gaps, {std::max(0.0, at_m - kGapStep_m), at_m + kGapStep_m});
   return gaps;
 }
@@ -52,12 +64,14 @@ std::vector<ParapetGap> gaps_of(const DeckIndex& decks, std::uint32_t own, std::
 
 std::vector<Span> find_parapet_gaps(std::vector<Span> bridges) {
   const DeckIndex decks = index_decks(bridges, 0);
+  std::vector<Span> with_plates;
+  std::ranges::copy_if(bridges, std::back_inserter(with_plates), [](const Span& b) { return !b.plates.empty(); });
   for (std::uint32_t b = 0; b < bridges.size(); ++b) {
     const std::vector<Rib> ribs = ribs_of(bridges[b]);
     if (ribs.empty()) continue;
     const DeckDimensions shape = deck_dimensions(bridges[b], 0);
-    bridges[b].left_gaps = gaps_of(decks, b, ribs, shape.left_m + kParapet_m / 2);
-    bridges[b].right_gaps = gaps_of(decks, b, ribs, -shape.right_m - kParapet_m / 2);
+    bridges[b].left_gaps = gaps_of(with_plates, decks, b, ribs, shape.left_m + kParapet_m / 2);
+    bridges[b].right_gaps = gaps_of(with_plates, decks, b, ribs, -shape.right_m - kParapet_m / 2);
   }
   return bridges;
 }

@@ -39,16 +39,56 @@ struct ParapetGap {
   bool operator==(const ParapetGap&) const = default;
 };
 
+/// A corner of a plate's ring.
+struct PlateCorner {
+  Vec3 at;                ///< Plane metres; the height of the top, a multiple of kProfileQuantum_m.
+  bool has_wall = false;  ///< True if a parapet or railing stands on the edge to the next corner.
+  bool operator==(const PlateCorner&) const = default;
+};
+/// A part of a plate: a polygon with heights.
+struct PlatePart {
+  std::vector<std::vector<PlateCorner>> rings;  ///< The outer ring first.
+  bool is_below_road = false;                   ///< True if the road of a bridge that the plate carries lies on it.
+  bool operator==(const PlatePart&) const = default;
+};
+/// A deck that the map has as an area. It carries one or more bridges, and is stored with the first of them.
+struct Plate {
+  OsmId id;
+  map::LandCoverClass surface{};  ///< kUnknown: concrete.
+  std::vector<PlatePart> parts;   ///< Together the whole area.
+  bool operator==(const Plate&) const = default;
+};
+
+/// The thing that a bridge's road lies on.
+enum class DeckForm : std::uint8_t {
+  kOwn,    ///< A slab as wide as the road.
+  kPlate,  ///< A plate, between the lanes of other bridges.
+  kNone,   ///< The line is only the axis of a plate: it has no road.
+  kCount
+};
+
 /// A bridge or a tunnel: its road over the whole length of the way. The profile states the height of the road's top.
 struct Span : roads::Road {
-  SpanEnd from, to;                               ///< At the first and the last point of the axis.
-  std::vector<Pier> piers;                        ///< Bridges: sorted by at_m, unique.
-  std::vector<ParapetGap> left_gaps, right_gaps;  ///< Bridges: sorted, disjoint.
+  SpanEnd from{}, to{};                               ///< At the first and the last point of the axis.
+  std::vector<Pier> piers{};                          ///< Bridges: sorted by at_m, unique.
+  std::vector<ParapetGap> left_gaps{}, right_gaps{};  ///< Bridges: sorted, disjoint.
   bool is_bored = false;  ///< Tunnels: true if the tunnel lies under the terrain (is_underground() in tunnel.h). Others
                           ///< have no mesh.
+  DeckForm deck{};        ///< Bridges.
+  std::vector<Plate> plates{};  ///< Bridges: the plates that are stored with it, mostly none.
   std::int8_t layer = 0;  ///< The layer tag, -10 to 10. Where two spans cross, the one with the higher layer is above.
   bool operator==(const Span&) const = default;
 };
+
+/// Returns the corners of all plates that are stored with a span.
+inline std::vector<Vec3> plate_corners(const Span& span) {
+  std::vector<Vec3> corners;
+  for (const Plate& plate : span.plates)
+    for (const PlatePart& part : plate.parts)
+      for (const std::vector<PlateCorner>& ring : part.rings)
+        for (const PlateCorner& corner : ring) corners.push_back(corner.at);
+  return corners;
+}
 
 /// True if a span ends on the ground, at an abutment or a portal.
 inline bool is_on_ground(const SpanEnd& end) {

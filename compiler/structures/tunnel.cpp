@@ -61,7 +61,7 @@ void add_frame(const Rib& portal, double outwards, const Section& road, double h
 
 bool is_underground(const Span& tunnel, const map::Heightfield& heights) {
   const std::vector<Rib> ribs = ribs_of(tunnel);
-  if (ribs.empty() || tunnel.profile.empty()) return false;
+  if (ribs.empty() || tunnel.profile.empty() || ground::enters_from_above(tunnel, heights)) return false;
   const double from_m = ribs.front().along_m, to_m = ribs.back().along_m;
   const double first_m = from_m + (is_on_ground(tunnel.from) ? ground::kPortalLength_m : 0),
                last_m = to_m - (is_on_ground(tunnel.to) ? ground::kPortalLength_m : 0);

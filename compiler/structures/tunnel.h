@@ -13,8 +13,9 @@
 
 namespace citykiln::structures {
 
-/// True if a tunnel lies under the terrain: at least ground::kMinCoveredShare of its ceiling is below the terrain, not
-/// counting ground::kPortalLength_m behind each portal. If nothing else is left, its middle counts.
+/// True if a tunnel lies under the terrain and no end ground::enters_from_above(): at least ground::kMinCoveredShare of
+/// its ceiling is below the terrain, not counting ground::kPortalLength_m behind each portal. If nothing else is left,
+/// its middle counts.
 bool is_underground(const Span& tunnel, const map::Heightfield& heights);
 
 /// Generates a tunnel at a tolerance, > 0: road, walls and ceiling that face inwards, open at portals and joints,

@@ -23,7 +23,7 @@ ContactTrack contact_track_of(const map::Track& track) {
           .axis = track.axis,
           .along_m = roads::distances_along(track.axis, 0),
           .node_ids = track.node_ids,
-          .is_tram = track.surface == map::LandCoverClass::kTram,
+          .is_tram = track.surface == map::LandCoverClass::kTram || track.surface == map::LandCoverClass::kStreetRails,
           .is_on_bridge = track.passage == map::Passage::kBridge,
           .has_contact_line = track.has_contact_line && !track.is_covered && !track.is_through_building};
 }

@@ -109,6 +109,7 @@ struct CheckResults {
   Grades grades;
   ReferenceErrors reference_errors;
   Clearances clearances;
+  std::vector<CrossingStep> crossing_steps;    ///< Ways that cross on the ground at different heights.
   std::vector<Earthwork> earthworks;           ///< One cut and one fill per way, the largest first.
   std::vector<DeepEarthwork> deep_earthworks;  ///< Earthworks beyond the limit of their kind.
   std::vector<WayIntoWall> ways_into_walls;    ///< Ways that run into buildings without an opening for them.

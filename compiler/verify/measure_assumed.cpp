@@ -298,7 +298,9 @@ constexpr double kClearOfRailway_m = 2.6, kClearOfTramway_m = 1.75;
 OsmId track_too_near(const scene::Chunk& chunk, Vec2 p) {
   for (const Road& road : chunk.roads) {
     if (group_of_class(road.surface) != LandCoverGroup::kRail) continue;
-    const double clear_m = road.surface == LandCoverClass::kTram ? kClearOfTramway_m : kClearOfRailway_m;
+    const double clear_m = road.surface == LandCoverClass::kTram || road.surface == LandCoverClass::kStreetRails
+                               ? kClearOfTramway_m
+                               : kClearOfRailway_m;
     if (distance_to_polyline(road.axis, p) < clear_m) return road.id.osm;
   }
   return {};

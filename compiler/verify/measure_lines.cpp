@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <optional>
 #include <tuple>
+#include <utility>
 
+#include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/segment.h"
 #include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/profiles/ground_crossings.h"
 #include "compiler/ground/profiles/profile_knots.h"
 #include "compiler/ground/water/measure_waters.h"
 
@@ -86,7 +92,57 @@ std::vector<Passing> passings_of(const scene::Scene& scene) {
   return passings;
 }
 
+// A segment of a way on the ground, between two distances along it.
+struct HeightSegment {
+  Vec2 a, b;
+  double from_m = 0, to_m = 0;
+  const roads::Road* road = nullptr;
+
+  double height_m(double share) const { return knot_at(road->profile, from_m + (to_m - from_m) * share).z_m; }
+};
+
+std::vector<HeightSegment> height_segments(const scene::Scene& scene) {
+  std::vector<HeightSegment> segments;
+  for (const scene::Chunk& chunk : scene.chunks)
+    for (const roads::Road& road : chunk.roads) {
+      if (!ground::has_profile(road.surface) || road.profile.empty()) continue;
+      const std::vector<double> along = roads::distances_along(road);
+      for (std::size_t i = 0; i + 1 < along.size(); ++i)
+        segments.push_back({road.axis[i], road.axis[i + 1], along[i], along[i + 1], &road});
+    }
+  return segments;
+}
+
+bool share_an_end(const HeightSegment& s, const HeightSegment& t) {
+  return s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b;
+}
+
 }  // namespace
+
+std::vector<CrossingStep> measure_crossing_steps(const scene::Scene& scene) {
+  constexpr double kBucket_m = 64;
+  const std::vector<HeightSegment> segments = height_segments(scene);
+  std::vector<Box2> boxes;
+  for (const HeightSegment& s : segments) boxes.push_back(box_of_segment(s.a, s.b));
+  const BoxGrid grid = grid_of(boxes, kBucket_m);
+  std::map<std::pair<OsmId, OsmId>, CrossingStep> steps;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    for (const std::uint32_t j : boxes_about(grid, boxes[i])) {
+      const HeightSegment &s = segments[i], &t = segments[j];
+      const OsmId first = s.road->id.osm, second = t.road->id.osm;
+      if (!(first < second) || !boxes[i].touches(boxes[j]) || share_an_end(s, t)) continue;
+      const auto hit = crossing_shares(s.a, s.b, t.a, t.b);
+      if (!hit) continue;
+      const double step_m = std::abs(s.height_m(hit->first) - t.height_m(hit->second));
+      CrossingStep& largest = steps[{first, second}];
+      if (step_m > largest.step_m) largest = {first, second, step_m, s.a + (s.b - s.a) * hit->first};
+    }
+  std::vector<CrossingStep> found;
+  for (const auto& [ways, step] : steps)
+    if (step.step_m > ground::kSmallStep_m) found.push_back(step);
+  std::ranges::stable_sort(found, std::ranges::greater{}, &CrossingStep::step_m);
+  return found;
+}
 
 Grades measure_grades(const scene::Header& header, const scene::Chunk& chunk) {
   const Box2 box = scene::box_of(header, chunk.tile);

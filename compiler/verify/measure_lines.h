@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "compiler/scene/scene.h"
 
@@ -30,6 +31,18 @@ struct Jumps {
 /// Measures height differences at common vertices of all chunks: between ground roads, and where bridges or tunnels end
 /// at a road or at each other. Lines without a profile, and classes that have none, are skipped. O(n log n).
 Jumps measure_jumps(const scene::Scene& scene);
+
+/// Two ways on the ground that cross without a common node, at different heights.
+struct CrossingStep {
+  OsmId first, second;  ///< first < second.
+  double step_m = 0;    ///< The largest difference of the pair.
+  Vec2 at;
+};
+
+/// Measures pairs of ground roads and rails whose heights differ by more than ground::kSmallStep_m where their axes
+/// cross. The ground has one height there, so that one of the ways has a ledge. Ways without a profile lie on the
+/// ground and are skipped. The largest steps come first. O(n log n) in segments.
+std::vector<CrossingStep> measure_crossing_steps(const scene::Scene& scene);
 
 /// Numbers of watercourses, and of watercourses that flow uphill.
 struct Rises {

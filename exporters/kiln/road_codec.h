@@ -71,6 +71,7 @@ void serialise(auto& io, map::TrackPoint& p) {
   p.kind = static_cast<map::TrackPointKind>(packed.number);
   if constexpr (std::remove_reference_t<decltype(io)>::kReads)
     if (packed.number >= static_cast<std::uint64_t>(map::TrackPointKind::kCount)) io.fail("track sign");
+  if (p.kind == map::TrackPointKind::kLevelCrossing) io.number("crossing reach", p.reach_quarters);
 }
 
 // A multiple of 2^-10 m. It is mostly zero and therefore not written as a difference.
@@ -295,12 +296,34 @@ void layer(auto& io, std::int8_t& value) {
   value = static_cast<std::int8_t>(above + kLowest);
 }
 
+// A deck that the map has as an area.
+void serialise(auto& io, structures::Plate& plate) {
+  ObjectId number{plate.id, 0};
+  id(io, number);
+  plate.id = number.osm;
+  enumerator(io, "plate surface", plate.surface, map::LandCoverClass::kCount);
+  list(io, "plate parts", plate.parts, 1, [&](structures::PlatePart& part) {
+    flag(io, "plate below road", part.is_below_road);
+    list(io, "plate rings", part.rings, 1, [&](std::vector<structures::PlateCorner>& ring) {
+      list(io, "plate corners", ring, 3, [&](structures::PlateCorner& corner) {
+        Vec2 at = in_plan(corner.at);
+        io.point(at);
+        corner.at.x = at.x, corner.at.y = at.y;
+        quanta(io, "plate height", corner.at.z, kProfileQuantum_m);
+        flag(io, "plate walls", corner.has_wall);
+      });
+    });
+  });
+}
+
 /// A bridge or tunnel.
 void serialise(auto& io, structures::Span& s, KindsOfChunk& kinds) {
   kinds.road(io, s);
   serialise(io, s.from), serialise(io, s.to);
   flag(io, "bored", s.is_bored);
   layer(io, s.layer);
+  enumerator(io, "deck form", s.deck, structures::DeckForm::kCount);
+  list(io, "plates", s.plates, 0, [&](structures::Plate& plate) { serialise(io, plate); });
   openings(io, s.left_gaps), openings(io, s.right_gaps);
   std::size_t i = 0;
   list(io, "piers", s.piers, 0, [&](structures::Pier& p) {

@@ -194,10 +194,24 @@ class SceneMaker {
     }
     return made;
   }
+  structures::Plate plate() {
+    structures::Plate made{id().osm, pick(map::LandCoverClass::kCount), {}};
+    for (auto i = 1 + below(2); i > 0; --i) {
+      structures::PlatePart& part = made.parts.emplace_back(structures::PlatePart{{}, below(2) == 0});
+      for (auto r = 1 + below(2); r > 0; --r)
+        for (auto c = 3 + below(4), first = c; c > 0; --c) {
+          if (c == first) part.rings.emplace_back();
+          const Vec2 at = point();
+          part.rings.back().push_back({{at.x, at.y, static_cast<double>(below(999)) / 128}, below(2) == 0});
+        }
+    }
+    return made;
+  }
   structures::Span span() {
-    structures::Span s{
-        road(),     span_end(), span_end(),    {},
-        openings(), openings(), below(2) == 0, static_cast<std::int8_t>(static_cast<int>(below(21)) - 10)};
+    structures::Span s{road(), span_end(), span_end(), {}, openings(), openings(), below(2) == 0};
+    s.layer = static_cast<std::int8_t>(static_cast<int>(below(21)) - 10);
+    s.deck = pick(structures::DeckForm::kCount);
+    for (auto i = below(2); i > 0; --i) s.plates.push_back(plate());
     s.width_limits = {}, s.riser_m = 0, s.handrails = 0;
     double at_m = 0;
     for (auto i = below(4); i > 0; --i)
@@ -234,7 +248,10 @@ class SceneMaker {
     r.profile = profile();
     if (below(4) == 0) r.riser_m = metres(1), r.handrails = static_cast<std::uint8_t>(below(8));
     if (below(3) == 0) r.width_limits = {width_limits(), width_limits()};
-    for (map::TrackPoint& p : r.points) p.facing = static_cast<std::int8_t>(p.facing - 1);
+    for (map::TrackPoint& p : r.points) {
+      p.facing = static_cast<std::int8_t>(p.facing - 1);
+      if (p.kind == map::TrackPointKind::kLevelCrossing) p.reach_quarters = static_cast<std::uint8_t>(below(256));
+    }
     return r;
   }
   std::vector<roads::WidthLimit> width_limits() {

@@ -18,7 +18,7 @@ from glb import Glb
 from mutated_maps import map_xml
 
 LAT, LON, LAT_M, LON_M = 47.0, 9.0, 111170.8, 76056.0  # metres of a degree there
-SPACING_M, SIDE = 110, 4
+SPACING_M, SIDE = 110, 5
 COUNT = 2
 LEVELS = "0.1,2.5"
 
@@ -43,6 +43,7 @@ class Map:
 
     def __init__(self):
         self.nodes, self.ways, self.relations = [], [], []
+        self.node_at = {}
 
     def way(self, frame, points, tags, closed=False):
         refs = []
@@ -52,6 +53,16 @@ class Map:
             refs.append(len(self.nodes))
         self.ways.append((len(self.ways) + 1, refs + refs[:1] if closed else refs, tags))
         return len(self.ways)
+
+    def joined(self, frame, points, tags, closed=False):
+        """A way whose nodes other joined ways of the frame share."""
+        way = self.way(frame, points, tags, closed)
+        refs = [self.node_at.setdefault((frame, *point), ref) for point, ref in zip(points, self.ways[-1][1])]
+        self.ways[-1] = (way, refs + refs[:1] if closed else refs, tags)
+        used = {ref for _, nodes, _ in self.ways for ref in nodes}
+        while self.nodes[-1][0] not in used:
+            self.nodes.pop()
+        return way
 
     def box(self, frame, x0, y0, x1, y1, tags):
         return self.way(frame, [(x0, y0), (x1, y0), (x1, y1), (x0, y1)], tags, closed=True)
@@ -281,7 +292,111 @@ class Pier(Situation):
             case.assertGreater(height_at(tiles, self.frame, 0, y, layers) - water, 0.5)
 
 
-SITUATIONS = (Passage, ObliquePassageOfTwoHouses, OpenRoof, Parts, BowTie, WhatIsNotOnTheGround, Ruin, RetainingWall, Pier)
+def surfaces_at(tiles, frame, x, y, layers):
+    """The heights of all faces at a place, from below."""
+    heights = []
+    for a, b, c in all_triangles(tiles, frame, layers):
+        d = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+        if abs(d) < 1e-9:
+            continue
+        u = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / d
+        v = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / d
+        if u >= 0 and v >= 0 and u + v <= 1:
+            heights.append(a[2] + u * (b[2] - a[2]) + v * (c[2] - a[2]))
+    return sorted(heights)
+
+
+WALKED = ("ground", "roads", "water", "structures")
+
+
+class AreaThatIsABridge(Situation):
+    """A square over a street in a cutting, with a path to each of two sides."""
+    def land_m(self, x, y):
+        return 94.0 if abs(x) < 12 and abs(y) < 44 else 100.0
+
+    def add(self, osm, frame):
+        self.frame = frame
+        self.area = osm.joined(frame, [(-18, -6), (18, -6), (18, 0), (18, 6), (-18, 6), (-18, 0)],
+                               {"highway": "pedestrian", "area": "yes", "bridge": "yes", "layer": "1"}, closed=True)
+        for side in (-1, 1):
+            osm.joined(frame, [(side * 45, 0), (side * 18, 0)], {"highway": "footway"})
+        osm.way(frame, [(0, -38), (0, 38)], {"highway": "service"})
+
+    def test(self, case, tiles):
+        road = height_at(tiles, self.frame, 0.2, 15)
+        for x, y in ((0.3, 0.2), (-8, 4), (9, -5)):
+            deck = surfaces_at(tiles, self.frame, x, y, ("structures",))
+            case.assertTrue(deck, f"no deck at {x}, {y}")
+            case.assertGreater(deck[-1], 99)
+            case.assertGreater(deck[0], road + 4)
+        for side in (-1, 1):
+            outside, inside = (height_at(tiles, self.frame, side * x, 0.3, WALKED) for x in (18.4, 17.6))
+            case.assertAlmostEqual(outside, inside, delta=0.25)
+
+
+class OutlineOfABridge(Situation):
+    """Two streets and a house on the outline of a bridge over a valley."""
+    def land_m(self, x, y):
+        return 94.0 if abs(x) < 12 and abs(y) < 44 else 100.0
+
+    def add(self, osm, frame):
+        self.frame = frame
+        self.outline = osm.box(frame, -18, -12, 18, 12, {"man_made": "bridge", "layer": "1"})
+        for y in (-5, 4):
+            for x0, x1, tags in ((-50, -17.5, {}), (-17.5, 17.5, {"bridge": "yes", "layer": "1"}), (17.5, 50, {})):
+                osm.joined(frame, [(x0, y), (x1, y)], {"highway": "residential", **tags})
+        self.house = osm.box(frame, -8, 8, 2, 11, {"building": "yes", "building:levels": "2"})
+
+    def test(self, case, tiles):
+        for y in (-11, -0.5, 7.3):
+            deck = surfaces_at(tiles, self.frame, 6, y, ("structures",))
+            case.assertTrue(deck, f"no deck at y = {y}")
+            case.assertAlmostEqual(deck[-1], 100, delta=0.7)
+            case.assertGreater(deck[0], 97)
+        house = [p[2] for triangle in tiles.of(self.house, self.frame) for p in triangle]
+        case.assertGreater(min(house), 98.5)
+        case.assertGreater(max(house), 104)
+
+
+class TwoBridgesWithoutLayers(Situation):
+    """The longer one is above."""
+    def land_m(self, x, y):
+        return 102.0 if abs(y) > 22 else 94.0 if abs(x) < 12 else 100.0
+
+    def add(self, osm, frame):
+        self.frame = frame
+        for place, ends in ((lambda t: (t, 0), (48, 15)), (lambda t: (0, t), (52, 26))):
+            out, end = ends
+            for a, b, tags in ((-out, -end, {}), (-end, end, {"bridge": "yes"}), (end, out, {})):
+                osm.joined(frame, [place(a), place(b)], {"highway": "service", **tags})
+
+    def test(self, case, tiles):
+        faces = surfaces_at(tiles, self.frame, 0.3, 0.4, ("structures",))
+        case.assertGreater(faces[-1], faces[0] + 4)
+        case.assertAlmostEqual(height_at(tiles, self.frame, 0, 18, ("structures",)), faces[-1], delta=1.5)
+
+
+class SkywalksBetweenHouses(Situation):
+    """A corridor that is a bridge and a building that is one, over a street."""
+    def add(self, osm, frame):
+        self.frame = frame
+        osm.way(frame, [(0, -40), (0, 40)], {"highway": "residential"})
+        for x in (-22, 8):
+            osm.box(frame, x, -14, x + 14, 14, {"building": "office", "building:levels": "5", "roof:shape": "flat"})
+        self.path = osm.way(frame, [(-8, 6), (8, 6)],
+                            {"highway": "footway", "bridge": "yes", "layer": "1", "level": "1", "indoor": "yes"})
+        self.building = osm.box(frame, -8, -8, 8, -4, {"building": "yes", "bridge": "yes", "layer": "1"})
+
+    def test(self, case, tiles):
+        self.expect_empty(case, tiles, self.building, (-7, -9, 99), (7, -3, 104.8))
+        case.assertGreater(self.highest(tiles, self.building, -5, -7, 5, -5), 107)
+        deck = [p[2] for triangle in tiles.of(self.path, self.frame, ("structures",)) for p in triangle]
+        case.assertTrue(deck)
+        case.assertGreater(min(deck), 103.5)
+
+
+SITUATIONS = (Passage, ObliquePassageOfTwoHouses, OpenRoof, Parts, BowTie, WhatIsNotOnTheGround, Ruin, RetainingWall, Pier, AreaThatIsABridge,
+              OutlineOfABridge, TwoBridgesWithoutLayers, SkywalksBetweenHouses)
 
 
 def grey_png(rows):

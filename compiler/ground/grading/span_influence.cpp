@@ -10,8 +10,8 @@ namespace citykiln::ground {
 namespace {
 
 constexpr double kInfinity_m = std::numeric_limits<double>::infinity();
-// Clear heights for cars and lorries, trains, people.
-constexpr double kRoadBore_m = 5, kRailBore_m = 6, kPathBore_m = 2.75;
+// Clear heights for cars and lorries, trains, people, and of the ramps of garages.
+constexpr double kRoadBore_m = 5, kRailBore_m = 6, kPathBore_m = 2.75, kServiceBore_m = 3;
 
 // A place as seen from a span's segment.
 struct SpanView {
@@ -52,6 +52,7 @@ std::optional<SpanView> view_of(const SpanInfluenceIndex& spans, std::uint32_t n
 double bore_height_m(const roads::Road& road) {
   const map::LandCoverGroup group = map::values_of(road.surface).group;
   if (group == map::LandCoverGroup::kRail) return kRailBore_m;
+  if (road.surface == map::LandCoverClass::kServiceRoad) return kServiceBore_m;
   return group == map::LandCoverGroup::kPath ? kPathBore_m : kRoadBore_m;
 }
 

@@ -38,7 +38,30 @@ bool is_bored(const roads::Road& tunnel, const map::Heightfield& heights) {
   return samples.covered >= kMinCoveredShare * samples.all;
 }
 
+// The place at a distance along a road that is not trimmed.
+Vec2 place_on_road(const roads::Road& road, const std::vector<double>& along, double at_m) {
+  std::size_t i = 0;
+  while (i + 2 < along.size() && along[i + 1] < at_m) ++i;
+  const double share = std::clamp((at_m - along[i]) / (along[i + 1] - along[i]), 0.0, 1.0);
+  return road.axis[i] + (road.axis[i + 1] - road.axis[i]) * share;
+}
+
 }  // namespace
+
+bool enters_from_above(const roads::Road& tunnel, const map::Heightfield& heights) {
+  // a way farther below the ground has come down before the tunnel begins
+  constexpr double kBelowGround_m = 1.75;
+  const bool is_path = map::values_of(tunnel.surface).group == map::LandCoverGroup::kPath;
+  if (tunnel.profile.empty() || !(is_path || tunnel.surface == map::LandCoverClass::kServiceRoad)) return false;
+  const std::vector<double> along = roads::distances_along(tunnel.axis, 0);
+  const double long_m = along.back(), inside_m = std::min(kPortalLength_m, long_m / 2);
+  const auto goes_down = [&](double end_m, double inner_m) {
+    const double z_m = knot_at(tunnel.profile, end_m).z_m;
+    return z_m > height_m_at(heights, place_on_road(tunnel, along, end_m)) - kBelowGround_m &&
+           height_m_at(heights, place_on_road(tunnel, along, inner_m)) < z_m + bore_height_m(tunnel) / 2;
+  };
+  return goes_down(0, inside_m) || goes_down(long_m, long_m - inside_m);
+}
 
 PlannedSpans planned_spans(const map::Features& features, const Profiles& profiles, const map::Heightfield& heights) {
   PlannedSpans spans;
@@ -51,7 +74,7 @@ PlannedSpans planned_spans(const map::Features& features, const Profiles& profil
     road.profile = profile;
     if (track.passage == map::Passage::kBridge)
       spans.decks.push_back(std::move(road));
-    else if (is_bored(road, heights))
+    else if (is_bored(road, heights) && !enters_from_above(road, heights))
       spans.bores.push_back(std::move(road));
   }
   return spans;

@@ -11,6 +11,10 @@ namespace citykiln::ground {
 /// spacing of samples.
 inline constexpr double kMinCoveredShare = 0.6, kPortalLength_m = 16, kCoverSample_m = 4;
 
+/// True for a path or service road that enters a tunnel on the ground, at most 1.75 m deep, where no slope rises above
+/// the mouth: stairs, lifts or ramps lead down, in a house or a kiosk. The land would be a mound over such a mouth.
+bool enters_from_above(const roads::Road& tunnel, const map::Heightfield& heights);
+
 /// Bridges and tunnels as roads with profiles.
 struct PlannedSpans {
   std::vector<roads::Road> decks;  ///< Bridges; the land is below them.

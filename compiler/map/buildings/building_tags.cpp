@@ -105,15 +105,23 @@ constexpr std::string_view kSkywalks[] = {"bridge", "skyway", "skywalk", "skybri
 constexpr double kSkywalk_m = 5;
 
 bool is_skywalk(const ReadContext& context, source::Range tags) {
-  const std::string_view value = context.tag(tags, "building");
-  return std::ranges::find(kSkywalks, value) != std::end(kSkywalks) && context.tag(tags, "min_height").empty() &&
+  const std::string_view value = context.tag(tags, "building"), part = context.tag(tags, "building:part");
+  const auto is_named = [](std::string_view text) { return std::ranges::find(kSkywalks, text) != std::end(kSkywalks); };
+  const bool is_on_bridge = says_yes(context.tag(tags, "bridge")) && (says_yes(value) || says_yes(part));
+  return (is_named(value) || is_named(part) || is_on_bridge) && context.tag(tags, "min_height").empty() &&
          context.tag(tags, "building:min_level").empty();
 }
 
-// Lifts a skywalk: its storeys, of which it has at least one, lie above the street.
-void lift_skywalk(bool has_height, Footprint& footprint) {
-  footprint.min_height_m = kSkywalk_m;
-  if (!has_height) footprint.height_m = snapped(kSkywalk_m + std::max(1.0, footprint.levels) * footprint.storey_m);
+double lowest_level(const ReadContext& context, source::Range tags) {
+  const std::optional<Levels> levels = levels_of(context.tag(tags, "level"));
+  return levels ? levels->lowest : 0;
+}
+
+// Lifts a skywalk: its storeys, of which it has at least one, lie above the street, at its level if that is higher.
+void lift_skywalk(double level, bool has_height, Footprint& footprint) {
+  footprint.min_height_m = snapped(std::max(kSkywalk_m, level * footprint.storey_m));
+  if (!has_height)
+    footprint.height_m = snapped(footprint.min_height_m + std::max(1.0, footprint.levels) * footprint.storey_m);
 }
 
 void read_min_height(const ReadContext& context, OsmId id, source::Range tags, Footprint& footprint) {
@@ -148,7 +156,7 @@ void read_heights(const ReadContext& context, OsmId id, source::Range tags, cons
   read_min_height(context, id, tags, footprint);
   // compared as stored
   if (!height_m) footprint.height_m = snapped(untagged_height_m(footprint, values.level_m, values.height_m, area_m2));
-  if (is_skywalk(context, tags)) lift_skywalk(height_m.has_value(), footprint);
+  if (is_skywalk(context, tags)) lift_skywalk(lowest_level(context, tags), height_m.has_value(), footprint);
   if (footprint.min_height_m < footprint.height_m) return;
   context.report.add(Code::kMinHeightNotBelowHeight, id, footprint.min_height_m - footprint.height_m);
   mend_height(height_m.has_value(), values.level_m, footprint);
@@ -237,6 +245,8 @@ Footprint read_building_tags(const ReadContext& context, OsmId id, source::Range
   footprint.wall_material = wall_material_of(context.tag(tags, "building:material"));
   footprint.roof_material = roof_material_of(context.tag(tags, "roof:material"));
   footprint.year = parsed_tag(context, id, tags, "start_date", year_of).value_or(0);
+  footprint.layer = tagged_layer(context, id, tags);
+  footprint.has_tagged_layer = !context.tag(tags, "layer").empty();
   footprint.has_shop = is_shop(context, tags);
   return footprint;
 }

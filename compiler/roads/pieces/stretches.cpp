@@ -15,8 +15,12 @@ constexpr double kLeastApproach_m = 3;
 constexpr double kBeforeCrossing_m = 1, kBehindCrossing_m = 0.5;
 // A crossing up to this far beyond a junction belongs to it and moves to its mouth.
 constexpr double kNearJunction_m = 6;
-// Half the length of rails that a level crossing covers: half a road with its pavements.
+// Half the length of rails that a level crossing covers if no way on the ground has its node.
 constexpr double kHalfLevelCrossing_m = 4.5;
+
+double half_level_crossing_m(const map::TrackPoint& point) {
+  return point.reach_quarters > 0 ? point.reach_quarters / 4.0 : kHalfLevelCrossing_m;
+}
 
 std::optional<StretchKind> crossing_of(TrackPointKind kind) {
   if (kind == TrackPointKind::kZebra) return StretchKind::kZebra;
@@ -142,7 +146,8 @@ void add_midway(StretchBuilder& builder) {
     const bool is_level = is_rail && point.kind == TrackPointKind::kLevelCrossing;
     const auto crossing = crossing_of(point.kind);
     if (builder.is_used[i] || (!crossing && !is_level) || (crossing && !is_street)) continue;
-    const double half = is_level ? kHalfLevelCrossing_m : kCrossingLength_m / 2, at = builder.along[point.vertex];
+    const double half = is_level ? half_level_crossing_m(point) : kCrossingLength_m / 2,
+                 at = builder.along[point.vertex];
     RoadStretch run{at - half, at + half, is_level ? StretchKind::kLevelCrossing : *crossing};
     run.zero_m = run.from_m;
     if (is_level) run.from_m = std::max(run.from_m, builder.first()), run.to_m = std::min(run.to_m, builder.last());

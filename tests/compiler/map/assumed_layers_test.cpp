@@ -42,5 +42,32 @@ TEST(AssumedLayers, APathInATunnelWithoutALayerStaysACorridor) {
   EXPECT_EQ(layer_of_first("w1 0:0 50:0 highway=path tunnel=yes\nw2 50:0 90:0 highway=path tunnel=yes layer=-3"), 0);
 }
 
+TEST(AssumedLayers, OfTwoBridgesThatCrossTheHigherClassIsAboveElseTheLonger) {
+  const std::string across = "w2 25:-20 25:20 highway=residential bridge=yes";
+  EXPECT_EQ(layer_of_first("w1 0:0 50:0 highway=residential bridge=yes\n" + across), 2);
+  EXPECT_EQ(layer_of_first("w1 10:0 40:0 highway=residential bridge=yes\n" + across), 0);
+  EXPECT_EQ(layer_of_first("w1 10:0 40:0 highway=primary bridge=yes\n" + across), 2);
+  EXPECT_EQ(layer_of_first("w1 0:0 50:0 railway=rail bridge=yes\n" + across), 0);
+  EXPECT_EQ(layer_of_first("w1 10:0 40:0 highway=footway bridge=yes\n" + across), 2);
+}
+
+TEST(AssumedLayers, LayersThatSayTheOrderStayAndSoDoBridgesThatShareANode) {
+  const std::string across = "w2 25:-20 25:20 highway=residential bridge=yes layer=1";
+  EXPECT_EQ(layer_of_first("w1 0:0 50:0 highway=residential bridge=yes layer=3\n" + across), 3);
+  EXPECT_EQ(layer_of_first("w1 0:0 50:0 highway=residential bridge=yes layer=-1\n" + across), -1);
+  EXPECT_EQ(layer_of_first("w1 0:0 25:0 50:0 highway=residential bridge=yes\n"
+                           "w2 25:-20 25:0 25:20 highway=residential bridge=yes"),
+            0);
+}
+
+TEST(AssumedLayers, ThreeBridgesThatCrossLieOnThreeLayers) {
+  const Features features = features_of(
+      "w1 -60:0 60:0 highway=residential bridge=yes\nw2 0:-50 0:50 highway=residential bridge=yes\n"
+      "w3 -30:-30 30:30 highway=residential bridge=yes layer=1");
+  EXPECT_EQ(features.tracks.at(0).layer, 3);
+  EXPECT_EQ(features.tracks.at(1).layer, 2);
+  EXPECT_EQ(features.tracks.at(2).layer, 1);
+}
+
 }  // namespace
 }  // namespace citykiln::map

@@ -190,5 +190,20 @@ TEST(LocateTracks, PavementsLieWhereTagsSaySo) {
   }
 }
 
+TEST(LocateTracks, AWayThatIsRoadAndTramwayHasRailsInItsMiddle) {
+  const Features features = features_of(
+      "w1 0:0 50:0 highway=secondary lanes=2 railway=tram\n"
+      "w2 0:9 50:9 highway=secondary railway=abandoned");
+  ASSERT_EQ(features.tracks.size(), 3u);
+  const Track &road = features.tracks[0], &rails = features.tracks[1];
+  EXPECT_EQ(road.surface, LandCoverClass::kSecondaryRoad);
+  EXPECT_EQ(rails.surface, LandCoverClass::kStreetRails);
+  EXPECT_EQ(rails.id, (ObjectId{{OsmType::kWay, 1}, kDerivedPart}));
+  EXPECT_TRUE(rails.is_rail);
+  EXPECT_EQ(rails.axis, road.axis);
+  EXPECT_NEAR(left_kerb_m(rails.section) - right_kerb_m(rails.section),
+              left_kerb_m(road.section) - right_kerb_m(road.section), 0.01);
+}
+
 }  // namespace
 }  // namespace citykiln::map

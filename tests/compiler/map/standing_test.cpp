@@ -77,7 +77,7 @@ TEST(Standing, PlatformsPoolsAndPitchesAreOnTheirOwnStorey) {
                            "amenity=parking parking=underground", "natural=water location=underground"})
     EXPECT_EQ(dropped(tags, Code::kUnderground), 1u) << tags;
   for (const char* tags : {"railway=platform layer=1", "leisure=pitch level=3", "leisure=swimming_pool location=roof",
-                           "leisure=garden level=2", "highway=pedestrian area=yes bridge=yes"})
+                           "leisure=garden level=2"})
     EXPECT_EQ(dropped(tags, Code::kAboveGround), 1u) << tags;
   EXPECT_EQ(dropped("leisure=swimming_pool indoor=yes", Code::kInsideBuilding), 1u);
   for (const char* tags : {"natural=water layer=-1", "landuse=grass layer=1", "railway=platform level=0",

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "compiler/ground/grading/span_influence.h"
+#include "compiler/ground/profiles/planned_spans.h"
 #include "tests/compiler/structures/made_spans.h"
 
 namespace citykiln::structures {
@@ -25,6 +26,21 @@ TEST(Tunnel, IsUndergroundOnlyBelowTheTerrain) {
   EXPECT_TRUE(is_underground(tunnel(), level_square_of_512_m(30)));
   EXPECT_FALSE(is_underground(tunnel(), level_square_of_512_m(14)));
   EXPECT_FALSE(is_underground(tunnel(), level_square_of_512_m(0)));
+}
+
+TEST(Tunnel, APathThatEntersOnLevelGroundGoesDownInsideAndRaisesNoMound) {
+  Span path = made_span({{0, 0}, {100, 0}}, {{0, 20, 0}, {30, 10, 0}, {100, 10, 0}});
+  path.surface = map::LandCoverClass::kPavedFootPath;
+  path.from = {EndKind::kGround, {-20, 0}, 0};
+  EXPECT_TRUE(ground::enters_from_above(path, level_square_of_512_m(20)));
+  EXPECT_FALSE(is_underground(path, level_square_of_512_m(20)));
+  // a path that has come down before the tunnel
+  path.profile = {{0, 10, 0}, {100, 10, 0}};
+  EXPECT_TRUE(is_underground(path, level_square_of_512_m(20)));
+  // roads dig ramps
+  path.surface = map::LandCoverClass::kPrimaryRoad;
+  path.profile = {{0, 20, 0}, {30, 10, 0}, {100, 10, 0}};
+  EXPECT_TRUE(is_underground(path, level_square_of_512_m(20)));
 }
 
 TEST(Tunnel, HasNoMeshUnlessBored) {

@@ -21,8 +21,8 @@ roads::Road level_road(std::int64_t id, Polyline axis, double z_m, LandCoverClas
 }
 
 structures::Span span(std::int64_t id, Polyline axis, double z_m, int layer, LandCoverClass surface = kStreet) {
-  structures::Span span{
-      level_road(id, std::move(axis), z_m, surface), {}, {}, {}, {}, {}, false, static_cast<std::int8_t>(layer)};
+  structures::Span span{level_road(id, std::move(axis), z_m, surface)};
+  span.layer = static_cast<std::int8_t>(layer);
   return span;
 }
 

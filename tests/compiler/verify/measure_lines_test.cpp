@@ -54,6 +54,20 @@ TEST(MeasureJumps, FindsBridgesThatEndInTheAir) {
   EXPECT_EQ(measure_jumps(scene_of_chunk(chunk)).largest_m, 0.25);
 }
 
+TEST(MeasureCrossingSteps, FindsWaysThatCrossWithoutANodeAtDifferentHeights) {
+  scene::Chunk chunk;
+  chunk.roads = {sloping_road(1, {{0, 50}, {100, 50}}, 0, 10), sloping_road(2, {{50, 0}, {50, 100}}, 8, 8)};
+  const std::vector<CrossingStep> steps = measure_crossing_steps(scene_of_chunk(chunk));
+  ASSERT_EQ(steps.size(), 1u);
+  EXPECT_EQ(steps[0].step_m, 3);
+  EXPECT_EQ(steps[0].at, (Vec2{50, 50}));
+  EXPECT_EQ(steps[0].first.id, 1);
+  // with a common node the junction has one height
+  chunk.roads = {sloping_road(1, {{0, 50}, {50, 50}, {100, 50}}, 0, 10),
+                 sloping_road(2, {{50, 0}, {50, 50}, {50, 100}}, 8, 8)};
+  EXPECT_TRUE(measure_crossing_steps(scene_of_chunk(chunk)).empty());
+}
+
 TEST(MeasureJumps, IgnoresBridgesAboveVertices) {
   scene::Chunk chunk;
   chunk.roads = {sloping_road(1, {{0, 0}, {100, 0}}, 0, 10)};

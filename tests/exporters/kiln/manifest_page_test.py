@@ -244,7 +244,11 @@ class Chunk:
 
     def road(self):
         return (self.id(), self.points("road points"), self.road_kinds[self.plain("road kind")], self.plain("start offset") / 1024,
-                self.all("track points", lambda: (self.plain("track vertex"), divmod(self.plain("track sign"), 3))), self.profile())
+                self.all("track points", self.track_point), self.profile())
+
+    def track_point(self):
+        vertex, sign = self.plain("track vertex"), divmod(self.plain("track sign"), 3)
+        return vertex, sign, self.plain("crossing reach") / 4 if sign[0] == 5 else 0
 
     def narrowed_road(self):
         return self.plain("narrowed road"), *(self.all("width limits", self.width_limit) for side in ("left", "right"))
@@ -273,7 +277,16 @@ class Chunk:
 
     def span(self):
         return (*self.road(), self.span_end(), self.span_end(), self.plain("bored"),
-                self.plain("span layer") - 10, self.all("openings", self.opening), self.all("openings", self.opening), self.all("piers", self.pier))
+                self.plain("span layer") - 10, self.plain("deck form"), self.all("plates", self.plate), self.all("openings", self.opening), self.all("openings", self.opening), self.all("piers", self.pier))
+
+    def plate(self):
+        return self.id(), self.plain("plate surface"), self.all("plate parts", self.plate_part)
+
+    def plate_part(self):
+        return self.plain("plate below road"), self.all("plate rings", lambda: self.all("plate corners", self.plate_corner))
+
+    def plate_corner(self):
+        return self.point(), self.streams["plate height"].step() / 128, self.plain("plate walls")
 
     def span_end(self):
         kind = self.plain("span ends")
