@@ -199,6 +199,10 @@ bool is_ruin(const source::OsmData& osm, source::Range tags) {
          osm.value_of(tags, "historic") == "ruins";
 }
 
+bool is_located_on_roof(const source::OsmData& osm, source::Range tags) {
+  return is_one_of(kUpperPlaces, osm.value_of(tags, "location"));
+}
+
 std::optional<Code> reason_to_drop(Standing standing) {
   if (standing.presence == Presence::kGone) return Code::kNotThere;
   if (standing.storey == Storey::kUnderground) return Code::kUnderground;

@@ -73,6 +73,9 @@ bool states_height(const source::OsmData& osm, source::Range tags);
 /// True if the tags of a shell say that it is a ruin, false if it is under construction.
 bool is_ruin(const source::OsmData& osm, source::Range tags);
 
+/// True if location=* says that an object is on a roof.
+bool is_located_on_roof(const source::OsmData& osm, source::Range tags);
+
 /// Returns the code for dropping an object that is gone, or not on the ground; nothing for one that stands there.
 std::optional<Code> reason_to_drop(Standing standing);
 
