@@ -20,6 +20,8 @@ constexpr double kFormKnotStep_m = 8;
 constexpr double kDryDeck_m = 0.5;
 // A tagged height that exceeds the rise of the terrain by more than this is reported.
 constexpr double kMissingRise_m = 1;
+// The highest retaining wall of a height that is not tagged.
+constexpr double kMostWall_m = 15;
 // Lower steps are left to the terrain.
 constexpr double kLeastStep_m = 0.25;
 
@@ -67,9 +69,12 @@ double excess_rise_m(const TerrainAcross& terrain) {
   return rise_m >= 0 ? std::clamp(rise_m - outside_m, 0.0, rise_m) : std::clamp(rise_m - outside_m, rise_m, 0.0);
 }
 
-// The rise to the left: no more than that of the terrain.
+// The rise to the left: no more than that of the terrain. A height that is not tagged gives way to a step that the
+// terrain shows.
 double step_rise_m(const TerrainAcross& terrain, const map::Landform& form) {
-  if (form.height_m == 0) return excess_rise_m(terrain);
+  const double excess_m = excess_rise_m(terrain);
+  if (form.height_m == 0) return excess_m;
+  if (!form.has_height && std::abs(excess_m) > form.height_m) return std::clamp(excess_m, -kMostWall_m, kMostWall_m);
   const double rise_m = terrain.at(kLandformReach_m) - terrain.at(-kLandformReach_m);
   return std::clamp(rise_m, -form.height_m, form.height_m);
 }
