@@ -7,8 +7,8 @@
 // - A ridge's crest is its height above the mean of the terrain on both sides.
 // - A dam is level: at its tagged height above the lowest place of its axis, else as high as the lower one of its ends,
 //   but at least the height of its kind above that place.
-// - A deck is level, above the highest water along it. Without water a line becomes a low ridge, and an area is left
-//   out.
+// - A deck is level, above the highest water along it; water whose height is not known lies on the terrain. Without
+//   water a line becomes a low ridge, and an area is left out.
 #pragma once
 
 #include <span>
