@@ -177,7 +177,11 @@ Standing standing_of_area(const source::OsmData& osm, source::Range tags, std::s
 }
 
 Standing standing_of_object(const source::OsmData& osm, source::Range tags, std::string_view key) {
-  return {presence_of(osm, tags, key), storey_of(osm, tags)};
+  Standing standing{presence_of(osm, tags, key), storey_of(osm, tags)};
+  if (standing.storey != Storey::kGround || !(key == "barrier" || key == "wall")) return standing;
+  const double layer = stated(osm, tags, "layer").value_or(0);
+  if (layer != 0) standing.storey = layer < 0 ? Storey::kUnderground : Storey::kAbove;
+  return standing;
 }
 
 std::string_view standing_value(const source::OsmData& osm, source::Range tags, std::string_view key) {
