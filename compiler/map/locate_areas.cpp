@@ -74,6 +74,11 @@ LandCoverClass pitch_class(std::string_view surface, std::string_view sports) {
   return LandCoverClass::kPitch;
 }
 
+bool is_building(const ReadContext& context, source::Range tags) {
+  const std::string_view value = standing_value(context.osm, tags, "building");
+  return !value.empty() && value != "no";
+}
+
 // The class of a sports track by its surface; tartan is that of tracks.
 LandCoverClass sports_track_class(std::string_view surface, LandCoverClass track) {
   if (surface.empty()) return track;
@@ -208,7 +213,11 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context, const std::vec
       continue;
     account.in += context.report.counts(area.from);
     if (const auto reason = reason_to_drop(standing_of_area(context.osm, area.tags, row->key))) {
-      context.report.drop(account, *reason, area.from);
+      // a car park that is a building is that building
+      if (*reason == Code::kInsideBuilding && is_building(context, area.tags))
+        account.merged += context.report.counts(area.from);
+      else
+        context.report.drop(account, *reason, area.from);
       continue;
     }
     const std::vector<LocatedPolygon> polygons = located_surface(context, area);
