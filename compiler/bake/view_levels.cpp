@@ -72,8 +72,8 @@ int finest_needed(const View& view, const scene::Chunk& chunk, const Box2& box) 
     for (const structures::Span& span : *spans) need(bounds_of(span));
   for (const wires::WireSpan& span : chunk.wire_spans) need(bounds_of(span));
   for (const things::Thing& thing : chunk.things) {
-    Bounds bounds = standing_bounds(chunk.heights, thing.at,
-                                    length(Vec2{thing.form.width_m, thing.form.depth_m}) / 2, thing.form.height_m);
+    Bounds bounds = standing_bounds(chunk.heights, thing.at, length(Vec2{thing.form.width_m, thing.form.depth_m}) / 2,
+                                    thing.form.height_m);
     if (thing.foot_m) bounds.high_m = std::max(bounds.high_m, *thing.foot_m + thing.form.height_m);
     need(bounds);
   }

@@ -182,34 +182,36 @@ void add_power_lines(const ReadContext& context, const char* key, const PowerRow
 
 std::vector<Waterway> locate_waterways(const ReadContext& context) {
   std::vector<Waterway> waterways;
-  for_each_with_key(context, "waterway",
-                    [&](const source::Way& way) { return row_with(kWaterways, context.tag(way.tags, "waterway")); },
-                    [&](const source::Way& way, const WaterwayRow& row, LocatedLine&& line) {
-                      const OsmId id{OsmType::kWay, way.id};
-                      const auto tagged = tagged_length_m(context, id, way.tags, "width", 0.2, 500);
-                      const double width = std::max(kQuantum_m, snapped(tagged.value_or(row.width_m)));
-                      waterways.push_back({.id = {id, 0},
-                                           .axis = std::move(line.axis),
-                                           .width_m = width,
-                                           .layer = tagged_layer(context, id, way.tags),
-                                           .passage = tagged_passage(context, way.tags)});
-                    });
+  for_each_with_key(
+      context, "waterway",
+      [&](const source::Way& way) { return row_with(kWaterways, context.tag(way.tags, "waterway")); },
+      [&](const source::Way& way, const WaterwayRow& row, LocatedLine&& line) {
+        const OsmId id{OsmType::kWay, way.id};
+        const auto tagged = tagged_length_m(context, id, way.tags, "width", 0.2, 500);
+        const double width = std::max(kQuantum_m, snapped(tagged.value_or(row.width_m)));
+        waterways.push_back({.id = {id, 0},
+                             .axis = std::move(line.axis),
+                             .width_m = width,
+                             .layer = tagged_layer(context, id, way.tags),
+                             .passage = tagged_passage(context, way.tags)});
+      });
   return waterways;
 }
 
 std::vector<Barrier> locate_barriers(const ReadContext& context) {
   std::vector<Barrier> barriers;
-  for_each_with_key(context, "barrier", [&](const source::Way& way) { return barrier_row(context, way); },
-                    [&](const source::Way& way, const BarrierRow& row, LocatedLine&& line) {
-                      const OsmId id{OsmType::kWay, way.id};
-                      const auto tagged = tagged_length_m(context, id, way.tags, "height", 0.1, 50);
-                      const double height = snapped(tagged.value_or(row.height_m));
-                      barriers.push_back({.id = {id, 0},
-                                          .axis = std::move(line.axis),
-                                          .kind = row.kind,
-                                          .height_m = height,
-                                          .width_m = row.width_m});
-                    });
+  for_each_with_key(
+      context, "barrier", [&](const source::Way& way) { return barrier_row(context, way); },
+      [&](const source::Way& way, const BarrierRow& row, LocatedLine&& line) {
+        const OsmId id{OsmType::kWay, way.id};
+        const auto tagged = tagged_length_m(context, id, way.tags, "height", 0.1, 50);
+        const double height = snapped(tagged.value_or(row.height_m));
+        barriers.push_back({.id = {id, 0},
+                            .axis = std::move(line.axis),
+                            .kind = row.kind,
+                            .height_m = height,
+                            .width_m = row.width_m});
+      });
   return barriers;
 }
 

@@ -174,7 +174,8 @@ std::optional<Code> reason_off_ground(const ReadContext& context, const source::
   if (context.tag(way.tags, "highway") == "corridor") return Code::kInsideBuilding;
   const auto is_yes = [&](std::string_view key) { return says_yes(context.tag(way.tags, key)); };
   if (is_yes("bridge") || is_yes("tunnel")) return std::nullopt;
-  const std::optional<Code> reason = reason_to_drop({.storey = standing_of_object(context.osm, way.tags, "highway").storey});
+  const std::optional<Code> reason =
+      reason_to_drop({.storey = standing_of_object(context.osm, way.tags, "highway").storey});
   return reason == Code::kUnderground ? std::nullopt : reason;
 }
 

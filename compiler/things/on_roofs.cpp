@@ -91,7 +91,8 @@ FootOnRoof foot_on_roof(const map::ThingFeature& thing, map::Stand stand, const 
   const bool is_from_ground = !thing.is_on_roof && thing.height_m > building_m;
   if (is_from_ground && stand == map::Stand::kThroughRoof) return {std::nullopt, thing.height_m};
   if (is_from_ground && thing.has_height)
-    return {snapped(below.roof_m), snapped(std::max(thing.height_m - building_m, std::min(thing.height_m, kLeastAbove_m)))};
+    return {snapped(below.roof_m),
+            snapped(std::max(thing.height_m - building_m, std::min(thing.height_m, kLeastAbove_m)))};
   return {snapped(below.roof_m), snapped(own_height_m(thing, building_m))};
 }
 

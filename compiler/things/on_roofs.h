@@ -29,7 +29,8 @@ class Roofs {
   /// @param buildings  Must outlive the object.
   explicit Roofs(std::span<const buildings::Building> buildings);
 
-  /// Returns the highest roof at a place; nothing outside of buildings. Its height is that of the finest level. O(roof).
+  /// Returns the highest roof at a place; nothing outside of buildings. Its height is that of the finest level.
+  /// O(roof).
   /// @param radius_m  Half the width of the thing's base.
   std::optional<RoofBelow> below(Vec2 at, double radius_m) const;
 

@@ -138,7 +138,8 @@ std::set<std::string> kind_names(const map::Features& features, const map::Thing
 
 std::vector<Thing> plan(const map::Features& features, std::span<const roads::Road> roads,
                         std::span<const roads::Junction> junctions, std::span<const ground::LandCoverPolygon> cover,
-                        std::span<const buildings::Building> buildings, const Kinds& kinds, std::uint64_t seed, Report& report) {
+                        std::span<const buildings::Building> buildings, const Kinds& kinds, std::uint64_t seed,
+                        Report& report) {
   const Axes axes = axes_of(roads);
   FreePlaces places(cover);
   const Roofs roofs(buildings);

@@ -28,7 +28,8 @@ std::set<std::string> kind_names(const map::Features& features, const map::Thing
 /// @param kinds  The kinds of all things of the map; see kinds_of().
 std::vector<Thing> plan(const map::Features& features, std::span<const roads::Road> roads,
                         std::span<const roads::Junction> junctions, std::span<const ground::LandCoverPolygon> cover,
-                        std::span<const buildings::Building> buildings, const Kinds& kinds, std::uint64_t seed, Report& report);
+                        std::span<const buildings::Building> buildings, const Kinds& kinds, std::uint64_t seed,
+                        Report& report);
 
 /// Returns two lists of things as one, sorted by id.
 std::vector<Thing> with_more(std::vector<Thing> things, const std::vector<Thing>& more);

@@ -144,8 +144,8 @@ WaterAbout water_about(std::span<const LandCoverPolygon> surfaces, std::span<con
 
 std::optional<double> water_at_m(const WaterAbout& water, const map::Heightfield& heights, Vec2 at) {
   if (const auto z_m = water_m(water.known, at)) return z_m;
-  const bool is_near = !water.unknown.empty() &&
-                       clearance_m(water.unknown_index, at, 0, kStandingInfluence_m) < kStandingInfluence_m;
+  const bool is_near =
+      !water.unknown.empty() && clearance_m(water.unknown_index, at, 0, kStandingInfluence_m) < kStandingInfluence_m;
   return is_near ? std::optional(map::height_m_at(heights, at)) : std::nullopt;
 }
 
