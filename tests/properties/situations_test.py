@@ -281,7 +281,69 @@ class Pier(Situation):
             case.assertGreater(height_at(tiles, self.frame, 0, y, layers) - water, 0.5)
 
 
-SITUATIONS = (Passage, ObliquePassageOfTwoHouses, OpenRoof, Parts, BowTie, WhatIsNotOnTheGround, Ruin, RetainingWall, Pier)
+class RetainingWallWithoutHeight(RetainingWall):
+    TAGS = {"barrier": "retaining_wall"}
+
+    def add(self, osm, frame):
+        self.frame = frame
+        osm.way(frame, [(-35, 0), (35, 0)], self.TAGS)
+
+
+class WallThatHoldsTheGround(RetainingWallWithoutHeight):
+    TAGS = {"barrier": "wall", "wall": "retaining_wall"}
+
+
+class ThingsOnRoofs(Situation):
+    """A mast and a flagpole stand on the roof, a chimney grows out of it, and none is left on the ground."""
+    TAGS = (({"man_made": "mast", "height": "6", "location": "roof"}, 115, 121), ({"man_made": "flagpole", "height": "5"}, 115, 120),
+            ({"man_made": "antenna", "height": "20", "min_height": "15"}, 115, 120), ({"man_made": "chimney", "height": "30"}, 100, 130))
+
+    def add(self, osm, frame):
+        self.frame = frame
+        self.house = osm.box(frame, -20, -6, 20, 6, {"building": "yes", "height": "15", "roof:shape": "flat"})
+        self.nodes = []
+        for i, (tags, _, _) in enumerate(self.TAGS):
+            east, north = frame.on_map(-15 + 10 * i, 0)
+            osm.nodes.append((len(osm.nodes) + 1, LAT + north / LAT_M, LON + east / LON_M, tags))
+
+    def test(self, case, tiles):
+        for i, (tags, foot_m, top_m) in enumerate(self.TAGS):
+            bounds = tiles.instance_near(self.frame, -15 + 10 * i, 0)
+            case.assertIsNotNone(bounds, tags)
+            case.assertAlmostEqual(bounds[0], foot_m, delta=0.6, msg=tags)
+            case.assertAlmostEqual(bounds[1], top_m, delta=0.6, msg=tags)
+
+
+class ClosedTrack(Situation):
+    def add(self, osm, frame):
+        self.frame = frame
+        self.way = osm.box(frame, -40, -25, 40, 25, {"leisure": "track", "sport": "running"})
+
+    def test(self, case, tiles):
+        layers = {name for _, name in tiles.triangles}
+        triangles = tiles.of(self.way, self.frame, layers)
+        case.assertTrue(triangles)
+        case.assertEqual([t for t in triangles if len(clipped(t, (-30, -15, 0), (30, 15, 1e4))) > 2], [])
+        on_line = [clipped(t, (-41, -10, 0), (-39, 10, 1e4)) for t in triangles]
+        case.assertAlmostEqual(sum(area(polygon) for polygon in on_line if len(polygon) > 2), 40, delta=1)
+
+
+class LinesOffTheGround(Situation):
+    TAGS = ({"barrier": "wall", "level": "1"}, {"barrier": "wall", "layer": "1"}, {"barrier": "wall", "layer": "-1"},
+            {"highway": "footway", "level": "1"}, {"highway": "footway", "indoor": "yes"}, {"highway": "corridor", "level": "2"})
+
+    def add(self, osm, frame):
+        self.frame = frame
+        self.ways = [osm.way(frame, [(-30, 6 * i - 15), (30, 6 * i - 15)], tags) for i, tags in enumerate(self.TAGS)]
+
+    def test(self, case, tiles):
+        layers = {name for _, name in tiles.triangles}
+        for way, tags in zip(self.ways, self.TAGS):
+            case.assertEqual(tiles.of(way, self.frame, layers), [], tags)
+
+
+SITUATIONS = (Passage, ObliquePassageOfTwoHouses, OpenRoof, Parts, BowTie, WhatIsNotOnTheGround, Ruin, RetainingWall, Pier,
+              RetainingWallWithoutHeight, WallThatHoldsTheGround, ClosedTrack, LinesOffTheGround)
 
 
 def grey_png(rows):
