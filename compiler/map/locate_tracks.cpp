@@ -168,7 +168,7 @@ Track track_of(const ReadContext& context, std::optional<DrivingSide> driving_si
   return track;
 }
 
-// The code with which a way on an upper storey or in rooms is dropped. Those below the ground are tunnels.
+// The code with which a way on an upper storey or in rooms is dropped. Ways below the ground are tunnels.
 std::optional<Code> reason_off_ground(const ReadContext& context, const source::Way& way) {
   if (context.tag(way.tags, "highway").empty()) return std::nullopt;
   if (context.tag(way.tags, "highway") == "corridor") return Code::kInsideBuilding;

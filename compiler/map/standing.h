@@ -60,7 +60,7 @@ Standing standing_of_building(const source::OsmData& osm, source::Range tags, st
 Standing standing_of_area(const source::OsmData& osm, source::Range tags, std::string_view key);
 
 /// Returns whether and where a line or a point stands. The layer of barriers counts: they stand on bridges and roofs.
-/// That of others is ignored.
+/// Layers of others are ignored.
 /// @param key  The key that gives the object its class.
 Standing standing_of_object(const source::OsmData& osm, source::Range tags, std::string_view key);
 

@@ -22,7 +22,8 @@ enum class Stand : std::uint8_t {
   kOverRoad,  ///< Where it is mapped, above a road, which its rule leaves free.
   kInWay,     ///< Where it is mapped, also in a carriageway: bollards, lift gates.
   kRoof,      ///< On the roof of the building where it is mapped, else as kGround: flagpoles, antennas.
-  /// As kRoof, but one that is tagged higher than the roof stands on the ground and goes through the roof: chimneys.
+  /// Like kRoof, but a thing that is tagged higher than the roof stands on the ground and goes through the roof:
+  /// chimneys.
   kThroughRoof
 };
 

@@ -52,7 +52,7 @@ struct Foliage {
   std::vector<Card> cards;
   std::vector<std::string> sprays;  ///< The names of instances in the .lsys file (sprays.h); "" for blades.
   Vec3 crown_centre;
-  std::vector<std::vector<Vec3>> outlines{};  ///< Of cards that stand for a leaf with an outline (leaf_outlines.h).
+  std::vector<std::vector<Vec3>> outlines{};  ///< Outlines of the leaves that cards stand for (leaf_outlines.h).
 };
 
 /// Returns a card for each leaf instance of a grown skeleton, and cards of equal area for its polygons, in shades of

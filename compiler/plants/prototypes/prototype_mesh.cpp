@@ -85,8 +85,8 @@ void add_outlines(MaterialMesh& leaves, const GrownPlant& grown, const LeafAtlas
     const auto& corners = grown.foliage.outlines[static_cast<std::size_t>(card.outline)];
     const LeafPlace place = place_of(atlas, grown.foliage.sprays[card.spray], false, grown.appearance);
     const double keeps_sides_m = kSideShare * length(card.across);
-    const Mesh leaf = outline_mesh(simplified_outline(corners, std::min(bend_m, keeps_sides_m)),
-                                   cross(card.along, card.across));
+    const Mesh leaf =
+        outline_mesh(simplified_outline(corners, std::min(bend_m, keeps_sides_m)), cross(card.along, card.across));
     const auto first = static_cast<std::uint32_t>(leaves.mesh.positions.size());
     for (const Vec3 p : leaf.positions) {
       leaves.mesh.positions.push_back(p), leaves.mesh.normals.push_back(card.normal);
