@@ -202,7 +202,8 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   if (!names.empty()) {
     kinds = things::kinds_of(*catalogue, names);
     if (!kinds) return kinds.error();
-    recipes.things = things::plan(features, recipes.roads, recipes.junctions, cover, *kinds, spec.seed, report);
+    recipes.things =
+        things::plan(features, recipes.roads, recipes.junctions, cover, recipes.buildings, *kinds, spec.seed, report);
     recipes.things = things::with_more(std::move(recipes.things), contact_lines.masts);
   }
   timer.enter("wires");

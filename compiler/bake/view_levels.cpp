@@ -71,9 +71,12 @@ int finest_needed(const View& view, const scene::Chunk& chunk, const Box2& box) 
   for (const auto* spans : {&chunk.bridges, &chunk.tunnels})
     for (const structures::Span& span : *spans) need(bounds_of(span));
   for (const wires::WireSpan& span : chunk.wire_spans) need(bounds_of(span));
-  for (const things::Thing& thing : chunk.things)
-    need(standing_bounds(chunk.heights, thing.at, length(Vec2{thing.form.width_m, thing.form.depth_m}) / 2,
-                         thing.form.height_m));
+  for (const things::Thing& thing : chunk.things) {
+    Bounds bounds = standing_bounds(chunk.heights, thing.at, length(Vec2{thing.form.width_m, thing.form.depth_m}) / 2,
+                                    thing.form.height_m);
+    if (thing.foot_m) bounds.high_m = std::max(bounds.high_m, *thing.foot_m + thing.form.height_m);
+    need(bounds);
+  }
   // low.high_m allows for others
   for (const props::Lamp& lamp : chunk.lamps)
     if (lamp.height_m > plants::kTallestPlant_m)

@@ -273,7 +273,10 @@ struct ThingFeature {
   std::int8_t facing = 0;               ///< 1 if it is for traffic along its way, -1 against it, 0 unknown.
   ThingWay way{};
   CountryGroup country{};
-  bool is_in_way = false;  ///< True if it may stand in a carriageway, by its row.
+  bool is_in_way = false;   ///< True if it may stand in a carriageway, by its row.
+  bool is_on_roof = false;  ///< True if tags say that it stands on a roof, whatever its row says.
+  bool has_height = false;  ///< True if height_m is tagged; else it is that of its row.
+  double min_height_m = 0;  ///< min_height=*, the height of its lower end above the ground; 0: untagged.
   /// The direction that equipment of a sports field or a parked car faces, length 1; it is not moved.
   std::optional<Vec2> faces{};
 };

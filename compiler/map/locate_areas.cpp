@@ -3,6 +3,8 @@
 #include <string>
 
 #include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/offset_polygon.h"
+#include "compiler/geometry/snap.h"
 #include "compiler/map/area_rules.h"
 #include "compiler/map/bridge_areas.h"
 #include "compiler/map/feature_readers.h"
@@ -56,6 +58,18 @@ LandCoverClass pitch_class(std::string_view surface, std::string_view sports) {
   return LandCoverClass::kPitch;
 }
 
+bool is_building(const ReadContext& context, source::Range tags) {
+  const std::string_view value = standing_value(context.osm, tags, "building");
+  return !value.empty() && value != "no";
+}
+
+// The class of a sports track by its surface; tartan is that of tracks.
+LandCoverClass sports_track_class(std::string_view surface, LandCoverClass track) {
+  if (surface.empty()) return track;
+  const LandCoverClass found = pitch_class(surface, "");
+  return found == LandCoverClass::kHardCourt || found == LandCoverClass::kPitch ? track : found;
+}
+
 // The class after further tags.
 LandCoverClass refined(const ReadContext& context, source::Range tags, LandCoverClass surface,
                        const PlantTags& plant_tags) {
@@ -65,6 +79,7 @@ LandCoverClass refined(const ReadContext& context, source::Range tags, LandCover
   if (surface == LandCoverClass::kWetland && wetland == "reedbed") return LandCoverClass::kReedbed;
   if (surface == LandCoverClass::kLake && (water == "river" || water == "canal" || water == "stream"))
     return LandCoverClass::kRiver;
+  if (surface == LandCoverClass::kRunningTrack) return sports_track_class(context.tag(tags, "surface"), surface);
   if (surface == LandCoverClass::kPitch && context.tag(tags, "leisure") == "pitch")
     return pitch_class(context.tag(tags, "surface"), sport);
   return with_leaves(surface, plant_tags.leaves);
@@ -78,6 +93,72 @@ PlantTags growth_on(const ReadContext& context, const source::Area& area, LandCo
                         group == LandCoverGroup::kGrassland || group == LandCoverGroup::kWetland;
   if (is_green) return read_plant_tags(context, area.from, area.tags);
   return {.spawner = tagged_spawner(context, area.tags)};
+}
+
+struct SportWidth {
+  std::string_view value;
+  double width_m;
+};
+// Widths of tracks: six lanes of 1.22 m for runners by default.
+constexpr SportWidth kSportWidths[] = {{"horse_racing", 18}, {"equestrian", 12}, {"motor", 10},
+                                       {"karting", 8},       {"motocross", 6},   {"cycling", 7}};
+constexpr double kRunning_m = 7.5;
+constexpr double kLane_m = 1.22, kLeastTrack_m = 1, kMostTrack_m = 60, kMostRunningLanes = 14;
+
+// The width of a track by width=*, by its lanes, else by its sport.
+double width_of_sports_track_m(const ReadContext& context, OsmId id, source::Range tags) {
+  if (const auto width_m = tagged_length_m(context, id, tags, "width", kLeastTrack_m, kMostTrack_m)) return *width_m;
+  const auto lanes = number_within(context, id, "lanes", context.tag(tags, "lanes"), 1, kMostRunningLanes);
+  if (lanes) return *lanes * kLane_m;
+  const std::string_view sport = context.tag(tags, "sport").substr(0, context.tag(tags, "sport").find(';'));
+  const SportWidth* row = row_with(kSportWidths, sport);
+  return row != nullptr ? row->width_m : kRunning_m;
+}
+
+Polygon moved_by(const Polygon& polygon, Vec2 by) {
+  Polygon moved = polygon;
+  for (Vec2& p : moved.outer) p = snapped(p + by);
+  for (Ring& hole : moved.holes)
+    for (Vec2& p : hole) p = snapped(p + by);
+  return moved;
+}
+
+// The band of a width along a closed line. The area itself if it is hardly wider: it is the band's outline.
+Polygon band_along(const Polygon& line, double width_m) {
+  Ring closed = line.outer;
+  closed.push_back(closed.front());
+  constexpr double kOutline = 1.5;
+  if (2 * std::abs(signed_area_m2(line.outer)) < kOutline * width_m * length_m(closed)) return line;
+  const Vec2 near = line.outer.front();
+  const Polygon local = moved_by({line.outer, {}}, near * -1.0);
+  const std::vector<double> half_m(local.outer.size(), width_m / 2);
+  const OffsetPolygon outer = outset(local, half_m), inner = inset(local, half_m);
+  if (outer.moved.size() != 1) return line;
+  Polygon band{outer.moved.front().outer, {}};
+  for (const Polygon& hole : inner.moved) {
+    band.holes.push_back(hole.outer);
+    std::ranges::reverse(band.holes.back());
+  }
+  return moved_by(band, near);
+}
+
+// True for a closed way that is the middle line of a sports track.
+bool is_line_of_track(const ReadContext& context, const source::Area& area) {
+  return area.from.type == OsmType::kWay && context.tag(area.tags, "leisure") == "track" &&
+         !says_yes(context.tag(area.tags, "area"));
+}
+
+// The polygons of an area; of a track that is mapped by its line, the band along it.
+std::vector<LocatedPolygon> located_surface(const ReadContext& context, const source::Area& area) {
+  std::vector<LocatedPolygon> polygons = located(context, area);
+  if (!is_line_of_track(context, area)) return polygons;
+  const double width_m = width_of_sports_track_m(context, area.from, area.tags);
+  for (LocatedPolygon& located : polygons) {
+    if (located.polygon.outer.size() < 3) continue;
+    located.polygon = band_along(located.polygon, width_m);
+    located.area_m2 = area_m2(located.polygon);
+  }
+  return polygons;
 }
 
 // The footprints of buildings with walls, and a grid to find them.
@@ -112,7 +193,10 @@ bool is_closed_line(const ReadContext& context, source::Range tags, OsmType type
   const bool hedge = context.tag(tags, "barrier") == "hedge" && context.tag(tags, "landuse").empty();
   const std::string_view natural = context.tag(tags, "natural"), man_made = context.tag(tags, "man_made");
   const bool landform = natural == "cliff" || man_made == "dyke" || man_made == "embankment";
-  return road || hedge || landform || context.tag(tags, "natural") == "coastline";
+  const bool taxiway = context.tag(tags, "aeroway") == "taxiway";
+  // loops of skiing are courses through woods and fields
+  const bool course = context.tag(tags, "leisure") == "track" && context.tag(tags, "sport") == "skiing";
+  return road || hedge || landform || taxiway || course || natural == "coastline";
 }
 
 std::vector<AreaFeature> locate_areas(const ReadContext& context, const std::vector<Footprint>& footprints) {
@@ -126,10 +210,14 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context, const std::vec
       continue;
     account.in += context.report.counts(area.from);
     if (const auto reason = reason_to_drop(standing_of_area(context.osm, area.tags, row->key))) {
-      context.report.drop(account, *reason, area.from);
+      // a car park that is a building is that building
+      if (*reason == Code::kInsideBuilding && is_building(context, area.tags))
+        account.merged += context.report.counts(area.from);
+      else
+        context.report.drop(account, *reason, area.from);
       continue;
     }
-    const std::vector<LocatedPolygon> polygons = located(context, area);
+    const std::vector<LocatedPolygon> polygons = located_surface(context, area);
     if (row->surface == LandCoverClass::kPool && is_pool_in_building(polygons, buildings)) {
       context.report.drop(account, Code::kInsideBuilding, area.from);
       continue;

@@ -31,7 +31,8 @@ const LandformRow* landform_row(const ReadContext& context, source::Range tags) 
 bool is_other_object(const ReadContext& context, const source::Way& way, const LandformRow& row) {
   if (says_yes(context.tag(way.tags, "bridge")) || says_yes(context.tag(way.tags, "tunnel"))) return true;
   const auto nodes = context.osm.nodes_of(way);
-  const bool is_closed = nodes.size() > 3 && nodes.front().id == nodes.back().id;
+  const bool is_closed =
+      nodes.size() > 3 && nodes.front().id == nodes.back().id && context.tag(way.tags, "area") != "no";
   return row.kind == LandformKind::kDeck && is_closed && context.tag(way.tags, "highway").empty();
 }
 

@@ -48,14 +48,20 @@ constexpr PointRow kAddress{"addr:housenumber", "", PointKind::kAddress};
 // Read by locate_landforms().
 bool is_across_water(std::string_view waterway) { return waterway == "dam" || waterway == "weir"; }
 
-// Calls make() for ways with a key, by a table of its values.
-template <typename Row, std::size_t n, typename Make>
-void for_each_with_key(const ReadContext& context, std::string_view key, const Row (&rows)[n], Make make) {
+// A wall that is tagged to hold the ground is a retaining wall; locate_landforms() makes the step.
+const BarrierRow* barrier_row(const ReadContext& context, const source::Way& way) {
+  const std::string_view value = context.tag(way.tags, "barrier");
+  const bool retains = value == "wall" && context.tag(way.tags, "wall") == "retaining_wall";
+  return row_with(kBarriers, retains ? "retaining_wall" : value);
+}
+
+// Calls make() for ways with a key and a row of its values.
+template <typename RowOf, typename Make>
+void for_each_with_key(const ReadContext& context, std::string_view key, RowOf row_of, Make make) {
   const auto value = [&](const source::Way& way) { return context.tag(way.tags, key); };
   for_each_line(
       context, std::string(key).c_str(),
-      [&](const source::Way& way) { return !value(way).empty() && !is_across_water(value(way)); },
-      [&](const source::Way& way) { return row_with(rows, value(way)); },
+      [&](const source::Way& way) { return !value(way).empty() && !is_across_water(value(way)); }, row_of,
       [&](const source::Way& way) { return reason_without(context, way.tags, key); }, make);
 }
 
@@ -176,33 +182,36 @@ void add_power_lines(const ReadContext& context, const char* key, const PowerRow
 
 std::vector<Waterway> locate_waterways(const ReadContext& context) {
   std::vector<Waterway> waterways;
-  for_each_with_key(context, "waterway", kWaterways,
-                    [&](const source::Way& way, const WaterwayRow& row, LocatedLine&& line) {
-                      const OsmId id{OsmType::kWay, way.id};
-                      const auto tagged = tagged_length_m(context, id, way.tags, "width", 0.2, 500);
-                      const double width = std::max(kQuantum_m, snapped(tagged.value_or(row.width_m)));
-                      waterways.push_back({.id = {id, 0},
-                                           .axis = std::move(line.axis),
-                                           .width_m = width,
-                                           .layer = tagged_layer(context, id, way.tags),
-                                           .passage = tagged_passage(context, way.tags)});
-                    });
+  for_each_with_key(
+      context, "waterway",
+      [&](const source::Way& way) { return row_with(kWaterways, context.tag(way.tags, "waterway")); },
+      [&](const source::Way& way, const WaterwayRow& row, LocatedLine&& line) {
+        const OsmId id{OsmType::kWay, way.id};
+        const auto tagged = tagged_length_m(context, id, way.tags, "width", 0.2, 500);
+        const double width = std::max(kQuantum_m, snapped(tagged.value_or(row.width_m)));
+        waterways.push_back({.id = {id, 0},
+                             .axis = std::move(line.axis),
+                             .width_m = width,
+                             .layer = tagged_layer(context, id, way.tags),
+                             .passage = tagged_passage(context, way.tags)});
+      });
   return waterways;
 }
 
 std::vector<Barrier> locate_barriers(const ReadContext& context) {
   std::vector<Barrier> barriers;
-  for_each_with_key(context, "barrier", kBarriers,
-                    [&](const source::Way& way, const BarrierRow& row, LocatedLine&& line) {
-                      const OsmId id{OsmType::kWay, way.id};
-                      const auto tagged = tagged_length_m(context, id, way.tags, "height", 0.1, 50);
-                      const double height = snapped(tagged.value_or(row.height_m));
-                      barriers.push_back({.id = {id, 0},
-                                          .axis = std::move(line.axis),
-                                          .kind = row.kind,
-                                          .height_m = height,
-                                          .width_m = row.width_m});
-                    });
+  for_each_with_key(
+      context, "barrier", [&](const source::Way& way) { return barrier_row(context, way); },
+      [&](const source::Way& way, const BarrierRow& row, LocatedLine&& line) {
+        const OsmId id{OsmType::kWay, way.id};
+        const auto tagged = tagged_length_m(context, id, way.tags, "height", 0.1, 50);
+        const double height = snapped(tagged.value_or(row.height_m));
+        barriers.push_back({.id = {id, 0},
+                            .axis = std::move(line.axis),
+                            .kind = row.kind,
+                            .height_m = height,
+                            .width_m = row.width_m});
+      });
   return barriers;
 }
 

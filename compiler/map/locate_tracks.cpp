@@ -18,7 +18,15 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kTrackKeys = {"highway", "railway", "aeroway"};
 
+// A closed runway is the outline of its area.
+bool is_outline_of_runway(const ReadContext& context, const source::Way& way) {
+  const auto nodes = context.osm.nodes_of(way);
+  const bool is_closed = nodes.size() > 3 && nodes.front().id == nodes.back().id;
+  return is_closed && context.tag(way.tags, "aeroway") == "runway" && context.tag(way.tags, "area") != "no";
+}
+
 bool carries_track_key(const ReadContext& context, const source::Way& way) {
+  if (is_outline_of_runway(context, way)) return false;
   for (const std::string_view key : kTrackKeys)
     if (!context.tag(way.tags, key).empty()) return true;
   return false;
@@ -190,14 +198,25 @@ Track street_rails_of(const ReadContext& context, const source::Way& way, const 
   return rails;
 }
 
-// Ways underground and inside buildings are tunnels, so only those that are gone or not finished are dropped.
+// The code with which a way on an upper storey or in rooms is dropped. Ways below the ground are tunnels.
+std::optional<Code> reason_off_ground(const ReadContext& context, const source::Way& way) {
+  if (context.tag(way.tags, "highway").empty()) return std::nullopt;
+  if (context.tag(way.tags, "highway") == "corridor") return Code::kInsideBuilding;
+  const auto is_yes = [&](std::string_view key) { return says_yes(context.tag(way.tags, key)); };
+  if (is_yes("bridge") || is_yes("tunnel")) return std::nullopt;
+  const std::optional<Code> reason =
+      reason_to_drop({.storey = standing_of_object(context.osm, way.tags, "highway").storey});
+  return reason == Code::kUnderground ? std::nullopt : reason;
+}
+
+// Ways underground are tunnels, so those are dropped that are gone or not finished, and those above and in rooms.
 std::optional<Code> reason_without_track(const ReadContext& context, const source::Way& way) {
   for (const std::string_view key : kTrackKeys) {
     const std::string_view value = context.tag(way.tags, key);
     if (value.empty()) continue;
     if (presence_of(context.osm, way.tags, key) == Presence::kGone || value == "construction") return Code::kNotThere;
   }
-  return std::nullopt;
+  return reason_off_ground(context, way);
 }
 
 }  // namespace

@@ -177,7 +177,11 @@ Standing standing_of_area(const source::OsmData& osm, source::Range tags, std::s
 }
 
 Standing standing_of_object(const source::OsmData& osm, source::Range tags, std::string_view key) {
-  return {presence_of(osm, tags, key), storey_of(osm, tags)};
+  Standing standing{presence_of(osm, tags, key), storey_of(osm, tags)};
+  if (standing.storey != Storey::kGround || !(key == "barrier" || key == "wall")) return standing;
+  const double layer = stated(osm, tags, "layer").value_or(0);
+  if (layer != 0) standing.storey = layer < 0 ? Storey::kUnderground : Storey::kAbove;
+  return standing;
 }
 
 std::string_view standing_value(const source::OsmData& osm, source::Range tags, std::string_view key) {
@@ -197,6 +201,10 @@ bool is_ruin(const source::OsmData& osm, source::Range tags) {
   const auto is_yes = [&](std::string_view key) { return says_yes(osm.value_of(tags, key)); };
   return value.starts_with("ruin") || is_yes("ruins") || is_yes("ruined") || is_yes("ruins:building") ||
          osm.value_of(tags, "historic") == "ruins";
+}
+
+bool is_located_on_roof(const source::OsmData& osm, source::Range tags) {
+  return is_one_of(kUpperPlaces, osm.value_of(tags, "location"));
 }
 
 std::optional<Code> reason_to_drop(Standing standing) {

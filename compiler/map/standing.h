@@ -59,7 +59,8 @@ Standing standing_of_building(const source::OsmData& osm, source::Range tags, st
 /// @param key  The key that gives the area its class.
 Standing standing_of_area(const source::OsmData& osm, source::Range tags, std::string_view key);
 
-/// Returns whether and where a line or a point stands. Its layer is ignored.
+/// Returns whether and where a line or a point stands. The layer of barriers counts: they stand on bridges and roofs.
+/// Layers of others are ignored.
 /// @param key  The key that gives the object its class.
 Standing standing_of_object(const source::OsmData& osm, source::Range tags, std::string_view key);
 
@@ -72,6 +73,9 @@ bool states_height(const source::OsmData& osm, source::Range tags);
 
 /// True if the tags of a shell say that it is a ruin, false if it is under construction.
 bool is_ruin(const source::OsmData& osm, source::Range tags);
+
+/// True if location=* says that an object is on a roof.
+bool is_located_on_roof(const source::OsmData& osm, source::Range tags);
 
 /// Returns the code for dropping an object that is gone, or not on the ground; nothing for one that stands there.
 std::optional<Code> reason_to_drop(Standing standing);

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <iterator>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include "compiler/contract/parse.h"
+#include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/places.h"
 #include "compiler/map/tag_values.h"
 
@@ -47,6 +50,36 @@ constexpr ThingWord kThingMaterials[] = {
 #undef THING_MATERIAL
 };
 
+struct KnownWords {
+  std::string_view key, values;
+};
+constexpr KnownWords kKnownWords[] = {
+#define WORD(key, values) {key, values},
+#include "compiler/map/known_words.inc"
+#undef WORD
+};
+
+constexpr std::string_view kStates[] = {
+#define LIFECYCLE(key, presence) key,
+#include "compiler/map/lifecycle.inc"
+#undef LIFECYCLE
+};
+
+// True if one of the words of a value is among those of the key.
+bool is_among(std::string_view key, std::string_view value) {
+  const KnownWords* row = std::ranges::find(kKnownWords, key, &KnownWords::key);
+  const std::vector<std::string_view> known = words_in(row->values);
+  const auto is_known = [&](std::string_view word) { return std::ranges::find(known, word) != known.end(); };
+  return std::ranges::any_of(words_of(value), is_known);
+}
+
+bool is_known_building(std::string_view value) {
+  return building_class_of(value) != BuildingClass::kPlain || is_among("building", value) ||
+         std::ranges::any_of(words_of(value), [](const std::string& word) {
+           return std::ranges::find(kStates, word) != std::end(kStates);
+         });
+}
+
 template <typename Row, std::size_t n, typename Column>
 std::optional<Column> column_of(std::string_view value, const Row (&rows)[n], Column Row::*column) {
   return first_known(value, [&](std::string_view word) {
@@ -60,10 +93,14 @@ struct WordKey {
   bool (*is_known)(std::string_view value);
 };
 constexpr WordKey kWordKeys[] = {
+    {"barrier", [](std::string_view value) { return is_among("barrier", value); }},
+    {"building", is_known_building},
     {"building:material", [](std::string_view value) { return wall_material_of(value).has_value(); }},
+    {"fence_type", [](std::string_view value) { return is_among("fence_type", value); }},
     {"material", [](std::string_view value) { return thing_material_of(value).has_value(); }},
     {"roof:material", [](std::string_view value) { return roof_material_of(value).has_value(); }},
-    {"surface", [](std::string_view value) { return is_paved_surface(value).has_value(); }}};
+    {"surface", [](std::string_view value) { return is_paved_surface(value).has_value(); }},
+    {"wall", [](std::string_view value) { return is_among("wall", value); }}};
 
 /// Answers whether tags have unknown words. Each value is looked up once, by its number among the strings of the map.
 class WordTests {
@@ -118,12 +155,28 @@ std::optional<std::string_view> thing_material_of(std::string_view value) {
   return column_of(value, kThingMaterials, &ThingWord::word);
 }
 
+namespace {
+
+// The elements that are reported to be of an unknown kind, with the tag that says so. Sorted.
+std::vector<std::pair<OsmId, std::string>> unknown_kinds(const Report& report) {
+  std::vector<std::pair<OsmId, std::string>> kinds;
+  for (const Diagnosis& diagnosis : report.diagnoses())
+    if (diagnosis.code == Code::kUnknownKind) kinds.emplace_back(diagnosis.object, diagnosis.tag);
+  std::ranges::sort(kinds);
+  return kinds;
+}
+
+}  // namespace
+
 void diagnose_unknown_words(const ReadContext& context) {
   WordTests words(context.osm);
+  const std::vector<std::pair<OsmId, std::string>> said = unknown_kinds(context.report);
   const auto visit = [&](OsmId id, source::Range tags) {
     for (const source::Tag& tag : context.osm.tags_of(tags)) {
       if (!words.is_unknown(tag) || !box_of_element(context.osm, context.plane, id).touches(context.extent)) continue;
-      context.report.add_tag(Code::kBadTagValue, id, context.osm.strings[tag.key], context.osm.strings[tag.value]);
+      const std::string &key = context.osm.strings[tag.key], &value = context.osm.strings[tag.value];
+      if (std::ranges::binary_search(said, std::pair(id, tag_text(key, value)))) continue;
+      context.report.add_tag(Code::kBadTagValue, id, key, value);
     }
   };
   for (const source::Node& node : context.osm.nodes) visit({OsmType::kNode, node.id}, node.tags);

@@ -20,9 +20,10 @@ std::optional<bool> is_paved_surface(std::string_view value);
 /// things/thing_materials.inc.
 std::optional<std::string_view> thing_material_of(std::string_view value);
 
-/// Diagnoses kBadTagValue for each tag that touches the extent and whose key is building:material, roof:material,
-/// surface or material, if none of its words is known and none is indefinite (is_indefinite): on any element, built or
-/// not. O(n).
+/// Diagnoses kBadTagValue for each tag that touches the extent and whose key is barrier, building, building:material,
+/// fence_type, material, roof:material, surface or wall, if none of its words is known and none is indefinite
+/// (is_indefinite): on any element, built or not. Call it after diagnose_unread(): a tag that kUnknownKind names is not
+/// named again. O(n).
 void diagnose_unknown_words(const ReadContext& context);
 
 }  // namespace citykiln::map

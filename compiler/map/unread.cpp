@@ -1,6 +1,8 @@
 #include "compiler/map/unread.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -42,11 +44,22 @@ bool is_about_a_line(const ReadContext& context, const source::Tag& tag) {
   return key == "highway" || key == "railway" || key == "waterway";
 }
 
+// Parts of buildings may stand out of the outline that they belong to by this much.
+constexpr double kBesidePart_m = 2;
+
+std::vector<Footprint> parts_of(const Features& features) {
+  std::vector<Footprint> parts;
+  std::ranges::copy_if(features.footprints, std::back_inserter(parts), &Footprint::is_part);
+  return parts;
+}
+
 class UnreadElements {
  public:
   UnreadElements(const ReadContext& context, const Features& features)
       : context_(context),
         read_(read_elements(features, context.report)),
+        built_(built_elements(features)),
+        parts_(parts_of(features)),
         members_(ways_of_multipolygons(context.osm)) {}
 
   void visit(OsmId id, source::Range tags) {
@@ -57,7 +70,7 @@ class UnreadElements {
     const source::Tag* tag = body_tag(context_, tags);
     if (tag == nullptr || (id.type == OsmType::kNode && is_about_a_line(context_, *tag)))
       account_.without_body += context_.report.counts(id);
-    else if (is_part_of_relation(id, tags))
+    else if (is_part_of_relation(id, tags) || is_built_by_members(id) || is_built_by_parts(*tag, box))
       account_.merged += context_.report.counts(id);
     else
       drop(id, *tag, distance(box.min, box.max));
@@ -79,8 +92,37 @@ class UnreadElements {
     });
   }
 
+  // True for a relation that says once more what its members are: the ways of a river, the outline of a building.
+  bool is_built_by_members(OsmId id) const {
+    if (id.type != OsmType::kRelation) return false;
+    const auto relation = std::ranges::lower_bound(context_.osm.relations, id.id, {}, &source::Relation::id);
+    return std::ranges::any_of(
+        std::span(context_.osm.members).subspan(relation->members.first, relation->members.count),
+        [&](const source::Member& member) { return std::ranges::binary_search(built_, member.object); });
+  }
+
+  // True for a tower, or another work, in whose box parts of buildings make most of it.
+  bool is_built_by_parts(const source::Tag& tag, const Box2& box) const {
+    if (context_.osm.strings[tag.key] != "man_made") return false;
+    const Box2 about = box.widened(kBesidePart_m);
+    const double area_m2 = box.width() * box.height();
+    double parts_m2 = 0;
+    bool has_parts = false;
+    for (const Footprint& part : parts_) {
+      const Box2 part_box = box_of(part.polygon.outer);
+      if (!about.contains(part_box.min) || !about.contains(part_box.max)) {
+        has_parts = has_parts || (area_m2 == 0 && contains(part.polygon, box.min));
+        continue;
+      }
+      has_parts = true, parts_m2 += std::abs(signed_area_m2(part.polygon.outer));
+    }
+    return has_parts && parts_m2 >= area_m2 / 2;
+  }
+
   const ReadContext& context_;
   std::vector<OsmId> read_;
+  std::vector<OsmId> built_;
+  std::vector<Footprint> parts_;
   std::vector<WayTags> members_;
   Account account_;
 };

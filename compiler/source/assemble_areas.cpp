@@ -225,6 +225,13 @@ bool assemble_way(const osmium::Way& way, Workspace& space, Slot& slot) {
   return add_area(space.areas.get<osmium::Area>(0), {OsmType::kWay, way.id()}, {}, slot);
 }
 
+// True if a way is a member twice, as outer and as inner ring, say. It counts once.
+bool has_way_twice(const Members& members) {
+  std::vector<const osmium::Way*> ways = members.ways;
+  std::ranges::sort(ways);
+  return std::ranges::adjacent_find(ways) != ways.end();
+}
+
 bool assemble_relation(const osmium::Relation& relation, const Elements& elements, Workspace& space, Slot& slot) {
   const Members members = find_members(relation, elements, space.mended);
   if (members.ways.empty()) return false;
@@ -232,7 +239,10 @@ bool assemble_relation(const osmium::Relation& relation, const Elements& element
   if (!members.is_complete) not_outer = segments_of_inner_members(members);
   osmium::area::Assembler assembler(space.config);
   if (!assembler(*members.relation, members.ways, space.areas)) return false;
-  return add_area(space.areas.get<osmium::Area>(0), {OsmType::kRelation, relation.id()}, not_outer, slot);
+  const OsmId id{OsmType::kRelation, relation.id()};
+  if (!add_area(space.areas.get<osmium::Area>(0), id, not_outer, slot)) return false;
+  if (has_way_twice(members)) slot.mended.push_back(id);
+  return true;
 }
 
 std::vector<Location> places_of_way(const osmium::Way& way) {
@@ -259,6 +269,14 @@ std::vector<AreaLine> lines_of(const Candidate& candidate, const Elements& eleme
   return joined_lines(std::move(lines));
 }
 
+// Polygons of lines; where holes leave nothing, since they are the outer rings once more, those of the outer rings.
+std::vector<MendedPolygon> polygons_with_area(std::vector<AreaLine> lines) {
+  std::vector<MendedPolygon> polygons = mended_polygons(lines);
+  if (!polygons.empty() || std::erase_if(lines, [](const AreaLine& line) { return line.is_inner; }) == 0)
+    return polygons;
+  return lines.empty() ? polygons : mended_polygons(lines);
+}
+
 // Makes an area of rings that libosmium refuses. Returns false if a line remains open, or no area is left.
 bool mend_area(const Candidate& candidate, const Elements& elements, Slot& slot) {
   const std::vector<AreaLine> lines = lines_of(candidate, elements);
@@ -268,7 +286,7 @@ bool mend_area(const Candidate& candidate, const Elements& elements, Slot& slot)
   if (std::ranges::any_of(lines, is_open)) return false;
   Area area{id_of_candidate(candidate), {static_cast<std::uint32_t>(slot.rings.size()), 0}, {}};
   std::uint32_t part = 0;
-  for (const MendedPolygon& polygon : mended_polygons(lines)) {
+  for (const MendedPolygon& polygon : polygons_with_area(lines)) {
     for (const std::vector<Location>& ring : polygon) {
       const auto first = static_cast<std::uint32_t>(slot.ring_points.size());
       slot.ring_points.insert(slot.ring_points.end(), ring.begin(), ring.end());

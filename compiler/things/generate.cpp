@@ -123,6 +123,7 @@ Placement place(const Thing& thing, const ground::GradedTerrain& ground) {
     for (const double y : {-0.5, 0.5})
       z_m = std::min(z_m,
                      land_m(ground, thing.at + right * (x * thing.form.width_m) + facing * (y * thing.form.depth_m)));
+  if (thing.foot_m) z_m = *thing.foot_m;
   // the mesh faces -y
   return {.at = at_height(thing.at, snapped(z_m)), .cos_yaw = right.x, .sin_yaw = right.y, .feature = thing.id.osm};
 }

@@ -46,7 +46,7 @@ std::vector<WireHold> wire_holds(const Form& form, const Kind& kind, std::uint64
 /// True if a form has a mesh at a tolerance.
 bool is_shown(const Form& form, const map::ThingRow& row, double tolerance_m);
 
-/// Returns the placement of a thing on the ground: as high as the lowest corner of its base.
+/// Returns the placement of a thing: at its foot, or on the ground, as high as the lowest corner of its base.
 Placement place(const Thing& thing, const ground::GradedTerrain& ground);
 
 }  // namespace citykiln::things

@@ -12,6 +12,7 @@
 #include "compiler/things/facing.h"
 #include "compiler/things/free_places.h"
 #include "compiler/things/junction_signals.h"
+#include "compiler/things/on_roofs.h"
 #include "compiler/things/parked_cars.h"
 
 namespace citykiln::things {
@@ -46,6 +47,14 @@ std::optional<Vec2> place_of(const map::ThingFeature& thing, const map::ThingRow
   if (thing.is_in_way) return thing.at;
   const bool is_on_axis = has_way(thing) && !places.is_free(thing.at, 0);
   return is_on_axis ? beside_way(thing, row.clear_m, places) : places.nearest_free(thing.at, row.clear_m);
+}
+
+// The foot of a thing that is mapped on a building and may stand there.
+std::optional<FootOnRoof> foot_of(const map::ThingFeature& thing, map::Stand stand, const Roofs& roofs) {
+  const bool may_be_there = stand == map::Stand::kRoof || stand == map::Stand::kThroughRoof || thing.is_on_roof;
+  if (!may_be_there) return std::nullopt;
+  const auto below = roofs.below(thing.at, std::min(thing.width_m, thing.depth_m) / 2);
+  return below ? std::optional(foot_on_roof(thing, stand, *below)) : std::nullopt;
 }
 
 bool reads(const Kind& kind, std::string_view attribute) { return kind.used.attributes.contains(attribute); }
@@ -129,17 +138,25 @@ std::set<std::string> kind_names(const map::Features& features, const map::Thing
 
 std::vector<Thing> plan(const map::Features& features, std::span<const roads::Road> roads,
                         std::span<const roads::Junction> junctions, std::span<const ground::LandCoverPolygon> cover,
-                        const Kinds& kinds, std::uint64_t seed, Report& report) {
+                        std::span<const buildings::Building> buildings, const Kinds& kinds, std::uint64_t seed,
+                        Report& report) {
   const Axes axes = axes_of(roads);
   FreePlaces places(cover);
+  const Roofs roofs(buildings);
   std::vector<Thing> things;
   Account account;
   const std::vector<map::ThingFeature> all = with_derived(features, {roads, junctions}, kinds, places, seed);
   count_derived(features, all, report, account);
-  for (const map::ThingFeature& thing : all) {
+  for (map::ThingFeature thing : all) {
     const Kind& kind = kinds.find(thing.kind)->second;
     const map::ThingRow& row = kind.row;
     const bool counts = report.counts(thing.id.osm);
+    const std::optional<FootOnRoof> on_roof = foot_of(thing, row.stand, roofs);
+    if (!on_roof && thing.is_on_roof) {
+      report.drop(account, Code::kAboveGround, thing.id.osm);
+      continue;
+    }
+    if (on_roof) thing.height_m = on_roof->height_m, thing.is_in_way = true;
     const std::optional<Stance> stance = stance_of(thing, row, axes, places, seed);
     if (!stance) {
       report.drop(account, {Code::kNoPlaceForThing, thing.id.osm, 0, {}, {}, row.name});
@@ -154,7 +171,8 @@ std::vector<Thing> plan(const map::Features& features, std::span<const roads::Ro
                       .at = stance->at,
                       .direction = nearest_direction(stance->facing),
                       .is_in_way = thing.is_in_way,
-                      .form = form_of(thing, kind, seed)});
+                      .form = form_of(thing, kind, seed),
+                      .foot_m = on_roof ? on_roof->foot_m : std::nullopt});
   }
   std::ranges::sort(things, {}, &Thing::id);
   report.account("things", "thing") = account;

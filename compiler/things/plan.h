@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/buildings/recipe.h"
 #include "compiler/contract/report.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/roads/junctions/junction.h"
@@ -20,13 +21,15 @@ std::set<std::string> kind_names(const map::Features& features, const map::Thing
 
 /// Returns the things of a map, sorted by id. A thing that may not stand where it is mapped is moved to a free place
 /// (free_places.h), or dropped, kNoPlaceForThing, and kOutsideBounds if the place is outside of the extent. Signals of
-/// a junction stand at its arms (junction_signals.h); cars are parked if their kind is given (parked_cars.h). Ledger
-/// "things/thing". O(things · land cover near them).
+/// a junction stand at its arms (junction_signals.h); cars are parked if their kind is given (parked_cars.h). Things
+/// that may stand on buildings stay where they are mapped on one (on_roofs.h); a thing that is tagged to be on a roof,
+/// and is on none, is dropped, kAboveGround. Ledger "things/thing". O(things · land cover and buildings near them).
 /// @param cover  The land cover of the whole map, with buildings.
 /// @param kinds  The kinds of all things of the map; see kinds_of().
 std::vector<Thing> plan(const map::Features& features, std::span<const roads::Road> roads,
                         std::span<const roads::Junction> junctions, std::span<const ground::LandCoverPolygon> cover,
-                        const Kinds& kinds, std::uint64_t seed, Report& report);
+                        std::span<const buildings::Building> buildings, const Kinds& kinds, std::uint64_t seed,
+                        Report& report);
 
 /// Returns two lists of things as one, sorted by id.
 std::vector<Thing> with_more(std::vector<Thing> things, const std::vector<Thing>& more);

@@ -83,7 +83,10 @@ void things(auto& io, std::vector<things::Thing>& all) {
     auto number = static_cast<std::size_t>(std::ranges::lower_bound(forms, thing.form) - forms.begin());
     io.number("thing form", number);
     io.number("thing direction", thing.direction);
-    flag(io, "thing traits", thing.is_in_way);
+    bool is_on_roof = thing.foot_m.has_value();
+    flags(io, "thing traits", thing.is_in_way, is_on_roof);
+    if constexpr (kReads) thing.foot_m = is_on_roof ? std::optional(0.0) : std::nullopt;
+    if (is_on_roof) io.metres("thing size", *thing.foot_m);
     if constexpr (kReads) {
       if (thing.direction >= things::kDirections) io.fail("thing direction"), thing.direction = 0;
       if (number >= forms.size()) return io.fail("thing form");

@@ -18,7 +18,7 @@ from glb import Glb
 from mutated_maps import map_xml
 
 LAT, LON, LAT_M, LON_M = 47.0, 9.0, 111170.8, 76056.0  # metres of a degree there
-SPACING_M, SIDE = 110, 5
+SPACING_M, SIDE = 110, 6
 COUNT = 2
 LEVELS = "0.1,2.5"
 
@@ -98,7 +98,7 @@ class Tiles:
     """The triangles of one level by OSM way, in coordinates of the map."""
 
     def __init__(self, folder, level):
-        self.triangles = {}
+        self.triangles, self.things = {}, []
         for path in sorted((folder / "glb").glob(f"*_L{level}.glb")):
             self.read(Glb(path))
 
@@ -108,6 +108,7 @@ class Tiles:
         for node in glb.gltf["nodes"][1:]:
             if "mesh" not in node:
                 continue
+            self.read_instances(glb, node, at)
             for primitive in glb.gltf["meshes"][node["mesh"]]["primitives"]:
                 attributes = primitive["attributes"]
                 if "_FEATURE_ID_0" not in attributes:
@@ -117,6 +118,22 @@ class Tiles:
                 corners = [i[0] for i in glb.values(primitive["indices"])]
                 for a, b, c in zip(corners[::3], corners[1::3], corners[2::3]):
                     self.triangles.setdefault((features[a], node["name"]), []).append((points[a], points[b], points[c]))
+
+    def read_instances(self, glb, node, at):
+        """The place, foot and top of each instance."""
+        attributes = node.get("extensions", {}).get("EXT_mesh_gpu_instancing", {}).get("attributes")
+        # one of a kind is a node of its own
+        places = glb.values(attributes["TRANSLATION"]) if attributes else [node["translation"]] if "translation" in node else []
+        boxes = [glb.gltf["accessors"][p["attributes"]["POSITION"]] for p in glb.gltf["meshes"][node["mesh"]]["primitives"]]
+        low, high = min(box["min"][1] for box in boxes), max(box["max"][1] for box in boxes)
+        for x, y, z in places:
+            self.things.append((x + at[0], -(z + at[2]), y + at[1] + low, y + at[1] + high))
+
+    def thing_near(self, frame, x, y):
+        """The foot and the top of the instance within 1 m of a place; None if there is none."""
+        east, north = frame.on_map(x, y)
+        near = [thing[2:] for thing in self.things if math.hypot(thing[0] - east, thing[1] - north) < 1]
+        return near[0] if near else None
 
     def of(self, way, frame, layers=("buildings",)):
         """The triangles of a way in the frame's own coordinates."""
@@ -395,8 +412,67 @@ class SkywalksBetweenHouses(Situation):
         case.assertGreater(min(deck), 103.5)
 
 
-SITUATIONS = (Passage, ObliquePassageOfTwoHouses, OpenRoof, Parts, BowTie, WhatIsNotOnTheGround, Ruin, RetainingWall, Pier, AreaThatIsABridge,
-              OutlineOfABridge, TwoBridgesWithoutLayers, SkywalksBetweenHouses)
+class RetainingWallWithoutHeight(RetainingWall):
+    TAGS = {"barrier": "retaining_wall"}
+
+    def add(self, osm, frame):
+        self.frame = frame
+        osm.way(frame, [(-35, 0), (35, 0)], self.TAGS)
+
+
+class WallThatHoldsTheGround(RetainingWallWithoutHeight):
+    TAGS = {"barrier": "wall", "wall": "retaining_wall"}
+
+
+class ThingsOnRoofs(Situation):
+    """A mast and a flagpole stand on the roof, a chimney grows out of it, and none is left on the ground."""
+    TAGS = (({"man_made": "mast", "height": "6", "location": "roof"}, 115, 121), ({"man_made": "flagpole", "height": "5"}, 115, 120),
+            ({"man_made": "antenna", "height": "20", "min_height": "15"}, 115, 120), ({"man_made": "chimney", "height": "30"}, 100, 130))
+
+    def add(self, osm, frame):
+        self.frame = frame
+        self.house = osm.box(frame, -20, -6, 20, 6, {"building": "yes", "height": "15", "roof:shape": "flat"})
+        for i, (tags, _, _) in enumerate(self.TAGS):
+            east, north = frame.on_map(-15 + 10 * i, 0)
+            osm.nodes.append((len(osm.nodes) + 1, LAT + north / LAT_M, LON + east / LON_M, tags))
+
+    def test(self, case, tiles):
+        for i, (tags, foot_m, top_m) in enumerate(self.TAGS):
+            bounds = tiles.thing_near(self.frame, -15 + 10 * i, 0)
+            case.assertIsNotNone(bounds, tags)
+            case.assertAlmostEqual(bounds[0], foot_m, delta=1.2, msg=tags)
+            case.assertAlmostEqual(bounds[1], top_m, delta=1.2, msg=tags)
+
+
+class ClosedTrack(Situation):
+    def add(self, osm, frame):
+        self.frame = frame
+        self.way = osm.box(frame, -40, -25, 40, 25, {"leisure": "track", "sport": "running"})
+
+    def test(self, case, tiles):
+        layers = {name for _, name in tiles.triangles}
+        triangles = tiles.of(self.way, self.frame, layers)
+        case.assertTrue(triangles)
+        case.assertEqual([t for t in triangles if len(clipped(t, (-30, -15, 0), (30, 15, 1e4))) > 2], [])
+        on_line = [clipped(t, (-41, -10, 0), (-39, 10, 1e4)) for t in triangles]
+        case.assertAlmostEqual(sum(area(polygon) for polygon in on_line if len(polygon) > 2), 40, delta=1)
+
+
+class LinesOffTheGround(Situation):
+    TAGS = ({"barrier": "wall", "level": "1"}, {"barrier": "wall", "layer": "1"}, {"barrier": "wall", "layer": "-1"},
+            {"highway": "footway", "level": "1"}, {"highway": "footway", "indoor": "yes"}, {"highway": "corridor", "level": "2"})
+
+    def add(self, osm, frame):
+        self.frame = frame
+        self.ways = [osm.way(frame, [(-30, 6 * i - 15), (30, 6 * i - 15)], tags) for i, tags in enumerate(self.TAGS)]
+
+    def test(self, case, tiles):
+        layers = {name for _, name in tiles.triangles}
+        for way, tags in zip(self.ways, self.TAGS):
+            case.assertEqual(tiles.of(way, self.frame, layers), [], tags)
+
+
+SITUATIONS = (Passage, ObliquePassageOfTwoHouses, OpenRoof, Parts, BowTie, WhatIsNotOnTheGround, Ruin, RetainingWall, Pier, AreaThatIsABridge, OutlineOfABridge, TwoBridgesWithoutLayers, SkywalksBetweenHouses, RetainingWallWithoutHeight, WallThatHoldsTheGround, ThingsOnRoofs, ClosedTrack, LinesOffTheGround)
 
 
 def grey_png(rows):

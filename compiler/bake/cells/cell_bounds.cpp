@@ -113,6 +113,7 @@ class CellBoxes {
     const Box2 box = Box2{thing.at, thing.at}.widened(length(Vec2{thing.form.width_m, thing.form.depth_m}) / 2);
     Bounds bounds = ground_at(box);
     bounds.low_m -= kGraded_m, bounds.high_m += kGraded_m + thing.form.height_m;
+    if (thing.foot_m) bounds.low_m = *thing.foot_m, bounds.high_m = *thing.foot_m + thing.form.height_m;
     grow(bounds_[cell_at(tile_, thing.at)], bounds);
   }
 

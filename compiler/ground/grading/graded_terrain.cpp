@@ -202,13 +202,14 @@ HeightSample sample_heights(const GradedTerrain& graded, Vec2 p) {
   const std::optional<NearWater> water = water_near(graded, p);
   if (influences.empty() && !water && !is_near_span(graded, p)) {
     const double land_m = std::max(land.land_m, land.deck_m);
-    return {{land_m, land_m, land_m, land_m}, terrain_m};
+    // water whose height is not known lies below decks
+    return {{land_m, land_m, land_m, land.land_m}, terrain_m};
   }
   const RoadHeight road = influences.empty() ? RoadHeight{land.land_m, 0} : blend(influences);
   const Bounds bounds = bounds_at(graded, influences, road, water, p, land);
-  const double land_m = std::max(within_bounds(bounds, land.land_m), land.deck_m);
+  const double below_decks_m = within_bounds(bounds, land.land_m), land_m = std::max(below_decks_m, land.deck_m);
   const double share = road_share(influences), road_m = land_m + (road.z_m - land_m) * share;
-  const double water_m = water ? land_m + (water->z_m - land_m) * grading_share(water->shore_m) : land_m;
+  const double water_m = water ? land_m + (water->z_m - land_m) * grading_share(water->shore_m) : below_decks_m;
   return {{land_m, road_m, road_m - road.kerb_m * share, water_m}, terrain_m};
 }
 

@@ -5,6 +5,9 @@
 #include <optional>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/ground/cover/land_cover_index.h"
+#include "compiler/ground/cover/strip_cover.h"
+#include "compiler/ground/height_layer.h"
 #include "compiler/ground/landforms/landform_index.h"
 #include "compiler/ground/water/water_height.h"
 
@@ -20,6 +23,8 @@ constexpr double kFormKnotStep_m = 8;
 constexpr double kDryDeck_m = 0.5;
 // A tagged height that exceeds the rise of the terrain by more than this is reported.
 constexpr double kMissingRise_m = 1;
+// The highest retaining wall of a height that is not tagged.
+constexpr double kMostWall_m = 15;
 // Lower steps are left to the terrain.
 constexpr double kLeastStep_m = 0.25;
 
@@ -67,9 +72,12 @@ double excess_rise_m(const TerrainAcross& terrain) {
   return rise_m >= 0 ? std::clamp(rise_m - outside_m, 0.0, rise_m) : std::clamp(rise_m - outside_m, rise_m, 0.0);
 }
 
-// The rise to the left: no more than that of the terrain.
+// The rise to the left: no more than that of the terrain. A height that is not tagged gives way to a step that the
+// terrain shows.
 double step_rise_m(const TerrainAcross& terrain, const map::Landform& form) {
-  if (form.height_m == 0) return excess_rise_m(terrain);
+  const double excess_m = excess_rise_m(terrain);
+  if (form.height_m == 0) return excess_m;
+  if (!form.has_height && std::abs(excess_m) > form.height_m) return std::clamp(excess_m, -kMostWall_m, kMostWall_m);
   const double rise_m = terrain.at(kLandformReach_m) - terrain.at(-kLandformReach_m);
   return std::clamp(rise_m, -form.height_m, form.height_m);
 }
@@ -116,12 +124,37 @@ Profile dam_profile(const map::Landform& form, const map::Heightfield& heights) 
   return profile;
 }
 
+// Water about decks: with its heights, and without. Water without a height lies on the terrain.
+struct WaterAbout {
+  WaterIndex known;
+  std::vector<LandCoverPolygon> unknown{};
+  LandCoverIndex unknown_index{};
+};
+
+WaterAbout water_about(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
+                       const Box2& box) {
+  WaterAbout water{index_waters(surfaces, streams, box)};
+  for (const LandCoverPolygon& surface : surfaces)
+    if (layer_of(surface) == HeightLayer::kWater && !surface.level_m) water.unknown.push_back(surface);
+  for (const roads::Strip& stream : streams)
+    if (stream.profile.empty()) water.unknown.push_back(surface_of(stream));
+  water.unknown_index = index_land_cover(water.unknown, box);
+  return water;
+}
+
+std::optional<double> water_at_m(const WaterAbout& water, const map::Heightfield& heights, Vec2 at) {
+  if (const auto z_m = water_m(water.known, at)) return z_m;
+  const bool is_near =
+      !water.unknown.empty() && clearance_m(water.unknown_index, at, 0, kStandingInfluence_m) < kStandingInfluence_m;
+  return is_near ? std::optional(map::height_m_at(heights, at)) : std::nullopt;
+}
+
 // The highest water along a line or ring; empty without water.
-std::optional<double> water_along_m(const WaterIndex& waters, const Polyline& axis, const Box2& box) {
+std::optional<double> water_along_m(const WaterAbout& water, const map::Heightfield& heights, const Polyline& axis) {
   std::optional<double> most_m;
   for (const FormPlace& place : places_along(axis)) {
-    if (!box.contains(place.at)) continue;
-    const std::optional<double> z_m = water_m(waters, place.at);
+    if (!heights.box().contains(place.at)) continue;
+    const std::optional<double> z_m = water_at_m(water, heights, place.at);
     if (z_m && (!most_m || *z_m > *most_m)) most_m = z_m;
   }
   return most_m;
@@ -151,8 +184,7 @@ struct LandformPlanner {
   const map::Features& features;
   const map::Heightfield& heights;
   Report& report;
-  Box2 box;
-  WaterIndex waters;
+  WaterAbout waters;
   Account account{};
   std::vector<Landform> planned{};
 
@@ -184,7 +216,7 @@ struct LandformPlanner {
     if (line.kind == LandformKind::kRidge) line.profile = ridge_profile(form, form.height_m, heights);
     if (line.kind == LandformKind::kDam) line.profile = dam_profile(form, heights);
     if (line.kind == LandformKind::kDeck) {
-      if (const std::optional<double> z_m = water_along_m(waters, form.axis, box)) {
+      if (const std::optional<double> z_m = water_along_m(waters, heights, form.axis)) {
         line.profile = level_profile(*z_m + form.height_m);
       } else {
         report.add(Code::kPierWithoutWater, form.id.osm, length_m(form.axis));
@@ -201,7 +233,7 @@ struct LandformPlanner {
     account.in += counts(area.id.osm);
     Ring ring = area.polygon.outer;
     ring.push_back(ring.front());
-    const std::optional<double> z_m = water_along_m(waters, ring, box);
+    const std::optional<double> z_m = water_along_m(waters, heights, ring);
     if (!z_m) {
       report.add(Code::kPierWithoutWater, area.id.osm, length_m(ring));
       return void(account.out += counts(area.id.osm));
@@ -226,9 +258,8 @@ bool has_decks(const map::Features& features) {
 std::vector<Landform> plan_landforms(const map::Features& features, std::span<const LandCoverPolygon> surfaces,
                                      std::span<const roads::Strip> streams, const map::Heightfield& heights,
                                      Report& report) {
-  const Box2 box = heights.box();
-  LandformPlanner planner{features, heights, report, box, {}};
-  if (has_decks(features)) planner.waters = index_waters(surfaces, streams, box);
+  LandformPlanner planner{features, heights, report, {}};
+  if (has_decks(features)) planner.waters = water_about(surfaces, streams, heights.box());
   for (const map::Landform& form : features.landforms) planner.add_line(form);
   for (const map::AreaFeature& area : features.areas)
     if (is_deck(area)) planner.add_area(area);

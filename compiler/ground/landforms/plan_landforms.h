@@ -1,13 +1,14 @@
 // Plans landforms: the heights of retaining walls, cliffs, dykes, dams, piers and breakwaters along their axes.
 //
 // - A step rises by its tagged height, else by that of its kind, but at most as much as the terrain, measured at
-//   kLandformReach_m on both sides. A kind without a height takes the rise that the slopes farther out do not explain.
+//   kLandformReach_m on both sides. A kind without a height takes the rise that the slopes farther out do not explain;
+//   so does a retaining wall without a tagged height where that rise is higher than its kind, up to 15 m.
 //   Halfway up, the step is at the mean height of both sides.
 // - A ridge's crest is its height above the mean of the terrain on both sides.
 // - A dam is level: at its tagged height above the lowest place of its axis, else as high as the lower one of its ends,
 //   but at least the height of its kind above that place.
-// - A deck is level, above the highest water along it. Without water a line becomes a low ridge, and an area is left
-//   out.
+// - A deck is level, above the highest water along it; water whose height is not known lies on the terrain. Without
+//   water a line becomes a low ridge, and an area is left out.
 #pragma once
 
 #include <span>

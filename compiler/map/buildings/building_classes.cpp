@@ -36,8 +36,13 @@ std::string_view word_of(BuildingClass building) {
 }
 
 BuildingClass building_class_of(std::string_view value) {
-  const ValueRow* row = row_with(kValues, value);
-  return row != nullptr ? row->building : BuildingClass::kPlain;
+  if (const ValueRow* row = row_with(kValues, value)) return row->building;
+  return first_known(value,
+                     [](std::string_view word) {
+                       const ValueRow* row = row_with(kValues, word);
+                       return row != nullptr ? std::optional(row->building) : std::nullopt;
+                     })
+      .value_or(BuildingClass::kPlain);
 }
 
 }  // namespace citykiln::map

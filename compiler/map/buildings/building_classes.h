@@ -26,7 +26,8 @@ const BuildingValues& values_of(BuildingClass building);
 /// The name of a class in output files; "Building" for kPlain.
 std::string_view word_of(BuildingClass building);
 
-/// Returns the class of a value of building=* or building:part=*, kPlain for unknown values.
+/// Returns the class of a value of building=* or building:part=*: of the first word in it that has one; kPlain for
+/// other values.
 BuildingClass building_class_of(std::string_view value);
 
 }  // namespace citykiln::map

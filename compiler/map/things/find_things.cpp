@@ -37,14 +37,19 @@ MatchedThing match_tags(const ReadContext& context, source::Range tags, const Th
   return {};
 }
 
+std::optional<double> length_by_tag_m(const ReadContext& context, OsmId id, source::Range tags,
+                                      const TaggedLength& length) {
+  if (length.key.empty()) return std::nullopt;
+  return tagged_length_m(context, id, tags, length.key, kLeastThing_m, kTallestThing_m);
+}
+
 double tagged_or_default_m(const ReadContext& context, OsmId id, source::Range tags, const TaggedLength& length) {
-  std::optional<double> tagged;
-  if (!length.key.empty()) tagged = tagged_length_m(context, id, tags, length.key, kLeastThing_m, kTallestThing_m);
-  return std::max(kQuantum_m, snapped(tagged.value_or(length.default_m)));
+  return std::max(kQuantum_m, snapped(length_by_tag_m(context, id, tags, length).value_or(length.default_m)));
 }
 
 FoundThing found_thing(const ReadContext& context, OsmId id, source::Range tags, source::Location where,
                        const MatchedThing& match) {
+  const std::optional<double> height_m = length_by_tag_m(context, id, tags, match.row->height);
   return {.id = {id, 0},
           .tags = tags,
           .where = where,
@@ -52,7 +57,8 @@ FoundThing found_thing(const ReadContext& context, OsmId id, source::Range tags,
           .at = context.plane.snapped_forward(where),
           .width_m = tagged_or_default_m(context, id, tags, match.row->width),
           .depth_m = tagged_or_default_m(context, id, tags, match.row->depth),
-          .height_m = tagged_or_default_m(context, id, tags, match.row->height)};
+          .height_m = std::max(kQuantum_m, snapped(height_m.value_or(match.row->height.default_m))),
+          .has_height = height_m.has_value()};
 }
 
 FoundThing placed(FoundThing thing, const OutlinePlace& place, std::uint32_t part, bool is_another) {

@@ -25,6 +25,7 @@ struct FoundThing {
   MatchedThing match;
   Vec2 at;                                        ///< Its middle, snapped.
   double width_m = 0, depth_m = 0, height_m = 0;  ///< By the outline, else by tags, else by the row.
+  bool has_height = false;                        ///< True if tags say height_m.
   std::optional<Vec2> along{};                    ///< The direction of its width if an outline says it.
   bool is_another = false;                        ///< True for a second thing of one element.
 };

@@ -14,6 +14,7 @@ namespace citykiln::map {
 namespace {
 
 constexpr double kMostCapacity = 1000;
+constexpr double kHighestFoot_m = 1000;
 
 bool is_road_of_things(const Track& track) {
   return values_of(track.surface).group == LandCoverGroup::kRoad || track.is_rail;
@@ -101,6 +102,15 @@ void read_direction(const ReadContext& context, OsmId id, source::Range tags, Th
   }
 }
 
+bool may_be_on_roof(const ThingRow& row) { return row.stand == Stand::kRoof || row.stand == Stand::kThroughRoof; }
+
+// By its location, whatever it is; by its level, if it is a thing of roofs.
+bool is_on_roof(const ReadContext& context, const FoundThing& found) {
+  const std::string& key = found.match.row->tags.front().front().key;
+  if (standing_of_object(context.osm, found.tags, key).storey != Storey::kAbove) return false;
+  return may_be_on_roof(*found.match.row) || is_located_on_roof(context.osm, found.tags);
+}
+
 ThingFeature thing_of(const ReadContext& context, const FoundThing& found, const ThingWay& way) {
   const OsmId id = found.id.osm;
   ThingFeature thing{.id = found.id,
@@ -117,6 +127,9 @@ ThingFeature thing_of(const ReadContext& context, const FoundThing& found, const
   thing.text = digits_of(context.tag(found.tags, "maxspeed"), context.tag(found.tags, "traffic_sign"));
   thing.capacity = static_cast<std::uint16_t>(
       number_within(context, id, "capacity", context.tag(found.tags, "capacity"), 0, kMostCapacity).value_or(0));
+  thing.has_height = found.has_height;
+  thing.min_height_m = snapped(tagged_length_m(context, id, found.tags, "min_height", 0, kHighestFoot_m).value_or(0));
+  thing.is_on_roof = is_on_roof(context, found);
   read_direction(context, id, found.tags, thing);
   thing.way = way;
   thing.country = country_group_at(LonLat{found.where.lon_deg(), found.where.lat_deg()});
@@ -127,7 +140,8 @@ ThingFeature thing_of(const ReadContext& context, const FoundThing& found, const
 // A thing on a bridge or in a tunnel has no ground to stand on yet.
 std::optional<Code> reason_without_thing(const ReadContext& context, const FoundThing& found, const ThingWay& way) {
   const std::string& key = found.match.row->tags.front().front().key;
-  if (const auto reason = reason_without(context, found.tags, key)) return reason;
+  const auto reason = reason_without(context, found.tags, key);
+  if (reason && !(reason == Code::kAboveGround && is_on_roof(context, found))) return reason;
   if (way.id.osm.type == OsmType::kNone || way.passage == Passage::kGround) return std::nullopt;
   return way.passage == Passage::kBridge ? Code::kAboveGround : Code::kUnderground;
 }

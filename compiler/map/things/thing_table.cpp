@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::array<std::string_view, 9> kColumns = {"name",  "tags",   "rule",   "size", "stands",
                                                       "faces", "clears", "detail", "class"};
-constexpr std::array<std::string_view, 5> kStandWords = {"ground", "pole", "wall", "over_road", "in_way"};
+constexpr std::array<std::string_view, 7> kStandWords = {"ground", "pole",    "wall",        "over_road",
+                                                         "in_way", "on_roof", "through_roof"};
 constexpr std::array<std::string_view, 6> kFacingWords = {"tag", "street", "along", "platform", "arms", "any"};
 constexpr double kLargest_m = 500;
 

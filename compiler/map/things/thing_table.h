@@ -20,7 +20,11 @@ enum class Stand : std::uint8_t {
   kPole,      ///< On a pole of its own, beside carriageways.
   kWall,      ///< On the wall of a building within 5 m.
   kOverRoad,  ///< Where it is mapped, above a road, which its rule leaves free.
-  kInWay      ///< Where it is mapped, also in a carriageway: bollards, lift gates.
+  kInWay,     ///< Where it is mapped, also in a carriageway: bollards, lift gates.
+  kRoof,      ///< On the roof of the building where it is mapped, else as kGround: flagpoles, antennas.
+  /// Like kRoof, but a thing that is tagged higher than the roof stands on the ground and goes through the roof:
+  /// chimneys.
+  kThroughRoof
 };
 
 /// The direction that a thing faces where no tag states one.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/plants/prototypes/leaf_outlines.h"
 #include "compiler/plants/prototypes/sprays.h"
 
 namespace citykiln::plants {
@@ -97,6 +98,11 @@ void face_outwards(Card& card, Vec3 out) {
   card.normal = unit(own * (1 - kCrownWeight) + out * kCrownWeight);
 }
 
+bool have_few_outlines(const lsystems::Skeleton& skeleton) {
+  const auto is_outline = [](const FlatPolygon& polygon) { return polygon.count >= kOutlineCorners; };
+  return static_cast<std::size_t>(std::ranges::count_if(skeleton.polygons, is_outline)) <= kMostOutlines;
+}
+
 }  // namespace
 
 CentreBounds bounds_of(std::span<const Card> cards) {
@@ -130,9 +136,14 @@ Foliage foliage_of(const lsystems::LSystem& system, const lsystems::Skeleton& sk
     const std::string name = kind_name(system.kinds[instance.kind]);
     foliage.cards.push_back(card_of(instance, width_of_spray(name), tint, spray_number(foliage, name)));
   }
-  for (const FlatPolygon& polygon : skeleton.polygons)
-    foliage.cards.push_back(card_of(polygon, std::span(skeleton.vertices).subspan(polygon.first, polygon.count), tint,
-                                    spray_number(foliage, "")));
+  const bool shows_outlines = have_few_outlines(skeleton);
+  for (const FlatPolygon& polygon : skeleton.polygons) {
+    const auto corners = std::span(skeleton.vertices).subspan(polygon.first, polygon.count);
+    foliage.cards.push_back(card_of(polygon, corners, tint, spray_number(foliage, "")));
+    if (!shows_outlines || corners.size() < kOutlineCorners) continue;
+    foliage.cards.back().outline = static_cast<std::int32_t>(foliage.outlines.size());
+    foliage.outlines.emplace_back(corners.begin(), corners.end());
+  }
   std::erase_if(foliage.cards, [](const Card& card) { return !(area_of(card) > 0); });
   if (foliage.cards.empty()) return foliage;
   const CentreBounds crown = bounds_of(foliage.cards);

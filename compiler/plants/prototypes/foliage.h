@@ -20,6 +20,8 @@
 
 namespace citykiln::plants {
 
+inline constexpr std::int32_t kNoOutline = -1;
+
 /// A rectangle with sides `across` and `along` at `corner`. Its front faces cross(along, across).
 struct Card {
   Vec3 corner, across, along;
@@ -27,6 +29,7 @@ struct Card {
   materials::Tint tint{};  ///< Multiplies the picture's colour.
   std::uint8_t spray = 0;  ///< Index into Foliage::sprays.
   bool is_clump = false;   ///< The card shows several sprays: it replaces cards of a larger area.
+  std::int32_t outline = kNoOutline;  ///< Index into Foliage::outlines.
 
   Vec3 centre() const { return corner + (across + along) * 0.5; }
 };
@@ -49,6 +52,7 @@ struct Foliage {
   std::vector<Card> cards;
   std::vector<std::string> sprays;  ///< The names of instances in the .lsys file (sprays.h); "" for blades.
   Vec3 crown_centre;
+  std::vector<std::vector<Vec3>> outlines{};  ///< Outlines of the leaves that cards stand for (leaf_outlines.h).
 };
 
 /// Returns a card for each leaf instance of a grown skeleton, and cards of equal area for its polygons, in shades of

@@ -18,7 +18,10 @@ double height_of(const GrownPlant& grown) {
   for (const lsystems::Segment& segment : grown.skeleton.segments)
     highest_m = std::max({highest_m, segment.start.at.z, segment.end().at.z});
   for (const Card& card : grown.foliage.cards)
-    for (const Vec3 corner : corners_of(card)) highest_m = std::max(highest_m, corner.z);
+    if (card.outline == kNoOutline)
+      for (const Vec3 corner : corners_of(card)) highest_m = std::max(highest_m, corner.z);
+  for (const std::vector<Vec3>& outline : grown.foliage.outlines)
+    for (const Vec3 corner : outline) highest_m = std::max(highest_m, corner.z);
   return highest_m;
 }
 

@@ -9,6 +9,7 @@
 #include "compiler/materials/texture.h"
 #include "compiler/plants/prototypes/crown_hull.h"
 #include "compiler/plants/prototypes/leaf_clusters.h"
+#include "compiler/plants/prototypes/leaf_outlines.h"
 #include "compiler/plants/prototypes/stems.h"
 
 namespace citykiln::plants {
@@ -74,6 +75,44 @@ MaterialMesh leaves_of(const std::vector<Card>& cards, const GrownPlant& grown, 
   return leaves;
 }
 
+// Outlines are simplified by less than this share of a leaf's width, so that both of its sides remain.
+constexpr double kSideShare = 0.3;
+
+// Adds the leaves that have an outline, in the plain colour of blades.
+void add_outlines(MaterialMesh& leaves, const GrownPlant& grown, const LeafAtlas& atlas, double bend_m) {
+  for (const Card& card : grown.foliage.cards) {
+    if (card.outline == kNoOutline) continue;
+    const auto& corners = grown.foliage.outlines[static_cast<std::size_t>(card.outline)];
+    const LeafPlace place = place_of(atlas, grown.foliage.sprays[card.spray], false, grown.appearance);
+    const double keeps_sides_m = kSideShare * length(card.across);
+    const Mesh leaf =
+        outline_mesh(simplified_outline(corners, std::min(bend_m, keeps_sides_m)), cross(card.along, card.across));
+    const auto first = static_cast<std::uint32_t>(leaves.mesh.positions.size());
+    for (const Vec3 p : leaf.positions) {
+      leaves.mesh.positions.push_back(p), leaves.mesh.normals.push_back(card.normal);
+      leaves.uvs.push_back(on_grid(place.at_m + place.size_m * 0.5)), leaves.tints.push_back(card.tint);
+    }
+    for (const Triangle& t : leaf.triangles)
+      leaves.mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+}
+
+// The cards of leaves without an outline.
+Foliage without_outlines(const Foliage& foliage) {
+  Foliage cards = foliage;
+  std::erase_if(cards.cards, [](const Card& card) { return card.outline != kNoOutline; });
+  return cards;
+}
+
+// True if all leaves of a plant have an outline.
+bool has_outlines_only(const Foliage& foliage) {
+  return !foliage.cards.empty() &&
+         std::ranges::all_of(foliage.cards, [](const Card& card) { return card.outline != kNoOutline; });
+}
+
+// The share of the tolerance by which outlines are simplified.
+constexpr double kOutlineBend = 0.5;
+
 // Width of leaf clusters in tolerances; finer than at kEvenShare of the height they grow only with the tolerance's
 // root, since a plant has no more leaves to lose: so triangles fall evenly from level to level. The picture error of
 // `chart plant` stays that of the noise there.
@@ -83,6 +122,16 @@ double cluster_width(double share) {
   return share * std::min(kClusterWidth * std::sqrt(std::max(1.0, kEvenShare / share)), kWidestCluster);
 }
 
+// Clusters of the leaves without an outline, and the leaves with one.
+MaterialMesh leaves_with_outlines(const GrownPlant& grown, const LeafAtlas& atlas, double share, double& error_m) {
+  const double bend_m = kOutlineBend * share * grown.height_m;
+  const Clusters clusters = cluster(without_outlines(grown.foliage), cluster_width(share) * grown.height_m);
+  MaterialMesh leaves = leaves_of(clusters.cards, grown, atlas);
+  add_outlines(leaves, grown, atlas, bend_m);
+  error_m = std::max({error_m, clusters.error_m, bend_m});
+  return leaves;
+}
+
 // Tubes and leaf cards.
 // @param share  The tolerance over the height.
 PrototypeMesh detailed_mesh(const GrownPlant& grown, const LeafAtlas& atlas, Material bark, double share) {
@@ -90,9 +139,13 @@ PrototypeMesh detailed_mesh(const GrownPlant& grown, const LeafAtlas& atlas, Mat
   PrototypeMesh plant;
   if (!grown.skeleton.segments.empty()) plant.meshes.push_back(bark_of(grown, bark, tolerance_m, plant.error_per_m));
   if (grown.foliage.cards.empty()) return plant;
-  const Clusters clusters = cluster(grown.foliage, cluster_width(share) * grown.height_m);
-  plant.error_per_m = std::max(plant.error_per_m, clusters.error_m);
-  plant.meshes.push_back(leaves_of(clusters.cards, grown, atlas));
+  if (grown.foliage.outlines.empty()) {
+    const Clusters clusters = cluster(grown.foliage, cluster_width(share) * grown.height_m);
+    plant.error_per_m = std::max(plant.error_per_m, clusters.error_m);
+    plant.meshes.push_back(leaves_of(clusters.cards, grown, atlas));
+  } else {
+    plant.meshes.push_back(leaves_with_outlines(grown, atlas, share, plant.error_per_m));
+  }
   plant.shows_leaf_atlas = true;
   return plant;
 }
@@ -139,7 +192,8 @@ PrototypeMesh prototype_mesh(const GrownPlant& grown, const LeafAtlas& atlas, Sp
   if (!(share < 1) || !(grown.height_m > 0)) return {{}, false, height_share};
   const double hull_from = is_hedge(species) ? kBoxFrom : kHullFrom;
   const Material bark = has_texture(grown.bark, tolerance_m) ? grown.bark : Material::kBark;
-  PrototypeMesh plant = share < hull_from ? detailed_mesh(grown, atlas, bark, share) : hull_mesh(grown, species);
+  const bool is_detailed = share < hull_from || has_outlines_only(grown.foliage);
+  PrototypeMesh plant = is_detailed ? detailed_mesh(grown, atlas, bark, share) : hull_mesh(grown, species);
   scale(plant, height_share / grown.height_m);
   return plant;
 }

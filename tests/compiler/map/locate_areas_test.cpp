@@ -117,5 +117,34 @@ TEST(LocateAreas, WhatIsDroppedIsCounted) {
   EXPECT_TRUE(report.balances());
 }
 
+double area_of(const std::string& text) {
+  const Features features = features_of(text);
+  EXPECT_EQ(features.areas.size(), 1u) << text;
+  return features.areas.empty() ? 0 : area_m2(features.areas[0].polygon);
+}
+
+TEST(LocateAreas, AClosedTrackIsARingOfItsWidth) {
+  const std::string line = "a1 0:0 100:0 100:60 0:60 leisure=track";
+  EXPECT_NEAR(area_of(line + " sport=running"), 320 * 7.5, 1);
+  EXPECT_NEAR(area_of(line + " width=4"), 320 * 4, 1);
+  EXPECT_NEAR(area_of(line + " lanes=4"), 320 * 4 * 1.22, 1);
+  EXPECT_NEAR(area_of(line + " area=yes"), 6000, 1) << "an area is its own outline";
+  EXPECT_NEAR(area_of("a1 0:0 100:0 100:8 0:8 leisure=track"), 800, 1) << "as narrow as a track: its outline";
+  EXPECT_NEAR(area_of("r1 0:0 100:0 100:60 0:60 / 8:8 8:52 92:52 92:8 leisure=track"), 6000 - 84 * 44, 1);
+  EXPECT_TRUE(features_of("a1 0:0 100:0 100:60 0:60 leisure=track sport=skiing").areas.empty());
+}
+
+TEST(LocateAreas, ACarParkThatIsABuildingIsNotInsideOne) {
+  Report report;
+  const Features features = features_of(R"(
+    a1 0:0 40:0 40:30 building=parking amenity=parking parking=multi-storey
+    a2 60:0 99:0 99:30 amenity=parking parking=multi-storey)",
+                                        report);
+  EXPECT_EQ(features.footprints.size(), 1u);
+  EXPECT_EQ(report.account("map", "area").merged, 1u);
+  EXPECT_EQ(report.counts()[Code::kInsideBuilding], 1u) << "of the second, which is no building";
+  EXPECT_TRUE(report.balances());
+}
+
 }  // namespace
 }  // namespace citykiln::map

@@ -30,6 +30,36 @@ TEST(LocateLandforms, LinesThatShapeTheLandHaveAKindAHeightAndATop) {
   EXPECT_EQ(forms[6].kind, LandformKind::kStep);
 }
 
+TEST(LocateLandforms, AWallThatHoldsTheGroundIsARetainingWall) {
+  const Features features = features_of(R"(
+    w1 0:0 90:0 barrier=wall wall=retaining_wall height=4
+    w2 0:9 90:9 barrier=wall wall=dry_stone)");
+  ASSERT_EQ(features.landforms.size(), 1u);
+  EXPECT_EQ(features.landforms[0].kind, LandformKind::kWall);
+  EXPECT_EQ(features.landforms[0].height_m, 4);
+  ASSERT_EQ(features.barriers.size(), 2u);
+  EXPECT_EQ(features.barriers[0].kind, BarrierKind::kRetainingWall);
+  EXPECT_EQ(features.barriers[1].kind, BarrierKind::kWall);
+}
+
+TEST(LocateLandforms, BarriersOffTheGroundAreDropped) {
+  Report report;
+  const Features features = features_of(R"(
+    w1 0:0 90:0 barrier=fence layer=1
+    w2 0:9 90:9 barrier=wall layer=-1
+    w3 0:19 90:19 barrier=fence level=2
+    w4 0:29 90:29 barrier=fence layer=0)",
+                                        report);
+  EXPECT_EQ(features.barriers.size(), 1u);
+  EXPECT_EQ(report.counts()[Code::kAboveGround], 2u);
+  EXPECT_EQ(report.counts()[Code::kUnderground], 1u);
+  EXPECT_TRUE(report.balances());
+}
+
+TEST(LocateLandforms, AClosedPierThatIsNoAreaIsALine) {
+  EXPECT_EQ(features_of("w1 0:0 90:0 90:30 0:30 0:0 man_made=pier area=no").landforms.size(), 1u);
+}
+
 TEST(LocateLandforms, PiersThatAreAreasOrBridgesAreNoLines) {
   const Features features = features_of(R"(
     w1 0:0 90:0 90:30 0:30 0:0 man_made=pier

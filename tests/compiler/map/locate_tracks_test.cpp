@@ -56,11 +56,43 @@ TEST(LocateTracks, PassageAndLayerComeFromTags) {
   EXPECT_EQ(track_of("highway=primary bridge=viaduct layer=2").layer, 2);
   EXPECT_EQ(track_of("highway=primary tunnel=yes layer=-1").passage, Passage::kTunnel);
   EXPECT_EQ(track_of("highway=primary tunnel=yes layer=-1").layer, -1);
-  EXPECT_EQ(track_of("highway=footway indoor=yes").passage, Passage::kTunnel);
+  EXPECT_EQ(track_of("highway=footway level=-1").passage, Passage::kTunnel);
   EXPECT_EQ(track_of("highway=service tunnel=building_passage").passage, Passage::kGround);
   EXPECT_EQ(track_of("highway=primary bridge=no").passage, Passage::kGround);
   EXPECT_TRUE(track_of("railway=rail").is_rail);
   EXPECT_TRUE(track_of("highway=residential lit=yes").is_lit);
+}
+
+TEST(LocateTracks, WaysOnUpperStoreysAndInRoomsAreDropped) {
+  Report report;
+  const Features features = features_of(R"(
+    w1 0:0 50:0 highway=footway level=1
+    w2 0:5 50:5 highway=service level=2;3
+    w3 0:10 50:10 highway=footway indoor=yes
+    w4 0:15 50:15 highway=corridor level=0
+    w5 0:20 50:20 highway=steps level=0;1
+    w6 0:25 50:25 highway=footway level=1 bridge=yes layer=1
+    w7 0:30 50:30 highway=footway layer=1)",
+                                        report);
+  std::vector<std::int64_t> ways;
+  for (const Track& track : features.tracks) ways.push_back(track.id.osm.id);
+  EXPECT_EQ(ways, (std::vector<std::int64_t>{5, 6, 7}));
+  EXPECT_EQ(report.counts()[Code::kAboveGround], 2u);
+  EXPECT_EQ(report.counts()[Code::kInsideBuilding], 2u);
+  EXPECT_EQ(report.counts()[Code::kUnknownKind], 0u);
+  EXPECT_TRUE(report.balances());
+}
+
+TEST(LocateTracks, AClosedRunwayIsItsOutlineAndAClosedTaxiwayALoop) {
+  const Features features = features_of(R"(
+    a1 0:0 300:0 300:40 0:40 aeroway=runway
+    a2 0:100 300:100 300:140 0:140 aeroway=taxiway
+    a3 0:200 300:200 300:220 0:220 aeroway=taxiway area=yes)");
+  ASSERT_EQ(features.tracks.size(), 1u);
+  EXPECT_EQ(features.tracks[0].id.osm.id, 2);
+  ASSERT_EQ(features.areas.size(), 2u);
+  EXPECT_EQ(features.areas[0].id.osm.id, 1);
+  EXPECT_EQ(features.areas[1].id.osm.id, 3);
 }
 
 TEST(LocateTracks, APathThroughABuildingOnAnUpperStoreyIsACorridor) {

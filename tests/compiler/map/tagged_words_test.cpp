@@ -62,8 +62,8 @@ TEST(TaggedWords, SynonymsGiveTheClassOfTheWord) {
 }
 
 TEST(TaggedWords, TwelveUnknownWordsOfEachKeyAreQuotedOnceEach) {
-  constexpr const char* kKeys[] = {"building:material", "material",   "roof:material",
-                                   "surface",           "roof:shape", "building:colour"};
+  constexpr const char* kKeys[] = {"building:material", "material", "roof:material", "surface", "roof:shape",
+                                   "building:colour",   "wall",     "fence_type",    "barrier"};
   std::string text;
   std::map<std::string, int> expected;
   int id = 0;
@@ -77,6 +77,37 @@ TEST(TaggedWords, TwelveUnknownWordsOfEachKeyAreQuotedOnceEach) {
   Report report;
   features_of(text, report);
   EXPECT_EQ(unread_tags(report), expected);
+}
+
+TEST(TaggedWords, TwelveUnknownWordsOfBuildingsAndBarriersAreQuotedOnceEach) {
+  std::string text;
+  std::map<std::string, int> buildings, barriers;
+  for (int word = 0; word < 12; ++word) {
+    const std::string value = fmt::format("unheard_of_{}", static_cast<char>('a' + word));
+    text += fmt::format("a{} {}:0 {}:0 {}:9 building={}\n", word + 1, 12 * word, 12 * word + 9, 12 * word + 9, value);
+    text += fmt::format("w{} {}:20 {}:20 barrier={}\n", word + 21, 12 * word, 12 * word + 9, value);
+    buildings["building=" + value] = 1, barriers["barrier=" + value] = 1;
+  }
+  Report report;
+  features_of(text, report);
+  EXPECT_EQ(unread_tags(report), buildings) << "they are built as plain buildings";
+  std::map<std::string, int> unknown;
+  for (const Diagnosis& diagnosis : report.diagnoses())
+    if (diagnosis.code == Code::kUnknownKind) ++unknown[diagnosis.tag];
+  EXPECT_EQ(unknown, barriers) << "they are not built";
+}
+
+TEST(TaggedWords, UsualWordsOfBuildingsWallsAndFencesAreKnown) {
+  Report report;
+  features_of(R"(
+    a1 0:0 9:0 9:9 building=bunker
+    a2 20:0 29:0 29:9 building=Mixed-Use wall=no
+    a3 40:0 49:0 49:9 building=yes;church
+    a4 60:0 69:0 69:9 building=razed
+    w5 0:20 9:20 barrier=fence fence_type=chain_link
+    w6 20:20 29:20 barrier=wall wall=dry_stone)",
+              report);
+  EXPECT_EQ(unread_tags(report), (std::map<std::string, int>{}));
 }
 
 TEST(TaggedWords, KnownAndIndefiniteWordsAndPlacesOutsideAreNoFindings) {

@@ -150,7 +150,8 @@ class Chunk:
         self.landforms = self.all("landforms", lambda: (self.water(), self.plain("landform kind")))
         self.words = [""]
         self.thing_forms = self.all("thing forms", self.thing_form)
-        self.things = self.all("things", lambda: (self.id(), self.point(), self.thing_forms[self.plain("thing form")], self.plain("thing direction"), self.plain("thing traits")))
+        self.things = self.all("things", lambda: (self.id(), self.point(), self.thing_forms[self.plain("thing form")], self.plain("thing direction"),
+                                              self.metres("thing size") if self.plain("thing traits") & 2 else None))
         self.wire_spans = self.all("wire spans", self.wire_span)
         self.names = [""]
         self.texts = self.all("texts", self.text)

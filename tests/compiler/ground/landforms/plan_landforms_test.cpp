@@ -81,5 +81,26 @@ TEST(PlanLandforms, APierStandsAboveItsWaterAndIsReportedWithoutWater) {
       std::ranges::any_of(report.diagnoses(), [](const Diagnosis& d) { return d.code == Code::kPierWithoutWater; }));
 }
 
+TEST(PlanLandforms, AWallWithoutAHeightTakesTheStepOfTheGround) {
+  Report report;
+  const map::Landform wall = line(map::LandformKind::kWall, 1.5, false, 0.375);
+  const auto rise_m = [&](double terrace_m) {
+    const map::Heightfield land = land_with_terrace(terrace_m);
+    return planned_height_m(wall, land, {0, 1}, report) - planned_height_m(wall, land, {0, -1}, report);
+  };
+  EXPECT_NEAR(rise_m(12), 12, 0.1);
+  EXPECT_NEAR(rise_m(1), 1, 0.1) << "no more than the terrain";
+  EXPECT_LT(rise_m(40), 18) << "a hillside is no wall";
+}
+
+TEST(PlanLandforms, APierInWaterWithoutAHeightStandsAboveTheTerrain) {
+  Report report;
+  LandCoverPolygon lake{.id = {{OsmType::kWay, 9}, 0}, .surface = map::LandCoverClass::kLake, .rings = {}};
+  lake.rings = {{{-100, -100}, {100, -100}, {100, 50}, {-100, 50}}};
+  const map::Landform pier = line(map::LandformKind::kDeck, 1.25, false, 3);
+  EXPECT_NEAR(planned_height_m(pier, land_with_terrace(0), {0, 0}, report, std::vector{lake}), 101.25, 0.01);
+  EXPECT_TRUE(report.diagnoses().empty());
+}
+
 }  // namespace
 }  // namespace citykiln::ground

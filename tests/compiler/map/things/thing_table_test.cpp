@@ -82,7 +82,8 @@ TEST(ThingTable, ABadRowIsOneLineWithFileAndLine) {
   EXPECT_EQ(error_of("a b=c d 1x1x0 ground any 0 size A").substr(0, 24), "own/things.txt:2: size: ");
   EXPECT_EQ(error_of("a b d 1x1x1 ground any 0 size A").substr(0, 24), "own/things.txt:2: tags: ");
   EXPECT_EQ(error_of("a b=c d 1x1x1 floor any 0 size A"),
-            "own/things.txt:2: stands: expected ground, pole, wall, over_road, in_way, found \"floor\"");
+            "own/things.txt:2: stands: expected ground, pole, wall, over_road, in_way, on_roof, through_roof, found "
+            "\"floor\"");
   EXPECT_EQ(error_of("a b=c d 1x1x1 ground up 0 size A").substr(0, 25), "own/things.txt:2: faces: ");
   EXPECT_EQ(error_of("a b=c d 1x1x1 ground any -1 size A").substr(0, 26), "own/things.txt:2: clears: ");
   EXPECT_EQ(error_of("a b=c d 1x1x1 ground any 0 big A").substr(0, 26), "own/things.txt:2: detail: ");
