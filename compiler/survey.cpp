@@ -97,7 +97,11 @@ Result<Survey> survey(const CompileSpec& spec, const std::string& extract, const
 
 ground::Waters surveyed_waters(ground::Waters waters, const Survey& survey) {
   std::ranges::stable_sort(waters.streams, {}, &roads::Strip::id);
+  // the survey has no land on which a pond could lie
+  std::vector<std::uint8_t> raised;
+  for (const ground::LandCoverPolygon& surface : waters.surfaces) raised.push_back(surface.raised_priority);
   replace_known(waters.surfaces, survey.waters);
+  for (std::size_t i = 0; i < raised.size(); ++i) waters.surfaces[i].raised_priority = raised[i];
   replace_known(waters.streams, survey.streams);
   return waters;
 }

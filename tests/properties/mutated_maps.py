@@ -70,8 +70,8 @@ def map_xml(nodes, ways, relations, bounds=(46.9999, 8.9999, 47.0017, 9.0029)):
         tagged(element, tags)
     for number, members, tags in relations:
         element = ElementTree.SubElement(root, "relation", id=str(number), version="1")
-        for ref, role in members:
-            ElementTree.SubElement(element, "member", type="way", ref=str(ref), role=role)
+        for ref, role, *kind in members:
+            ElementTree.SubElement(element, "member", type=kind[0] if kind else "way", ref=str(ref), role=role)
         tagged(element, tags)
     return ElementTree.tostring(root, encoding="utf-8", xml_declaration=True)
 

@@ -13,13 +13,13 @@ import sys
 import unittest
 import zlib
 
-from citykiln_program import ProgramTest, bytes_of_outputs, report_of, run
+from citykiln_program import IS_FULL, ProgramTest, bytes_of_outputs, report_of, run
 from glb import Glb
 from mutated_maps import map_xml
 
 LAT, LON, LAT_M, LON_M = 47.0, 9.0, 111170.8, 76056.0  # metres of a degree there
 SPACING_M, SIDE = 110, 6
-COUNT = 2
+COUNT = 20 if IS_FULL else 2
 LEVELS = "0.1,2.5"
 
 
@@ -51,8 +51,9 @@ class Map:
             east, north = frame.on_map(x, y)
             self.nodes.append((len(self.nodes) + 1, LAT + north / LAT_M, LON + east / LON_M, {}))
             refs.append(len(self.nodes))
-        self.ways.append((len(self.ways) + 1, refs + refs[:1] if closed else refs, tags))
-        return len(self.ways)
+        number = 1 + max((way for way, _, _ in self.ways), default=0)
+        self.ways.append((number, refs + refs[:1] if closed else refs, tags))
+        return number
 
     def joined(self, frame, points, tags, closed=False):
         """A way whose nodes other joined ways of the frame share."""
@@ -472,7 +473,79 @@ class LinesOffTheGround(Situation):
             case.assertEqual(tiles.of(way, self.frame, layers), [], tags)
 
 
-SITUATIONS = (Passage, ObliquePassageOfTwoHouses, OpenRoof, Parts, BowTie, WhatIsNotOnTheGround, Ruin, RetainingWall, Pier, AreaThatIsABridge, OutlineOfABridge, TwoBridgesWithoutLayers, SkywalksBetweenHouses, RetainingWallWithoutHeight, WallThatHoldsTheGround, ThingsOnRoofs, ClosedTrack, LinesOffTheGround)
+def plan_area(triangles):
+    """The area of the faces that look up, seen from above."""
+    return sum(max(0.0, ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2) for a, b, c in triangles)
+
+
+class SmallerAreasOnLarger(Situation):
+    """In a square and in a car park: a pond, a flower bed, a playground, a lawn, a pitch."""
+    INNER = ({"natural": "water"}, {"leisure": "garden"}, {"leisure": "playground"}, {"landuse": "grass"}, {"leisure": "pitch"})
+
+    def add(self, osm, frame):
+        self.frame = frame
+        self.inner = []
+        for y, tags in ((-22, {"highway": "pedestrian", "area": "yes"}), (4, {"amenity": "parking"})):
+            osm.box(frame, -40, y, 40, y + 18, tags)
+            self.inner += [osm.box(frame, 15 * i - 36, y + 5, 15 * i - 26, y + 13, inner) for i, inner in enumerate(self.INNER)]
+
+    def test(self, case, tiles):
+        layers = {name for _, name in tiles.triangles}
+        for way in self.inner:
+            # a mirrored frame turns faces over
+            area_m2 = plan_area(tiles.of(way, self.frame, layers)) if self.frame.m > 0 else \
+                plan_area([(a, c, b) for a, b, c in tiles.of(way, self.frame, layers)])
+            case.assertGreater(area_m2, 60, f"way {way} of 80 m²")
+
+
+class WayAndMultipolygon(Situation):
+    """A house with a courtyard whose outer way has the tags of the multipolygon."""
+    def add(self, osm, frame):
+        self.frame = frame
+        tags = {"building": "yes", "height": "9", "roof:shape": "flat"}
+        self.outer = osm.box(frame, -16, -12, 16, 12, tags)
+        inner = osm.box(frame, -8, -5, 8, 5, {})
+        self.relation = 1000 + len(osm.relations)
+        osm.relations.append((self.relation, [(self.outer, "outer"), (inner, "inner")], {"type": "multipolygon", **tags}))
+
+    def test(self, case, tiles):
+        case.assertEqual(tiles.of(self.outer, self.frame), [], "built twice")
+        self.expect_empty(case, tiles, self.relation, (-6, -3, 100.2), (6, 3, 120))
+        case.assertAlmostEqual(self.highest(tiles, self.relation, -16, -12, -9, 12), 109, delta=3)
+
+
+class IslandThatIsARelation(Situation):
+    def add(self, osm, frame):
+        self.frame = frame
+        lake, island = (osm.box(frame, -r, -r, r, r, {}) for r in (30, 12))
+        first = 1000 + len(osm.relations)
+        osm.relations.append((first, [(lake, "outer"), (first + 1, "inner", "relation")], {"type": "multipolygon", "natural": "water"}))
+        osm.relations.append((first + 1, [(island, "outer")], {"type": "multipolygon", "landuse": "grass"}))
+        self.lake, self.island = first, first + 1
+
+    def test(self, case, tiles):
+        layers = {name for _, name in tiles.triangles}
+        case.assertEqual([t for t in tiles.of(self.lake, self.frame, layers) if len(clipped(t, (-9, -9, 0), (9, 9, 1e4))) > 2], [])
+        case.assertTrue(tiles.of(self.island, self.frame, layers))
+
+
+class ElementsTwice(Situation):
+    """As Overpass writes them: once with tags and once without, in either order."""
+    def add(self, osm, frame):
+        self.frame = frame
+        self.houses = [osm.box(frame, x, -5, x + 10, 5, {"building": "house"}) for x in (-20, 5)]
+        without_tags = [(way, refs, {}) for way, refs, _ in osm.ways[-2:]]
+        osm.ways.insert(len(osm.ways) - 2, without_tags[0])
+        osm.ways.append(without_tags[1])
+
+    def test(self, case, tiles):
+        for house in self.houses:
+            case.assertTrue(tiles.of(house, self.frame), f"way {house} is missing")
+
+
+SITUATIONS = (Passage, ObliquePassageOfTwoHouses, OpenRoof, Parts, BowTie, WhatIsNotOnTheGround, Ruin, RetainingWall, Pier, AreaThatIsABridge,
+              OutlineOfABridge, TwoBridgesWithoutLayers, SkywalksBetweenHouses, RetainingWallWithoutHeight, WallThatHoldsTheGround,
+              ThingsOnRoofs, ClosedTrack, LinesOffTheGround, SmallerAreasOnLarger, WayAndMultipolygon, IslandThatIsARelation, ElementsTwice)
 
 
 def grey_png(rows):
