@@ -60,11 +60,11 @@ RoadPlan plan_roads(const map::Features& features, Report& report) {
   return plan;
 }
 
-// What is assumed of streets by the houses beside them.
+// The assumptions about streets that count the houses beside them.
 constexpr Assumptions kOfStreets =
     bit_of(Assumption::kPavements) | bit_of(Assumption::kVerges) | bit_of(Assumption::kParking);
 
-// Adds the houses that fill lots, beside the streets as they would be without them. What is assumed afterwards counts
+// Adds the houses that fill lots, beside the streets as they would be without them. Later assumptions count
 // them as mapped ones.
 Result<map::Features> with_filled_lots(map::Features features, const CompileSpec& spec, const source::OsmData& osm,
                                        const map::Plane& plane, Report& report) {

@@ -91,7 +91,7 @@ struct MemberWay {
   bool describes_water = false;
 };
 
-/// What a relation needs in the file of a region.
+/// The elements that a relation needs in the file of a region.
 struct RelationContents {
   Box2 box;
   std::vector<std::uint32_t> ways;               ///< Indices in members_.

@@ -28,8 +28,8 @@ inline constexpr double kLowestLand_m = -500, kHighestLand_m = 9000;
 ///      that land (their 90th percentile).
 ///
 /// The samples around a patch into which a program has mixed its value are replaced too. The sea, lakes and polders
-/// stay, since shores lead down to them, and so do single samples, which are spikes. Samples change to NaN only. What
-/// surrounds a patch decides, so a smaller window of a file may have another result at its edge.
+/// stay, since shores lead down to them, and so do single samples, which are spikes. Samples change to NaN only. The
+/// surroundings of a patch decide, so a smaller window of a file may have another result at its edge.
 /// Diagnosed: kHeightCode, once for each value, with the number of its samples. Cannot fail. O(n log n) in samples.
 Raster codes_to_voids(Raster raster, Report& report);
 

@@ -531,7 +531,7 @@ class IslandThatIsARelation(Situation):
 
 
 class ElementsTwice(Situation):
-    """As Overpass writes them: once with tags and once without, in either order."""
+    """Overpass writes them once with tags and once without, in either order."""
     def add(self, osm, frame):
         self.frame = frame
         self.houses = [osm.box(frame, x, -5, x + 10, 5, {"building": "house"}) for x in (-20, 5)]
