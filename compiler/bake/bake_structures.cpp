@@ -91,7 +91,10 @@ void bake_stairs(Baking& baking, const std::vector<structures::Stairs>& all) {
     }
     using materials::Material;
     baking.take({{{stairs.mesh, Material::kStone, materials::kNoTint, stairs.feature}, Layer::kStructures}});
-    if (!stairs.rails.triangles.empty())
+    if (stairs.rails.triangles.empty()) continue;
+    if (structures::kHandrailError_m <= baking.tolerance_m)
+      baking.certify(structures::kHandrailError_m, bounds);
+    else
       baking.take({{{stairs.rails, Material::kMetalCladding, materials::kNoTint, stairs.feature}, Layer::kStructures}});
   }
 }

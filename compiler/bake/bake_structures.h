@@ -28,6 +28,7 @@ std::vector<roads::MarkingLayout> layouts_of(const std::vector<GeneratedSpan>& s
 void bake_structures(Baking& baking, std::vector<GeneratedSpan>& structures, const Markings& markings);
 
 /// Adds stairs. Stairs whose error is within the tolerance are left out: the ground below them is a ramp.
+/// Handrails are left out from kHandrailError_m on.
 /// @param all  The stairs of the whole tile.
 void bake_stairs(Baking& baking, const std::vector<structures::Stairs>& all);
 

@@ -149,7 +149,9 @@ void add_plates(const Span& bridge, Budget& budget, GeneratedStructure& generate
   // plates bear in two directions, and leave most of the clearance below the road's top free
   shape.thickness_m = std::min(shape.thickness_m, shape.railing_m > 0 ? kFootPlate_m : kRoadPlate_m);
   for (const Plate& plate : bridge.plates) {
-    add_plate(plate, shape, budget.keeps(length(Vec2{shape.parapet_m, kParapet_m})), generated);
+    PlateDetail detail{.has_slab = budget.keeps(shape.thickness_m)};
+    detail.has_parapets = budget.keeps(length(Vec2{shape.parapet_m, kParapet_m})) && detail.has_slab;
+    add_plate(plate, shape, detail, generated);
     add_plate_railings(plate, shape, budget, generated);
   }
 }

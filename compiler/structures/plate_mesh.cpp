@@ -108,7 +108,7 @@ std::vector<std::vector<Rib>> wall_runs(const Plate& plate) {
   return runs;
 }
 
-void add_plate(const Plate& plate, const DeckDimensions& shape, bool has_parapets, GeneratedStructure& generated) {
+void add_plate(const Plate& plate, const DeckDimensions& shape, PlateDetail detail, GeneratedStructure& generated) {
   Mesh concrete;
   for (const PlatePart& part : plate.parts) {
     const PlaneTriangles plane = triangulate(plan_of(part));
@@ -117,13 +117,15 @@ void add_plate(const Plate& plate, const DeckDimensions& shape, bool has_parapet
     materials::MaterialMesh top{{}, top_material(plate, part), materials::kNoTint, plate.id};
     add_side(plane, heights, step_m, true, top.mesh);
     generated.meshes.push_back(std::move(top));
+    if (!detail.has_slab) continue;
     add_side(plane, heights, shape.thickness_m, false, concrete);
     for (const PlateRing& ring : part.rings) add_faces(ring, step_m, shape.thickness_m, concrete);
   }
-  if (has_parapets)
+  if (detail.has_parapets)
     for (const std::vector<Rib>& run : wall_runs(plate))
       add_tube(run, {{kParapet_m, 0}, {kParapet_m, shape.parapet_m}, {0, shape.parapet_m}, {0, 0}}, concrete);
-  generated.meshes.push_back({std::move(concrete), materials::Material::kConcrete, materials::kNoTint, plate.id});
+  if (!concrete.triangles.empty())
+    generated.meshes.push_back({std::move(concrete), materials::Material::kConcrete, materials::kNoTint, plate.id});
 }
 
 }  // namespace citykiln::structures

@@ -10,9 +10,15 @@
 
 namespace citykiln::structures {
 
-/// Adds the parts of a plate as closed prisms, and closed parapets or upstands along its walls.
+/// The parts of a plate that a level keeps.
+struct PlateDetail {
+  bool has_slab = true;      ///< Else only its top.
+  bool has_parapets = true;  ///< Only with a slab.
+};
+
+/// Adds the parts of a plate as closed prisms, or their tops alone, and closed parapets or upstands along its walls.
 /// @param dimensions  Thickness and height of the parapets.
-void add_plate(const Plate& plate, const DeckDimensions& dimensions, bool has_parapets, GeneratedStructure& generated);
+void add_plate(const Plate& plate, const DeckDimensions& dimensions, PlateDetail detail, GeneratedStructure& generated);
 
 /// Returns ribs along each run of walls; to the left is the plate. Each run has at least two ribs.
 std::vector<std::vector<Rib>> wall_runs(const Plate& plate);

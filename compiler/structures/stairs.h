@@ -20,6 +20,8 @@ inline constexpr double kRiser_m = 0.17;
 
 /// The height of a handrail above the edges of the steps, and the distance of its posts.
 inline constexpr double kHandrail_m = 0.9, kPostSpacing_m = 2;
+/// The error of omitting handrails: their height above the edges of the steps, and the highest step.
+inline constexpr double kHandrailError_m = kHandrail_m + 0.3;
 
 /// The stairs of one way that lie in one tile.
 struct Stairs {

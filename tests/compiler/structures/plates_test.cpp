@@ -94,7 +94,7 @@ TEST(Plates, WallsStandOnTheOutlineExceptWhereRoadsCrossIt) {
 TEST(Plates, MeshesAreClosedAndAsThickAsTheSlab) {
   const TwoOnAnOutline made;
   GeneratedStructure generated;
-  add_plate(made.bridges[0].plates.at(0), {.thickness_m = 1, .parapet_m = 1}, true, generated);
+  add_plate(made.bridges[0].plates.at(0), {.thickness_m = 1, .parapet_m = 1}, {}, generated);
   const std::vector<materials::MaterialMesh> meshes = all_meshes(generated);
   EXPECT_TRUE(open_edges(meshes).empty());
   // roads lie in a step of 0.25 m
