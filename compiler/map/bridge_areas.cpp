@@ -32,20 +32,12 @@ bool may_be_deck(LandCoverClass surface) {
   return surface != LandCoverClass::kUnknown && group != LandCoverGroup::kWater && group != LandCoverGroup::kForest;
 }
 
-// A square with a layer is a bridge if something passes below it (passes_below()): layers are also for the order of
-// drawing.
-bool is_by_layer(const ReadContext& context, const source::Area& area, const AreaRule& row) {
-  return row.surface == LandCoverClass::kSquare && context.tag(area.tags, "bridge").empty() &&
-         !says_yes(context.tag(area.tags, "tunnel")) && tagged_layer(context, area.from, area.tags) > 0;
-}
-
 // The class of the top of an area that is a bridge, by its tags; kUnknown for an outline. Nothing for other areas.
 std::optional<LandCoverClass> deck_class_of(const ReadContext& context, const source::Area& area) {
   const AreaRule* row = area_rule_of([&](std::string_view key) { return context.tag(area.tags, key); });
   if (row == nullptr || is_closed_line(context, area.tags, area.from.type)) return std::nullopt;
   if (presence_of(context.osm, area.tags, row->key) == Presence::kGone) return std::nullopt;
   if (says_yes(context.tag(area.tags, "bridge")) && may_be_deck(row->surface)) return row->surface;
-  if (is_by_layer(context, area, *row)) return row->surface;
   return is_bridge_outline(context, area.tags) ? std::optional(LandCoverClass::kUnknown) : std::nullopt;
 }
 
@@ -226,18 +218,6 @@ std::vector<Track> branches(const BridgeArea& area, std::span<const Track* const
   return axes;
 }
 
-// True if a road or railway on the ground of a lower layer runs through an area without a node on its outline.
-bool passes_below(const BridgeArea& area, std::span<const Track* const> near) {
-  constexpr double kLeast_m = 4;
-  return std::ranges::any_of(near, [&](const Track* track) {
-    const LandCoverGroup group = values_of(track->surface).group;
-    return track->passage == Passage::kGround && track->layer < area.layer &&
-           (group == LandCoverGroup::kRoad || group == LandCoverGroup::kRail) &&
-           std::ranges::none_of(track->axis, [&](Vec2 p) { return is_corner(area, p); }) &&
-           share_inside(track->axis, area.polygon) * length_m(track->axis) >= kLeast_m;
-  });
-}
-
 // True if a way on the ground runs through most of an outline: its bridge is not tagged.
 bool is_crossed_on_ground(const BridgeArea& area, std::span<const Track* const> near) {
   constexpr double kThrough = 0.6;
@@ -278,8 +258,7 @@ std::vector<BridgeArea> merged_outlines(std::vector<BridgeArea> areas) {
 }  // namespace
 
 bool is_bridge_area(const ReadContext& context, const source::Area& area) {
-  return says_yes(context.tag(area.tags, "bridge")) &&
-         deck_class_of(context, area).value_or(LandCoverClass::kUnknown) != LandCoverClass::kUnknown;
+  return deck_class_of(context, area).value_or(LandCoverClass::kUnknown) != LandCoverClass::kUnknown;
 }
 
 double share_inside(const Polyline& axis, const Polygon& polygon) {
@@ -300,33 +279,16 @@ std::vector<BridgeArea> locate_bridge_areas(const ReadContext& context) {
   for (const source::Area& area : context.osm.areas) {
     const std::optional<LandCoverClass> surface = deck_class_of(context, area);
     if (!surface) continue;
-    const auto add = [&](const LocatedPolygon& polygon) {
+    account.in += context.report.counts(area.from);
+    for_each_near_polygon(context, area.from, located(context, area), account, [&](const LocatedPolygon& polygon) {
       areas.push_back({.id = {area.from, polygon.part},
                        .polygon = polygon.polygon,
                        .surface = *surface,
                        .layer = tagged_layer(context, area.from, area.tags),
-                       .is_outline = *surface == LandCoverClass::kUnknown,
-                       .is_by_layer = *surface != LandCoverClass::kUnknown && !is_bridge_area(context, area)});
-    };
-    const std::vector<LocatedPolygon> polygons = located(context, area);
-    if (*surface != LandCoverClass::kUnknown && !is_bridge_area(context, area)) {
-      // those by layer alone are counted as areas
-      for (const LocatedPolygon& polygon : polygons)
-        if (!polygon.polygon.outer.empty() && box_of(polygon.polygon.outer).touches(context.extent)) add(polygon);
-      continue;
-    }
-    account.in += context.report.counts(area.from);
-    for_each_near_polygon(context, area.from, polygons, account, add);
+                       .is_outline = *surface == LandCoverClass::kUnknown});
+    });
   }
   context.report.account("map", "bridge area") = account;
-  return areas;
-}
-
-std::vector<AreaFeature> without_bridges(std::vector<AreaFeature> areas, const std::vector<BridgeArea>& bridges) {
-  std::erase_if(areas, [&](const AreaFeature& area) {
-    const auto found = std::ranges::lower_bound(bridges, area.id, {}, &BridgeArea::id);
-    return found != bridges.end() && found->id == area.id && found->is_by_layer;
-  });
   return areas;
 }
 
@@ -343,7 +305,6 @@ CarriedTracks with_bridge_areas(std::vector<Track> tracks, std::vector<BridgeAre
   for (BridgeArea& area : merged_outlines(std::move(areas))) {
     std::vector<const Track*> near;
     for (const std::uint32_t t : boxes_about(grid, box_of(area.polygon.outer))) near.push_back(&tracks[t]);
-    if (area.is_by_layer && !passes_below(area, near)) continue;
     const std::vector<const Track*> carried = carried_by(area, near, taken);
     if (carried.empty() && area.is_outline && is_crossed_on_ground(area, near)) continue;
     const std::vector<JoinPlace> joins = join_places_of(area, near);

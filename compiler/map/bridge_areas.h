@@ -13,9 +13,8 @@ namespace citykiln::map {
 /// True for a surface that is a bridge (not a mere outline).
 bool is_bridge_area(const ReadContext& context, const source::Area& area);
 
-/// Reads areas that are bridges: surfaces of area_rules.inc with bridge=yes that stand, squares with a layer above 0
-/// (is_by_layer), and outlines of bridges (man_made=bridge). Water is left out. Their tracks are empty. Ledger
-/// "map/bridge area".
+/// Reads areas that are bridges: surfaces of area_rules.inc with bridge=yes that stand, and outlines of bridges
+/// (man_made=bridge). Water is left out. Their tracks are empty. Ledger "map/bridge area".
 std::vector<BridgeArea> locate_bridge_areas(const ReadContext& context);
 
 /// Returns the share of an axis, sampled each metre, that lies in a polygon.
@@ -23,9 +22,6 @@ double share_inside(const Polyline& axis, const Polygon& polygon);
 
 /// The least share of a bridge's length on an area for its road to need no deck of its own.
 inline constexpr double kCarriedShare = 0.85;
-
-/// Returns the areas without those that are bridges by their layer alone.
-std::vector<AreaFeature> without_bridges(std::vector<AreaFeature> areas, const std::vector<BridgeArea>& bridges);
 
 /// Tracks, and the areas that carry some of them.
 struct CarriedTracks {
@@ -38,9 +34,8 @@ struct CarriedTracks {
 /// nodes: from one such node to the farthest other one, and from every other one to the nearest place on it; the widest
 /// way across the area where fewer than two ways meet it. Ids of axes are the area's, with parts from kDerivedPart on.
 /// An area with bridge=yes that lies in an outline belongs to it. An outline without bridges that ways on the ground
-/// run through is left out, and so is a square by its layer alone if no road or railway of a lower layer passes below.
-/// Bridges of another layer count only where none of the area's layer lies on it. O(n log n) in tracks and O(areas ·
-/// tracks near).
+/// run through is left out. Bridges of another layer count only where none of the area's layer lies on it. O(n log n) in
+/// tracks and O(areas · tracks near).
 CarriedTracks with_bridge_areas(std::vector<Track> tracks, std::vector<BridgeArea> areas);
 
 }  // namespace citykiln::map

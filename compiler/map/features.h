@@ -159,7 +159,6 @@ struct BridgeArea {
   LandCoverClass surface{};  ///< The class of its top; kUnknown for a mere outline.
   std::int8_t layer = 0;
   bool is_outline = false;         ///< True for man_made=bridge.
-  bool is_by_layer = false;        ///< True if its layer alone says that it is a bridge.
   std::vector<ObjectId> tracks{};  ///< The bridges that it carries: sorted ids of tracks, at least one.
 };
 

@@ -65,7 +65,7 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
                            report),
       locate_bridge_areas(context));
   features.tracks = std::move(carried.tracks), features.bridge_areas = std::move(carried.areas);
-  features.areas = without_bridges(locate_areas(context, features.footprints), features.bridge_areas);
+  features.areas = locate_areas(context, features.footprints);
   features.sports_areas = locate_sports_areas(context, features.areas);
   for (AreaFeature& sea : locate_sea(context)) features.areas.push_back(std::move(sea));
   features.waterways = locate_waterways(context);

@@ -75,17 +75,6 @@ TEST(BridgeAreas, AnOutlineOverUntaggedWaysIsLeftOut) {
   EXPECT_EQ(features.tracks.size(), 1u);
 }
 
-TEST(BridgeAreas, ASquareWithALayerIsABridgeOnlyWhereARoadPassesBelow) {
-  const std::string square = "a9 -20:-8 20:-8 20:8 -20:8 highway=pedestrian area=yes layer=1\n";
-  const Features alone = features_of(square), over = features_of(square + "w1 0:-50 0:50 highway=primary\n");
-  EXPECT_EQ(alone.areas.size(), 1u);
-  EXPECT_TRUE(alone.bridge_areas.empty());
-  EXPECT_TRUE(over.areas.empty());
-  ASSERT_EQ(over.bridge_areas.size(), 1u);
-  // a street that meets the square lies beside it
-  EXPECT_TRUE(features_of(square + "w1 20:8 0:0 -20:-8 highway=primary\n").bridge_areas.empty());
-}
-
 TEST(BridgeAreas, LakesAndWoodsAreNoDecks) {
   EXPECT_TRUE(features_of("a9 -20:-8 20:-8 20:8 -20:8 natural=water bridge=yes\n").bridge_areas.empty());
 }
