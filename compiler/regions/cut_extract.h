@@ -1,8 +1,8 @@
 // Cuts an extract into one file per region, in four passes over the extract:
 //
-//     1. relations        finds the ways that are members of areas
+//     1. relations        finds the ways that are members of areas; again for areas that are members, if there are any
 //     2. nodes and ways   stores places of nodes in an index on disk; copies elements near a region to its spool
-//     3. relations        copies areas to the spools of the regions that their box touches
+//     3. relations        copies areas, and buildings of parts, to the spools of the regions that their box touches
 //     4. ways             copies the members of these areas
 //
 // Two more passes over the ways close areas that the box of the map cuts (source/close_cut_areas.h), if there are any.

@@ -150,9 +150,9 @@ def all_triangles(tiles, frame, layers):
                 yield tuple((*frame.own(x, y), z) for x, y, z in triangle)
 
 
-def height_at(tiles, frame, x, y, layers=("ground", "roads", "water")):
-    """The highest surface of these layers at a place."""
-    best = -math.inf
+def surfaces_at(tiles, frame, x, y, layers):
+    """The heights of all faces of these layers at a place, from below."""
+    heights = []
     for a, b, c in all_triangles(tiles, frame, layers):
         d = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
         if abs(d) < 1e-9:
@@ -160,8 +160,13 @@ def height_at(tiles, frame, x, y, layers=("ground", "roads", "water")):
         u = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / d
         v = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / d
         if u >= -1e-6 and v >= -1e-6 and u + v <= 1 + 1e-6:
-            best = max(best, a[2] + u * (b[2] - a[2]) + v * (c[2] - a[2]))
-    return best
+            heights.append(a[2] + u * (b[2] - a[2]) + v * (c[2] - a[2]))
+    return sorted(heights)
+
+
+def height_at(tiles, frame, x, y, layers=("ground", "roads", "water")):
+    """The highest surface of these layers at a place."""
+    return max(surfaces_at(tiles, frame, x, y, layers), default=-math.inf)
 
 
 class Situation:
@@ -308,20 +313,6 @@ class Pier(Situation):
         water = height_at(tiles, self.frame, 15, 10, layers)
         for y in (0, 10, 18):
             case.assertGreater(height_at(tiles, self.frame, 0, y, layers) - water, 0.5)
-
-
-def surfaces_at(tiles, frame, x, y, layers):
-    """The heights of all faces at a place, from below."""
-    heights = []
-    for a, b, c in all_triangles(tiles, frame, layers):
-        d = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-        if abs(d) < 1e-9:
-            continue
-        u = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / d
-        v = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / d
-        if u >= 0 and v >= 0 and u + v <= 1:
-            heights.append(a[2] + u * (b[2] - a[2]) + v * (c[2] - a[2]))
-    return sorted(heights)
 
 
 WALKED = ("ground", "roads", "water", "structures")
