@@ -481,24 +481,23 @@ void diagnose_unsupported(std::span<const map::Footprint> footprints, const std:
 }
 
 // The plate that a footprint stands on: most of its corners lie on it, and no layer says that it is below.
-const structures::Plate* plate_under(const map::Footprint& footprint, std::span<const structures::Span> bridges) {
+const structures::Plate* plate_under(const map::Footprint& footprint, std::span<const structures::BoxedPlate> plates) {
   constexpr double kLeastShare = 0.75;
   const Ring& ring = footprint.polygon.outer;
-  for (const structures::Span& bridge : bridges) {
-    if (footprint.has_tagged_layer && footprint.layer < bridge.layer) continue;
-    for (const structures::Plate& plate : bridge.plates) {
-      const auto on = std::ranges::count_if(ring, [&](Vec2 p) { return structures::is_on_plate(plate, p); });
-      if (on >= kLeastShare * static_cast<double>(ring.size())) return &plate;
-    }
+  for (const structures::BoxedPlate& boxed : plates) {
+    if (footprint.has_tagged_layer && footprint.layer < boxed.layer) continue;
+    const auto on = std::ranges::count_if(ring, [&](Vec2 p) { return structures::is_on_plate(boxed, p); });
+    if (on >= kLeastShare * static_cast<double>(ring.size())) return boxed.plate;
   }
   return nullptr;
 }
 
 std::vector<const structures::Plate*> plates_under(std::span<const map::Footprint> footprints,
                                                    std::span<const structures::Span> bridges) {
-  std::vector<const structures::Plate*> plates;
-  for (const map::Footprint& footprint : footprints) plates.push_back(plate_under(footprint, bridges));
-  return plates;
+  const std::vector<structures::BoxedPlate> plates = structures::boxed_plates(bridges);
+  std::vector<const structures::Plate*> under;
+  for (const map::Footprint& footprint : footprints) under.push_back(plate_under(footprint, plates));
+  return under;
 }
 
 Site site_of(const map::Features& features, const ground::GradedTerrain& ground,

@@ -35,12 +35,10 @@ bool is_on_deck(const DeckIndex& decks, std::uint32_t own, Vec3 p) {
 }
 
 // True if a place lies on a plate at its height. Walls of a plate stand on its own outline.
-bool is_on_a_plate(std::span<const Span> bridges, Vec3 p) {
-  for (const Span& bridge : bridges)
-    for (const Plate& plate : bridge.plates)
-      if (is_on_plate(plate, in_plan(p)) && std::abs(plate_height_m(plate, in_plan(p)) - p.z) < kSameSurface_m)
-        return true;
-  return false;
+bool is_on_a_plate(std::span<const BoxedPlate> plates, Vec3 p) {
+  return std::ranges::any_of(plates, [&](const BoxedPlate& boxed) {
+    return is_on_plate(boxed, in_plan(p)) && std::abs(plate_height_m(*boxed.plate, in_plan(p)) - p.z) < kSameSurface_m;
+  });
 }
 
 void add_gap(std::vector<ParapetGap>& gaps, ParapetGap gap) {
@@ -50,12 +48,12 @@ void add_gap(std::vector<ParapetGap>& gaps, ParapetGap gap) {
     gaps.push_back(gap);
 }
 
-std::vector<ParapetGap> gaps_of(std::span<const Span> bridges, const DeckIndex& decks, std::uint32_t own,
+std::vector<ParapetGap> gaps_of(std::span<const BoxedPlate> plates, const DeckIndex& decks, std::uint32_t own,
                                 std::span<const Rib> ribs, double edge_m) {
   std::vector<ParapetGap> gaps;
   const double first_m = std::ceil(ribs.front().along_m / kGapStep_m) * kGapStep_m, last_m = ribs.back().along_m;
   for (double at_m = first_m; at_m <= last_m; at_m += kGapStep_m)
-    if (const Vec3 p = point_on(rib_at(ribs, at_m), edge_m, 0); is_on_deck(decks, own, p) || is_on_a_plate(bridges, p))
+    if (const Vec3 p = point_on(rib_at(ribs, at_m), edge_m, 0); is_on_deck(decks, own, p) || is_on_a_plate(plates, p))
       add_gap(gaps, {std::max(0.0, at_m - kGapStep_m), at_m + kGapStep_m});
   return gaps;
 }
@@ -64,14 +62,13 @@ std::vector<ParapetGap> gaps_of(std::span<const Span> bridges, const DeckIndex& 
 
 std::vector<Span> find_parapet_gaps(std::vector<Span> bridges) {
   const DeckIndex decks = index_decks(bridges, 0);
-  std::vector<Span> with_plates;
-  std::ranges::copy_if(bridges, std::back_inserter(with_plates), [](const Span& b) { return !b.plates.empty(); });
+  const std::vector<BoxedPlate> plates = boxed_plates(bridges);
   for (std::uint32_t b = 0; b < bridges.size(); ++b) {
     const std::vector<Rib> ribs = ribs_of(bridges[b]);
     if (ribs.empty()) continue;
     const DeckDimensions shape = deck_dimensions(bridges[b], 0);
-    bridges[b].left_gaps = gaps_of(with_plates, decks, b, ribs, shape.left_m + kParapet_m / 2);
-    bridges[b].right_gaps = gaps_of(with_plates, decks, b, ribs, -shape.right_m - kParapet_m / 2);
+    bridges[b].left_gaps = gaps_of(plates, decks, b, ribs, shape.left_m + kParapet_m / 2);
+    bridges[b].right_gaps = gaps_of(plates, decks, b, ribs, -shape.right_m - kParapet_m / 2);
   }
   return bridges;
 }

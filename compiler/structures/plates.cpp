@@ -227,6 +227,19 @@ double plate_height_m(const Plate& plate, Vec2 at) {
   return z_m;
 }
 
+std::vector<BoxedPlate> boxed_plates(std::span<const Span> bridges) {
+  std::vector<BoxedPlate> boxed;
+  for (const Span& bridge : bridges)
+    for (const Plate& plate : bridge.plates) {
+      BoxedPlate& added = boxed.emplace_back(BoxedPlate{&plate, bridge.layer, {}});
+      for (const PlatePart& part : plate.parts)
+        for (const PlateCorner& corner : part.rings.front()) added.box.grow(in_plan(corner.at));
+    }
+  return boxed;
+}
+
+bool is_on_plate(const BoxedPlate& boxed, Vec2 at) { return boxed.box.contains(at) && is_on_plate(*boxed.plate, at); }
+
 bool is_on_plate(const Plate& plate, Vec2 at) {
   return std::ranges::any_of(plate.parts, [&](const PlatePart& part) {
     int around = 0;

@@ -5,8 +5,10 @@
 //     +-----------------+
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "compiler/geometry/box.h"
 #include "compiler/map/features.h"
 #include "compiler/structures/recipe.h"
 
@@ -25,7 +27,20 @@ std::vector<Span> with_plates(std::vector<Span> bridges, const map::Features& fe
 /// Returns the height of a plate's top at a place: that of the nearest corner of its parts.
 double plate_height_m(const Plate& plate, Vec2 at);
 
-/// True if a place lies on a plate.
+/// True if a place lies on a plate. O(corners).
 bool is_on_plate(const Plate& plate, Vec2 at);
+
+/// A plate to be asked for many places.
+struct BoxedPlate {
+  const Plate* plate = nullptr;
+  int layer = 0;  ///< Of the bridge that stores it.
+  Box2 box;
+};
+
+/// Returns all plates of these bridges, which must outlive the result.
+std::vector<BoxedPlate> boxed_plates(std::span<const Span> bridges);
+
+/// The like, O(1) outside of the plate's box.
+bool is_on_plate(const BoxedPlate& boxed, Vec2 at);
 
 }  // namespace citykiln::structures
