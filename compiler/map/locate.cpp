@@ -10,6 +10,7 @@
 #include "compiler/map/extent/map_box.h"
 #include "compiler/map/feature_readers.h"
 #include "compiler/map/passageways.h"
+#include "compiler/map/rails_in_streets.h"
 #include "compiler/map/tagged_words.h"
 #include "compiler/map/things/locate_things.h"
 #include "compiler/map/unread.h"
@@ -61,8 +62,8 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   features.footprints = locate_footprints(context);
   // a tunnel that only leads through buildings needs no layer
   CarriedTracks carried = with_bridge_areas(
-      with_ordered_bridges(with_assumed_layers(with_passages_on_ground(std::move(tracks), features.footprints)),
-                           report),
+      with_rails_in_streets(with_ordered_bridges(
+          with_assumed_layers(with_passages_on_ground(std::move(tracks), features.footprints)), report)),
       locate_bridge_areas(context));
   features.tracks = std::move(carried.tracks), features.bridge_areas = std::move(carried.areas);
   features.areas = locate_areas(context, features.footprints);

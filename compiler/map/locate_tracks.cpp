@@ -10,6 +10,7 @@
 #include "compiler/map/lanes/track_rules.h"
 #include "compiler/map/lanes/transitions.h"
 #include "compiler/map/plant_tags.h"
+#include "compiler/map/rails_in_streets.h"
 #include "compiler/map/road_guidelines.h"
 #include "compiler/map/tagged_words.h"
 
@@ -178,23 +179,19 @@ bool has_street_rails(const ReadContext& context, const source::Way& way, const 
 
 // The rails of a way that is both a road and a railway: a track of its own, in the middle of the road.
 Track street_rails_of(const ReadContext& context, const source::Way& way, const Track& road) {
-  constexpr double kRails_m = 2.5;
-  Track rails = road;
+  Track rails = as_street_rails(road);
   rails.id.part = kDerivedPart;
-  rails.surface = LandCoverClass::kStreetRails;
   rails.is_rail = true;
   rails.is_lit = rails.is_link = rails.is_roundabout = rails.is_transition = false;
   rails.has_tagged_width = rails.has_tagged_surface = rails.has_tagged_lighting = true;
   rails.tagged_pavements = rails.tagged_verges = rails.tagged_parking = kBothSides;
   rails.has_contact_line = has_contact_line(context.tag(way.tags, "electrified"), LandCoverClass::kTram);
   rails.trees = {}, rails.points.clear(), rails.step_count = 0, rails.handrails = 0;
-  const double width_m = std::min(kRails_m, carriageway_width_m(road.section));
   // the rails lie in the middle of the carriageway
-  const double axis_m =
-      snapped_to(1.0 / 2048, road.section.axis_offset_m - carriageway_width_m(road.section) / 2 + width_m / 2);
-  rails.section = {.lanes = {{.kind = LaneKind::kRail, .width_m = snapped_to(1.0 / 1024, width_m)}},
-                   .axis_offset_m = axis_m,
-                   .axis_drift = road.section.axis_drift};
+  rails.section.axis_offset_m =
+      snapped_to(1.0 / 2048, road.section.axis_offset_m - carriageway_width_m(road.section) / 2 +
+                                 carriageway_width_m(rails.section) / 2);
+  rails.section.axis_drift = road.section.axis_drift;
   return rails;
 }
 

@@ -237,5 +237,29 @@ TEST(LocateTracks, AWayThatIsRoadAndTramwayHasRailsInItsMiddle) {
               left_kerb_m(road.section) - right_kerb_m(road.section), 0.01);
 }
 
+TEST(LocateTracks, ARailwayInsideACarriagewayLiesInItsAsphaltAndInBallastWhereItLeavesIt) {
+  const Features features = features_of(
+      "w1 0:0 100:0 highway=secondary lanes=3\n"
+      "w2 -60:2 160:2 railway=rail\n"
+      "w3 50:-80 50:80 railway=rail\n"
+      "w4 0:12 100:12 railway=rail");
+  std::vector<const Track*> inside, pieces;
+  for (const Track& track : features.tracks) {
+    if (track.surface == LandCoverClass::kStreetRails) inside.push_back(&track);
+    if (track.id.osm.id == 2) pieces.push_back(&track);
+  }
+  ASSERT_EQ(inside.size(), 1u);
+  ASSERT_EQ(pieces.size(), 3u);
+  EXPECT_EQ(inside[0], pieces[1]);
+  EXPECT_NEAR(length_m(pieces[1]->axis), 100, 3);
+  EXPECT_TRUE(pieces[1]->is_rail);
+  // the pieces meet
+  for (std::size_t i = 1; i < 3; ++i) {
+    EXPECT_EQ(pieces[i - 1]->axis.back(), pieces[i]->axis.front());
+    EXPECT_EQ(pieces[i - 1]->node_ids.back(), pieces[i]->node_ids.front());
+    EXPECT_EQ(pieces[i - 1]->surface != pieces[i]->surface, true);
+  }
+}
+
 }  // namespace
 }  // namespace citykiln::map
