@@ -22,6 +22,7 @@
 #include "compiler/verify/check_tileset.h"
 #include "compiler/verify/check_usd.h"
 #include "compiler/verify/explain_earthworks.h"
+#include "compiler/verify/measure_decks.h"
 #include "compiler/verify/measure_earthworks.h"
 #include "compiler/verify/worst_places.h"
 #include "exporters/file.h"
@@ -60,11 +61,42 @@ void check_land(const scene::Scene& scene, std::span<const outputs::Finding> fin
                              std::abs(e.depth_m)});
 }
 
+// Adds a failure for each finding of a code.
+void count_findings(std::span<const outputs::Finding> findings, Code code, const scene::Header& header,
+                    verify::Check& check) {
+  const map::Plane plane(header.origin);
+  for (const outputs::Finding& finding : findings) {
+    if (finding.diagnosis.code != code) continue;
+    const OsmId id = finding.diagnosis.object;
+    verify::Failure failure(fmt::format("finding {} of {}", name_of(code), to_string(id)));
+    failure.ids = {id};
+    if (finding.at) failure.at = plane.forward(*finding.at);
+    check.test(false, failure);
+  }
+}
+
+// Bridges that are areas, and parts of buildings. The manifest has neither areas without a deck nor outlines of parts:
+// those are findings.
+void check_mapped(const scene::Scene& scene, std::span<const outputs::Finding> findings,
+                  verify::CheckResults& results) {
+  const verify::BridgesOnAreas bridges = verify::measure_decks(scene);
+  results.decks.test_all(bridges.tests, bridges.missing == 0,
+                         {fmt::format("{} of {} bridges on areas, {} at {:.2f}, {:.2f}", bridges.missing, bridges.tests,
+                                      to_string(bridges.first), bridges.at.x, bridges.at.y),
+                          bridges.at,
+                          {bridges.first},
+                          static_cast<double>(bridges.missing)});
+  count_findings(findings, Code::kBridgeAreaWithoutDeck, scene.header, results.decks);
+  for (const scene::Chunk& chunk : scene.chunks) results.parts.tests += chunk.buildings.size();
+  count_findings(findings, Code::kPartUnlikeOutline, scene.header, results.parts);
+}
+
 // Checks that need the manifest and the findings only.
 void check_recipes(const scene::Scene& scene, std::span<const outputs::Finding> findings, int threads,
                    verify::CheckResults& results) {
   results.clearances = verify::with_findings(verify::measure_clearances(scene, threads), findings);
   check_land(scene, findings, results);
+  check_mapped(scene, findings, results);
   const verify::Jumps jumps = verify::measure_jumps(scene);
   results.jumps.test_all(
       jumps.places, jumps.largest_m <= kNoJump_m,

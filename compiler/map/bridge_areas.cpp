@@ -292,7 +292,7 @@ std::vector<BridgeArea> locate_bridge_areas(const ReadContext& context) {
   return areas;
 }
 
-CarriedTracks with_bridge_areas(std::vector<Track> tracks, std::vector<BridgeArea> areas) {
+CarriedTracks with_bridge_areas(std::vector<Track> tracks, std::vector<BridgeArea> areas, Report& report) {
   constexpr double kBucket_m = 64;
   if (areas.empty()) return {std::move(tracks), {}};
   std::ranges::sort(areas, {}, &BridgeArea::id);
@@ -306,12 +306,18 @@ CarriedTracks with_bridge_areas(std::vector<Track> tracks, std::vector<BridgeAre
     std::vector<const Track*> near;
     for (const std::uint32_t t : boxes_about(grid, box_of(area.polygon.outer))) near.push_back(&tracks[t]);
     const std::vector<const Track*> carried = carried_by(area, near, taken);
-    if (carried.empty() && area.is_outline && is_crossed_on_ground(area, near)) continue;
+    if (carried.empty() && area.is_outline && is_crossed_on_ground(area, near)) {
+      report.add(Code::kBridgeOutlineOnGround, area.id.osm);
+      continue;
+    }
     const std::vector<JoinPlace> joins = join_places_of(area, near);
     std::vector<Track> own = carried.empty() ? own_axes(area, joins) : branches(area, carried, joins);
     for (const Track* track : carried) area.tracks.push_back(track->id);
     for (const Track& track : own) area.tracks.push_back(track.id);
-    if (area.tracks.empty()) continue;
+    if (area.tracks.empty()) {
+      report.add(Code::kBridgeAreaWithoutDeck, area.id.osm);
+      continue;
+    }
     std::ranges::sort(area.tracks);
     taken.insert(taken.end(), area.tracks.begin(), area.tracks.end());
     axes.insert(axes.end(), own.begin(), own.end());

@@ -64,7 +64,7 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   CarriedTracks carried = with_bridge_areas(
       with_rails_in_streets(with_ordered_bridges(
           with_assumed_layers(with_passages_on_ground(std::move(tracks), features.footprints)), report)),
-      locate_bridge_areas(context));
+      locate_bridge_areas(context), report);
   features.tracks = std::move(carried.tracks), features.bridge_areas = std::move(carried.areas);
   features.areas = locate_areas(context, features.footprints);
   features.sports_areas = locate_sports_areas(context, features.areas);

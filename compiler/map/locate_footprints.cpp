@@ -66,6 +66,7 @@ std::vector<Footprint> locate_footprints(const ReadContext& context) {
   complete_parts(footprints, outlines);
   complete_looks(context, footprints, outlines);
   footprints = with_uncovered_pieces(std::move(footprints), outlines, account, context.report);
+  diagnose_unlike_parts(context, footprints);
   diagnose_heights(footprints, context.report);
   footprints = with_treads(std::move(footprints), outlines, account, context.report);
   context.report.account("map", "footprint") = account;

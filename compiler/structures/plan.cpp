@@ -25,6 +25,15 @@ void count_spans(Report& report, const char* kind, std::span<const Span> spans) 
   for (const Span& span : spans) account.in += report.counts(span.id.osm), account.out += report.counts(span.id.osm);
 }
 
+// Diagnoses areas that are bridges and became no plate.
+void diagnose_missing_plates(const map::Features& features, std::span<const Span> bridges, Report& report) {
+  for (const map::BridgeArea& area : features.bridge_areas) {
+    const auto is_plate_of_area = [&](const Plate& plate) { return plate.id == area.id.osm; };
+    if (std::ranges::none_of(bridges, [&](const Span& b) { return std::ranges::any_of(b.plates, is_plate_of_area); }))
+      report.add(Code::kBridgeAreaWithoutDeck, area.id.osm);
+  }
+}
+
 }  // namespace
 
 Structures plan(const map::Features& features, std::span<const Profile> off_ground, const map::Heightfield& heights,
@@ -45,6 +54,7 @@ Structures plan(const map::Features& features, std::span<const Profile> off_grou
   std::ranges::sort(structures.bridges, {}, &Span::id);
   std::ranges::sort(structures.tunnels, {}, &Span::id);
   structures.bridges = with_plates(std::move(structures.bridges), features);
+  diagnose_missing_plates(features, structures.bridges, report);
   count_spans(report, "bridge", structures.bridges);
   count_spans(report, "tunnel", structures.tunnels);
   return structures;

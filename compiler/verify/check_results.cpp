@@ -13,6 +13,7 @@ constexpr Check CheckResults::*kChecks[] = {&CheckResults::files,          &Chec
                                             &CheckResults::standing,       &CheckResults::openings,
                                             &CheckResults::land,           &CheckResults::on_earth,
                                             &CheckResults::areas,          &CheckResults::tracks,
+                                            &CheckResults::decks,          &CheckResults::parts,
                                             &CheckResults::trunks,         &CheckResults::things,
                                             &CheckResults::wires,          &CheckResults::assumed_pavements,
                                             &CheckResults::assumed_lamps,  &CheckResults::assumed_railings,

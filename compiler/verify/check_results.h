@@ -73,6 +73,8 @@ struct CheckResults {
   Check on_earth{"all heights lie between -500 and 9,000 m", 0, {}};
   Check areas{"no mapped area is hidden by a larger one that it lies in", 0, {}};
   Check tracks{"no railway or tramway runs below a carriageway, except where they cross", 0, {}};
+  Check decks{"every bridge that the map has as an area has a deck", 0, {}};
+  Check parts{"no building part differs in use, colour or material from its outline unless its tags say so", 0, {}};
   Check trunks{"no tree trunk stands in a road, a railway, a building or water", 0, {}};
   Check things{"no thing stands in a road, a railway, a building or water unless it is mapped there", 0, {}};
   Check wires{"no wire hangs lower than 4.5 m, less the tile's error, above a carriageway or railway", 0, {}};

@@ -1,8 +1,11 @@
 #include "compiler/map/buildings/part_looks.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <optional>
+#include <set>
+#include <string_view>
 
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/buildings/building_tags.h"
@@ -72,6 +75,29 @@ std::vector<std::size_t> footprints_of(const BuildingRelation& relation,
   return found;
 }
 
+// ---- parts unlike their outline
+// --------------------------------------------------------------------------------------
+
+bool has_any_tag(const ReadContext& context, source::Range tags, std::initializer_list<std::string_view> keys) {
+  return std::ranges::any_of(keys, [&](std::string_view key) { return !context.tag(tags, key).empty(); });
+}
+
+bool is_unlike(const std::optional<Srgb>& colour, const std::optional<materials::Material>& material,
+               const std::optional<Srgb>& whole_colour, const std::optional<materials::Material>& whole_material) {
+  return colour != whole_colour || material != whole_material;
+}
+
+bool is_unlike_outline(const ReadContext& context, source::Range tags, const Footprint& part, const Footprint& whole) {
+  const bool says_no_use = building_class_of(building_value(context, tags).text) == BuildingClass::kPlain;
+  const bool has_use = !whole.is_open && !is_class(whole, BuildingClass::kSteps);
+  if (says_no_use && has_use && part.building_class != whole.building_class) return true;
+  if (!has_any_tag(context, tags, {"building:colour", "building:color", "building:material"}) &&
+      is_unlike(part.wall_colour, part.wall_material, whole.wall_colour, whole.wall_material))
+    return true;
+  return !has_any_tag(context, tags, {"roof:colour", "roof:color", "roof:material"}) &&
+         is_unlike(part.roof_colour, part.roof_material, whole.roof_colour, whole.roof_material);
+}
+
 }  // namespace
 
 void complete_looks(const ReadContext& context, std::vector<Footprint>& footprints,
@@ -93,6 +119,24 @@ void complete_looks(const ReadContext& context, std::vector<Footprint>& footprin
   for (const BuildingRelation& relation : relations)
     for (const std::size_t i : footprints_of(relation, by_id))
       if (!footprints[i].is_part || is_completed(i)) complete_look(*relation.tagged, footprints[i]);
+}
+
+void diagnose_unlike_parts(const ReadContext& context, std::span<const Footprint> footprints) {
+  std::map<OsmId, source::Range> tags;
+  for (const source::Area& area : context.osm.areas) tags.emplace(area.from, area.tags);
+  std::set<OsmId> in_relations;
+  for (const BuildingRelation& relation : relations_of(context))
+    in_relations.insert(relation.members.begin(), relation.members.end());
+  std::map<ObjectId, const Footprint*> by_id;
+  for (const Footprint& footprint : footprints) by_id.emplace(footprint.id, &footprint);
+  for (const Footprint& part : footprints) {
+    if (!part.is_part || !part.outline || is_class(part, BuildingClass::kSteps)) continue;
+    const auto whole = by_id.find(*part.outline);
+    const auto own = tags.find(part.id.osm);
+    if (whole == by_id.end() || own == tags.end() || in_relations.contains(part.id.osm)) continue;
+    if (is_unlike_outline(context, own->second, part, *whole->second))
+      context.report.add(Code::kPartUnlikeOutline, part.id.osm);
+  }
 }
 
 }  // namespace citykiln::map

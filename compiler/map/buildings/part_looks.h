@@ -21,4 +21,9 @@ namespace citykiln::map {
 void complete_looks(const ReadContext& context, std::vector<Footprint>& footprints,
                     std::span<const std::uint32_t> outlines);
 
+/// Diagnoses kPartUnlikeOutline for each part whose tags do not say its use, colour or material while those of its
+/// outline do, and which does not look like the outline. Steps and members of type=building relations do not count.
+/// Compares the footprints with the tags of the map, so that it does not depend on complete_looks(). O(n log n).
+void diagnose_unlike_parts(const ReadContext& context, std::span<const Footprint> footprints);
+
 }  // namespace citykiln::map
