@@ -49,5 +49,27 @@ TEST(CompleteLooks, PartsAndOutlinesTakeWhatTheRelationSays) {
   }
 }
 
+// The finding of a brick church with one part, whose own tags are given; it looks like the outline or is plain.
+std::uint64_t unlike_parts(const std::string& part_tags, bool is_plain) {
+  const source::OsmData osm = extract(
+      "a1 0:0 20:0 20:20 0:20 building=church building:material=brick\n"
+      "a2 0:0 10:0 10:10 0:10 " +
+      part_tags);
+  Report report;
+  std::vector<Footprint> footprints = features_of(osm, report).footprints;
+  EXPECT_FALSE(report.counts().contains(Code::kPartUnlikeOutline)) << part_tags;
+  for (Footprint& f : footprints)
+    if (f.is_part && is_plain) f.wall_material.reset();
+  const Plane plane(kTestOrigin);
+  diagnose_unlike_parts({osm, plane, {{-500, -500}, {500, 500}}, report, nullptr}, footprints);
+  return report.counts()[Code::kPartUnlikeOutline];
+}
+
+TEST(CompleteLooks, APartUnlikeItsOutlineWithoutATagThatSaysSoIsFound) {
+  EXPECT_EQ(unlike_parts("building:part=yes", false), 0u);
+  EXPECT_EQ(unlike_parts("building:part=yes", true), 1u);
+  EXPECT_EQ(unlike_parts("building:part=yes building:material=glass", true), 0u);
+}
+
 }  // namespace
 }  // namespace citykiln::map
