@@ -149,11 +149,16 @@ std::pair<std::size_t, std::size_t> farthest_pair(std::span<const Vec2> places) 
   return best;
 }
 
-// Adds corners of the outline until there are two places: the corner farthest from the only place, or the two corners
-// farthest from each other.
+// Shorter axes are left out.
+constexpr double kNearEnd_m = 2;
+
+// Adds corners of the outline until there are two places that are apart: the corner farthest from the only place, or
+// the two corners farthest from each other.
 std::vector<JoinPlace> at_least_two(const BridgeArea& area, std::vector<JoinPlace> places) {
   const Ring& ring = area.polygon.outer;
-  if (places.size() >= 2) return places;
+  std::vector<Vec2> at;
+  for (const JoinPlace& place : places) at.push_back(place.at);
+  if (const auto [i, j] = farthest_pair(at); places.size() >= 2 && distance(at[i], at[j]) >= kNearEnd_m) return places;
   if (places.empty()) {
     const auto [i, j] = farthest_pair(ring);
     return {{ring[i], axis_node_id(area, 0)}, {ring[j], axis_node_id(area, 1)}};
@@ -166,7 +171,6 @@ std::vector<JoinPlace> at_least_two(const BridgeArea& area, std::vector<JoinPlac
 
 // The axes of an area that carries no bridge of the map.
 std::vector<Track> own_axes(const BridgeArea& area, const std::vector<JoinPlace>& joins) {
-  constexpr double kNearEnd_m = 2;
   const std::vector<JoinPlace> places = at_least_two(area, joins);
   std::vector<Vec2> at;
   for (const JoinPlace& place : places) at.push_back(place.at);
