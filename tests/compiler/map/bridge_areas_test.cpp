@@ -79,5 +79,14 @@ TEST(BridgeAreas, LakesAndWoodsAreNoDecks) {
   EXPECT_TRUE(features_of("a9 -20:-8 20:-8 20:8 -20:8 natural=water bridge=yes\n").bridge_areas.empty());
 }
 
+TEST(BridgeAreas, AnAreaWhoseWaysMeetItCloseToEachOtherHasADeck) {
+  const Features features = features_of(
+      "a1 0:0 1:0 20:0 20:10 0:10 highway=pedestrian area=yes bridge=yes layer=1\n"
+      "w2 0:-30 0:0 highway=footway\n"
+      "w3 1:-30 1:0 highway=footway");
+  ASSERT_EQ(features.bridge_areas.size(), 1u);
+  EXPECT_FALSE(features.bridge_areas[0].tracks.empty());
+}
+
 }  // namespace
 }  // namespace citykiln::map
