@@ -111,7 +111,7 @@ std::int64_t cut_node_id(const Track& way, double at_m) {
 }
 
 // The part of a way between two distances.
-Track piece_of(const Track& way, const std::vector<double>& vertices_m, const Stretch& stretch) {
+Track rails_between(const Track& way, const std::vector<double>& vertices_m, const Stretch& stretch) {
   Track piece = way;
   piece.id.part = static_cast<std::uint32_t>(stretch.from_m / kPartStep_m);
   piece.is_piece = true;
@@ -142,11 +142,11 @@ std::vector<Track> cut_at(const Track& way, const std::vector<Stretch>& in_stree
   double done_m = 0;
   for (const Stretch& found : in_streets) {
     const Stretch street{at_vertex_if_near(vertices_m, found.from_m), at_vertex_if_near(vertices_m, found.to_m)};
-    if (street.from_m > done_m) pieces.push_back(piece_of(way, vertices_m, {done_m, street.from_m}));
-    pieces.push_back(as_street_rails(piece_of(way, vertices_m, street)));
+    if (street.from_m > done_m) pieces.push_back(rails_between(way, vertices_m, {done_m, street.from_m}));
+    pieces.push_back(as_street_rails(rails_between(way, vertices_m, street)));
     done_m = street.to_m;
   }
-  if (done_m < vertices_m.back()) pieces.push_back(piece_of(way, vertices_m, {done_m, vertices_m.back()}));
+  if (done_m < vertices_m.back()) pieces.push_back(rails_between(way, vertices_m, {done_m, vertices_m.back()}));
   return pieces;
 }
 
