@@ -33,7 +33,7 @@ bool is_on_plate(const Plate& plate, Vec2 at);
 /// A plate to be asked for many places.
 struct BoxedPlate {
   const Plate* plate = nullptr;
-  int layer = 0;  ///< Of the bridge that stores it.
+  int layer = 0;  ///< The layer of the bridge that stores it.
   Box2 box;
 };
 
