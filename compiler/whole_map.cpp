@@ -55,12 +55,12 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
   return map::resample(*rasters, plane, extent, report);
 }
 
-ground::Waters plan_dry_waters(const map::Features& features, Report& report) {
+ground::Waters plan_dry_waters(const map::FeatureView& features, Report& report) {
   std::vector<ground::LandCoverPolygon> surfaces = ground::plan(features, report);
   return {std::move(surfaces), ground::plan_streams(features, report)};
 }
 
-ground::Waters plan_waters(ground::Waters dry, const map::Features& features, const map::Heightfield& heights,
+ground::Waters plan_waters(ground::Waters dry, const map::FeatureView& features, const map::Heightfield& heights,
                            Report& report) {
   return ground::plan_water_heights(std::move(dry.surfaces), std::move(dry.streams),
                                     ground::covered_waterways(features), heights, report);
@@ -79,7 +79,7 @@ ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2&
                                                  recipes.structures.bridges, recipes.structures.tunnels);
 }
 
-std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recipes, const map::Features& features) {
+std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recipes, const map::FeatureView& features) {
   scene::CoverRecipes cover = cover_recipes_of(recipes);
   for (const map::Footprint& footprint : features.footprints)
     cover.footprints.push_back(scene::footprint_surface(footprint.id, footprint.polygon));

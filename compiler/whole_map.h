@@ -30,18 +30,18 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
                                       Report& report);
 
 /// Returns areas and watercourses without heights.
-ground::Waters plan_dry_waters(const map::Features& features, Report& report);
+ground::Waters plan_dry_waters(const map::FeatureView& features, Report& report);
 
 /// Adds levels to areas of water and profiles to watercourses.
 /// @param dry  The result of plan_dry_waters() for these features.
-ground::Waters plan_waters(ground::Waters dry, const map::Features& features, const map::Heightfield& heights,
+ground::Waters plan_waters(ground::Waters dry, const map::FeatureView& features, const map::Heightfield& heights,
                            Report& report);
 
 /// The graded terrain of the whole map, without the rounded street corners, which are made only when baking.
 ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& extent);
 
 /// The land cover of the whole map, in which piers look for free ground. It includes the footprints of building parts.
-std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recipes, const map::Features& features);
+std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recipes, const map::FeatureView& features);
 
 /// The land cover of the whole map in which things look for free places: with the buildings that stand on the ground.
 std::vector<ground::LandCoverPolygon> thing_obstacles(const scene::Recipes& recipes);

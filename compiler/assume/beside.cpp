@@ -284,9 +284,11 @@ struct Walk {
 
 }  // namespace
 
-Surroundings index_surroundings(const map::Features& features) { return index_surroundings(features, features.tracks); }
+Surroundings index_surroundings(const map::FeatureView& features) {
+  return index_surroundings(features, features.tracks);
+}
 
-Surroundings index_surroundings(const map::Features& features, const std::vector<map::Track>& tracks) {
+Surroundings index_surroundings(const map::FeatureView& features, std::span<const map::Track> tracks) {
   Indexer indexer;
   for (const map::Footprint& footprint : features.footprints)
     if (!footprint.is_part && !footprint.is_open && footprint.min_height_m == 0)

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "compiler/geometry/box_grid.h"
@@ -91,9 +92,9 @@ struct Surroundings {
 
 /// Returns the index of the features on the ground, without bridges, tunnels and what is indoors. It points into
 /// `features`, which have to outlive it unchanged. O(n log n), n: points of all features.
-Surroundings index_surroundings(const map::Features& features);
+Surroundings index_surroundings(const map::FeatureView& features);
 /// Returns the index of these tracks, which have to outlive it too, and of the other features.
-Surroundings index_surroundings(const map::Features& features, const std::vector<map::Track>& tracks);
+Surroundings index_surroundings(const map::FeatureView& features, std::span<const map::Track> tracks);
 
 /// Returns the land use that is most frequent on a line itself, not beside it. O(length · areas near it).
 LandUse land_use_along(const Surroundings& surroundings, const Polyline& line);

@@ -51,7 +51,7 @@ std::vector<T> slice(const std::vector<T>& values, std::size_t first, std::size_
 
 }  // namespace
 
-CommonNodes common_nodes_of(const std::vector<map::Track>& tracks) {
+CommonNodes common_nodes_of(std::span<const map::Track> tracks) {
   std::vector<std::int64_t> all, common;
   for (const map::Track& track : tracks) all.insert(all.end(), track.node_ids.begin(), track.node_ids.end());
   std::ranges::sort(all);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace citykiln::assume {
 /// The ids of the nodes that several tracks share, or that one track passes twice: ascending, each once.
 using CommonNodes = std::vector<std::int64_t>;
 /// Returns the common nodes of these tracks. O(n log n), n: nodes of all tracks.
-CommonNodes common_nodes_of(const std::vector<map::Track>& tracks);
+CommonNodes common_nodes_of(std::span<const map::Track> tracks);
 
 /// Returns the pieces of a way that is longer than `longest_m`, else the way alone. The axis is divided into windows of
 /// `piece_m`, from its first point on. In each window but the last the way is cut at the last common node, else at the
@@ -33,7 +34,7 @@ std::vector<map::Track> cut_way(const map::Track& way, double longest_m, double 
 /// @param cut      cut(track): the stretches of a track, or the track alone.
 /// @param change   change(stretch): true if it changed the stretch, which is then marked.
 template <typename Cut, typename Change>
-std::vector<map::Track> with_changed_stretches(const std::vector<map::Track>& tracks, Assumption assumption,
+std::vector<map::Track> with_changed_stretches(std::span<const map::Track> tracks, Assumption assumption,
                                                const char* account, Cut cut, Change change, Report& report) {
   Account counts;
   std::vector<map::Track> all;

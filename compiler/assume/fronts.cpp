@@ -155,7 +155,7 @@ struct MappedShops {
   BoxGrid grid;
 };
 
-MappedShops mapped_shops(const map::Features& features) {
+MappedShops mapped_shops(const map::FeatureView& features) {
   MappedShops shops;
   for (const map::PointFeature& point : features.points)
     if (point.kind == map::PointKind::kShop || point.front) shops.at.push_back(point.at);

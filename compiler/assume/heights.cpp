@@ -141,7 +141,7 @@ SiteUse use_of(LandCoverClass surface) {
 }
 
 // Sets the use of the smallest area with one under each building.
-void set_uses(const map::Features& features, HeightIndex& index) {
+void set_uses(const map::FeatureView& features, HeightIndex& index) {
   std::vector<const map::AreaFeature*> areas;
   std::vector<Box2> boxes;
   for (const map::AreaFeature& area : features.areas) {
@@ -175,7 +175,7 @@ bool do_touch(const Ring& a, const Ring& b) {
   return corners_on(a, b, about_b) + corners_on(b, a, about_a) >= 2;
 }
 
-void set_touching(const map::Features& features, HeightIndex& index) {
+void set_touching(const map::FeatureView& features, HeightIndex& index) {
   const auto ring = [&](std::size_t i) -> const Ring& {
     return features.footprints[index.footprints[i]].polygon.outer;
   };
@@ -211,7 +211,7 @@ void set_surroundings(HeightIndex& index) {
   }
 }
 
-void count_shops(const map::Features& features, HeightIndex& index) {
+void count_shops(const map::FeatureView& features, HeightIndex& index) {
   for (const map::PointFeature& point : features.points) {
     if (point.kind != map::PointKind::kShop) continue;
     for (const std::uint32_t k : entries_within(index, point.at, kHeightSurroundings_m)) ++index.facts[k].shops;
@@ -316,7 +316,7 @@ void set_as_outline(const map::Footprint& outline, map::Footprint& f) {
 }
 
 // The storeys of all outlines whose tags are silent.
-std::map<ObjectId, double> assumed_storeys(const map::Features& features, std::uint64_t seed) {
+std::map<ObjectId, double> assumed_storeys(const map::FeatureView& features, std::uint64_t seed) {
   const HeightIndex index = index_heights(features);
   const std::set<ObjectId> raised = raised_outlines(features.footprints);
   std::map<ObjectId, double> storeys;
@@ -358,7 +358,7 @@ StoreyQuartiles storeys_by_table(const HeightFacts& facts) {
   return {};
 }
 
-HeightIndex index_heights(const map::Features& features) {
+HeightIndex index_heights(const map::FeatureView& features) {
   HeightIndex index;
   std::vector<Box2> points;
   for (std::uint32_t i = 0; i < features.footprints.size(); ++i) {
@@ -394,7 +394,7 @@ StoreyQuartiles storeys_of(std::uint32_t entry, const HeightIndex& index,
   return {vote_at(votes, 0.25), vote_at(votes, 0.5), vote_at(votes, 0.75)};
 }
 
-ObjectId drawing_member(std::uint32_t entry, const map::Features& features, const HeightIndex& index,
+ObjectId drawing_member(std::uint32_t entry, const map::FeatureView& features, const HeightIndex& index,
                         std::uint64_t seed) {
   std::pair<double, ObjectId> least{2, {}};
   for (const std::uint32_t k : row_about(entry, index)) {

@@ -64,7 +64,7 @@ struct HeightIndex {
 };
 
 /// Returns the index of a map's buildings. O(n · buildings within kHeightSurroundings_m), n: buildings.
-HeightIndex index_heights(const map::Features& features);
+HeightIndex index_heights(const map::FeatureView& features);
 
 /// Returns the quartiles for a building by the table and by its neighbours within kHeightNeighbours_m whose storeys
 /// are tagged, without its own tags. A neighbour has more weight the nearer it is and the more alike its area is, if it
@@ -82,7 +82,7 @@ bool has_assumed_storeys(map::BuildingClass building_class);
 /// those that a chain of touching buildings connects with it, all within kHeightRow_m from centroid to centroid. The
 /// one with the least random number is chosen. Two neighbours have nearly the same candidates and mostly choose the
 /// same.
-ObjectId drawing_member(std::uint32_t entry, const map::Features& features, const HeightIndex& index,
+ObjectId drawing_member(std::uint32_t entry, const map::FeatureView& features, const HeightIndex& index,
                         std::uint64_t seed);
 
 /// Returns the features with assumed storeys, as building:levels would give them, for all buildings without tagged

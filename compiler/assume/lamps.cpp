@@ -83,7 +83,7 @@ bool is_assumed_lit(const map::Track& stretch, const BothSides& sides) {
 
 }  // namespace
 
-std::vector<map::Track> assume_lamps(const map::Features& features, Report& report) {
+std::vector<map::Track> assume_lamps(const map::FeatureView& features, Report& report) {
   const Surroundings surroundings = index_surroundings(features);
   const CommonNodes common = common_nodes_of(features.tracks);
   const auto cut = [&](const map::Track& track) {

@@ -16,6 +16,6 @@ namespace citykiln::assume {
 /// Returns the tracks with assumed lighting, sorted by id. Streets, and paved paths of 40 m or more, may change on the
 /// ground and on bridges if Track::has_tagged_lighting is false. Ways on the ground of more than kLongestWhole_m are
 /// cut as by assume_pavements(). The radius is kPavementRadius_m (pavements.h). O(n log n), n: points of all features.
-std::vector<map::Track> assume_lamps(const map::Features& features, Report& report);
+std::vector<map::Track> assume_lamps(const map::FeatureView& features, Report& report);
 
 }  // namespace citykiln::assume

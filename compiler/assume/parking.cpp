@@ -108,7 +108,7 @@ std::uint8_t assumed_parking(const map::Track& stretch, const BothSides& sides) 
 
 }  // namespace
 
-std::vector<map::Track> assume_parking(const map::Features& features, Report& report) {
+std::vector<map::Track> assume_parking(const map::FeatureView& features, Report& report) {
   const Surroundings surroundings = index_surroundings(features);
   const CommonNodes common = common_nodes_of(features.tracks);
   const auto cut = [&](const map::Track& track) {

@@ -24,6 +24,6 @@ inline constexpr double kParkedRow_m = 2;
 /// if it lies on the ground, its width is tagged, and no tag says for any of its sides whether cars park there
 /// (Track::tagged_parking). Ways of more than kLongestWhole_m are cut as by assume_pavements(). The radius is
 /// kPavementRadius_m (pavements.h). O(n log n), n: points of all features.
-std::vector<map::Track> assume_parking(const map::Features& features, Report& report);
+std::vector<map::Track> assume_parking(const map::FeatureView& features, Report& report);
 
 }  // namespace citykiln::assume

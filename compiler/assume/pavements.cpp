@@ -152,7 +152,7 @@ bool add_pavements(const Surroundings& surroundings, Track& stretch) {
 
 }  // namespace
 
-std::vector<Track> assume_pavements(const map::Features& features, Report& report) {
+std::vector<Track> assume_pavements(const map::FeatureView& features, Report& report) {
   const Surroundings surroundings = index_surroundings(features);
   const CommonNodes common = common_nodes_of(features.tracks);
   Account account;

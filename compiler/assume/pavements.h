@@ -37,6 +37,6 @@ inline constexpr double kNarrowestPavement_m = 1;
 ///
 /// Neighbouring pieces of a way may have different pavements, as two ways may that a mapper has split. Bridges are
 /// changed later (bridge_pavements.h), tunnels are not. O(n log n), n: points of all features.
-std::vector<map::Track> assume_pavements(const map::Features& features, Report& report);
+std::vector<map::Track> assume_pavements(const map::FeatureView& features, Report& report);
 
 }  // namespace citykiln::assume

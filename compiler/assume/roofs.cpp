@@ -98,7 +98,8 @@ RoofForm drawn_form(const RoofRow& row, std::uint32_t percent) {
 
 // The direction of the longest wall shared with a neighbour, along which a roof in a row slopes; nothing if no whole
 // edge is shared.
-std::optional<Vec2> party_wall_direction(std::uint32_t entry, const map::Features& features, const HeightIndex& index) {
+std::optional<Vec2> party_wall_direction(std::uint32_t entry, const map::FeatureView& features,
+                                         const HeightIndex& index) {
   const Ring& ring = features.footprints[index.footprints[entry]].polygon.outer;
   const auto lies_on = [](const Ring& other, Vec2 p) { return distance_to_ring(other, p) <= kHeightTouching_m; };
   double longest_m = 0;

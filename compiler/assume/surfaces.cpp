@@ -36,7 +36,7 @@ map::LandCoverClass assumed_surface(map::LandCoverClass way_class, LandUse land)
 
 }  // namespace
 
-std::vector<map::Track> assume_surfaces(const map::Features& features, Report& report) {
+std::vector<map::Track> assume_surfaces(const map::FeatureView& features, Report& report) {
   const Surroundings surroundings = index_surroundings(features);
   const CommonNodes common = common_nodes_of(features.tracks);
   const auto cut = [&](const map::Track& track) {

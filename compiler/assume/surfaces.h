@@ -13,6 +13,6 @@ namespace citykiln::assume {
 /// Returns the tracks with assumed surfaces, sorted by id. A way may change if it lies on the ground and outside of
 /// buildings, and Track::has_tagged_surface is false. Ways of more than kLongestWhole_m are cut as by
 /// assume_pavements(). The radius is kPavementRadius_m (pavements.h). O(n log n), n: points of all features.
-std::vector<map::Track> assume_surfaces(const map::Features& features, Report& report);
+std::vector<map::Track> assume_surfaces(const map::FeatureView& features, Report& report);
 
 }  // namespace citykiln::assume

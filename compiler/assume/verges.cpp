@@ -72,7 +72,7 @@ bool add_verges(const Surroundings& surroundings, map::Track& stretch) {
 
 }  // namespace
 
-std::vector<map::Track> assume_verges(const map::Features& features, const std::vector<map::Track>& mapped,
+std::vector<map::Track> assume_verges(const map::FeatureView& features, std::span<const map::Track> mapped,
                                       Report& report) {
   const Surroundings surroundings = index_surroundings(features, mapped);
   const CommonNodes common = common_nodes_of(features.tracks);

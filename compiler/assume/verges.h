@@ -6,6 +6,7 @@
 //     ==============================>     and the room beyond the kerb is wide enough for both
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "compiler/contract/report.h"
@@ -20,7 +21,7 @@ namespace citykiln::assume {
 /// Runs after assume_pavements(), and cuts ways of more than kLongestWhole_m as it does. The radius is
 /// kPavementRadius_m (pavements.h), since only mapped streets limit the room. O(n log n), n: points of all features.
 /// @param mapped  The tracks before pavements were assumed.
-std::vector<map::Track> assume_verges(const map::Features& features, const std::vector<map::Track>& mapped,
+std::vector<map::Track> assume_verges(const map::FeatureView& features, std::span<const map::Track> mapped,
                                       Report& report);
 
 }  // namespace citykiln::assume

@@ -91,7 +91,7 @@ GroundRange all_of(const std::vector<GroundRange>& ranges) {
 // Indexes of the whole map that all buildings are planned from.
 struct Site {
   const ground::GradedTerrain& ground;
-  const std::vector<map::Footprint>& footprints;
+  std::span<const map::Footprint> footprints;
   const std::vector<std::uint32_t> outlines;
   const std::vector<bool> have_height;
   const std::vector<std::vector<SharedWall>> shared_walls;
@@ -99,7 +99,7 @@ struct Site {
   const MappedDoors doors;
   const std::vector<bool> supported;
   const PostObstacles post_obstacles;
-  const std::vector<map::Passageway> passageways;
+  std::span<const map::Passageway> passageways;
   const std::vector<const structures::Plate*> plates;  // by footprint: the plate of a bridge that it stands on, or null
 };
 
@@ -500,7 +500,7 @@ std::vector<const structures::Plate*> plates_under(std::span<const map::Footprin
   return under;
 }
 
-Site site_of(const map::Features& features, const ground::GradedTerrain& ground,
+Site site_of(const map::FeatureView& features, const ground::GradedTerrain& ground,
              std::span<const structures::Span> bridges, Report& report) {
   std::vector<std::vector<SharedWall>> shared = shared_walls(features.footprints);
   std::vector<bool> supported = find_supported(features.footprints, shared);
@@ -527,7 +527,7 @@ bool is_in_region(std::size_t i, const Site& site, const Box2& extent) {
 
 }  // namespace
 
-std::vector<Building> plan(const map::Features& features, const ground::GradedTerrain& ground, Report& report,
+std::vector<Building> plan(const map::FeatureView& features, const ground::GradedTerrain& ground, Report& report,
                            std::span<const structures::Span> bridges) {
   const Site site = site_of(features, ground, bridges, report);
   std::vector<std::optional<Planned>> planned(site.footprints.size());

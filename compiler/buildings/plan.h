@@ -27,7 +27,7 @@ namespace citykiln::buildings {
 /// lifts but nothing supports (vertical_support.h; kUnsupportedBuilding). The result does not depend on the order of
 /// the footprints. A building on the plate of a bridge (structures/plates.h), unless its layer is lower, stands on
 /// that. Accepts any footprints.
-std::vector<Building> plan(const map::Features& features, const ground::GradedTerrain& ground, Report& report,
+std::vector<Building> plan(const map::FeatureView& features, const ground::GradedTerrain& ground, Report& report,
                            std::span<const structures::Span> bridges = {});
 
 }  // namespace citykiln::buildings

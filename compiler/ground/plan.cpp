@@ -24,7 +24,7 @@ LandCoverPolygon area_surface(const map::AreaFeature& area) {
 
 }  // namespace
 
-std::vector<LandCoverPolygon> plan(const map::Features& features, Report& report) {
+std::vector<LandCoverPolygon> plan(const map::FeatureView& features, Report& report) {
   std::vector<LandCoverPolygon> surfaces;
   Account account;
   for (const map::AreaFeature& area : features.areas) {
@@ -35,7 +35,7 @@ std::vector<LandCoverPolygon> plan(const map::Features& features, Report& report
   return with_contained_on_top(std::move(surfaces));
 }
 
-std::vector<roads::Strip> plan_streams(const map::Features& features, Report& report) {
+std::vector<roads::Strip> plan_streams(const map::FeatureView& features, Report& report) {
   std::vector<roads::Strip> streams;
   Account account;
   for (const map::Waterway& water : features.waterways) {
@@ -54,7 +54,7 @@ std::vector<roads::Strip> plan_streams(const map::Features& features, Report& re
   return streams;
 }
 
-std::vector<Polyline> covered_waterways(const map::Features& features) {
+std::vector<Polyline> covered_waterways(const map::FeatureView& features) {
   std::vector<Polyline> covered;
   for (const map::Waterway& water : features.waterways)
     if (water.passage != map::Passage::kGround) covered.push_back(water.axis);

@@ -15,12 +15,12 @@ namespace citykiln::ground {
 
 /// Returns mapped areas as polygons, sorted by id. Polygons of roads, watercourses and buildings come from their own
 /// recipes. Ledger "ground/area".
-std::vector<LandCoverPolygon> plan(const map::Features& features, Report& report);
+std::vector<LandCoverPolygon> plan(const map::FeatureView& features, Report& report);
 
 /// Returns waterways at ground level as strips, sorted by id. Ledger "ground/waterway".
-std::vector<roads::Strip> plan_streams(const map::Features& features, Report& report);
+std::vector<roads::Strip> plan_streams(const map::FeatureView& features, Report& report);
 
 /// Returns the axes of waterways in culverts and on aqueducts, sorted by id, directed downstream. They connect rivers.
-std::vector<Polyline> covered_waterways(const map::Features& features);
+std::vector<Polyline> covered_waterways(const map::FeatureView& features);
 
 }  // namespace citykiln::ground

@@ -57,7 +57,7 @@ bool wants_entrance(const Lot& lot, const map::Footprint& main) {
 }
 
 struct YardMaker {
-  const map::Features& features;
+  const map::FeatureView& features;
   const LotInputs& inputs;
   const MapLand land;
   const std::vector<Lot> lots;
@@ -135,22 +135,22 @@ void add_bays(const MappedThings& mapped, map::Features& features, Report& repor
   }
 }
 
-MapLand land_with(const map::Features& features, const LotInputs& inputs) {
+MapLand land_with(const map::FeatureView& features, const LotInputs& inputs) {
   return land_of(features, inputs.roads, inputs.private_ways);
 }
 
-std::vector<Lot> lots_on(const map::Features& features, const MapLand& land, const LotInputs& inputs) {
+std::vector<Lot> lots_on(const map::FeatureView& features, const MapLand& land, const LotInputs& inputs) {
   return plan_lots(features, land, parcels::divide(land.land, inputs.threads), inputs.climate_at, inputs.threads);
 }
 
 // Yards belong to the extent by their building's centroid, as buildings do.
-bool is_in_extent(const map::Features& features, const Lot& lot) {
+bool is_in_extent(const map::FeatureView& features, const Lot& lot) {
   return features.extent.contains(centroid(features.footprints[lot.main].polygon));
 }
 
 }  // namespace
 
-std::vector<Lot> lots_of_map(const map::Features& features, const LotInputs& inputs) {
+std::vector<Lot> lots_of_map(const map::FeatureView& features, const LotInputs& inputs) {
   return lots_on(features, land_with(features, inputs), inputs);
 }
 

@@ -16,7 +16,7 @@ namespace citykiln::lots {
 inline constexpr double kYardRadius_m = parcels::kInfluenceRadius_m + 4 * parcels::kDepth_m;
 
 /// Returns the lots with buildings of a map (plan_lots.h).
-std::vector<Lot> lots_of_map(const map::Features& features, const LotInputs& inputs);
+std::vector<Lot> lots_of_map(const map::FeatureView& features, const LotInputs& inputs);
 
 /// Returns the features with yards. All that is added has the id of the lot's main building and a part from
 /// map::kDerivedPart on; this building is marked with Assumption::kYards and counted. Only lots whose main building has

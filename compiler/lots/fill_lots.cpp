@@ -115,7 +115,7 @@ std::optional<Body> body_of(const grammars::Terminal& terminal) {
 }
 
 struct LotFiller {
-  const map::Features& features;
+  const map::FeatureView& features;
   const MapLand& land;
   const LotInputs& inputs;
   const HouseRules& rules;

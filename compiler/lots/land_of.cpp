@@ -142,7 +142,7 @@ bool is_land_of_yards(LandCoverClass surface) {
          surface == LandCoverClass::kRetail || surface == LandCoverClass::kIndustrial;
 }
 
-MapLand land_of(const map::Features& features, std::span<const Road> roads, std::span<const OsmId> private_ways) {
+MapLand land_of(const map::FeatureView& features, std::span<const Road> roads, std::span<const OsmId> private_ways) {
   MapLand made;
   parcels::Land& land = made.land;
   land.extent = features.extent;

@@ -31,7 +31,8 @@ struct MapLand {
 ///
 /// @param private_ways  Ways that do not bound lots: driveways, aisles of car parks, ways through buildings. Sorted.
 /// Whether a path runs along a street depends on streets within 32 m of it. O(n log n).
-MapLand land_of(const map::Features& features, std::span<const roads::Road> roads, std::span<const OsmId> private_ways);
+MapLand land_of(const map::FeatureView& features, std::span<const roads::Road> roads,
+                std::span<const OsmId> private_ways);
 
 /// True for land use on which yards are assumed: residential, commercial, retail, industrial.
 bool is_land_of_yards(map::LandCoverClass surface);

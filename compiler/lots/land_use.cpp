@@ -13,7 +13,7 @@ constexpr double kUseBucket_m = 64;
 
 using map::LandCoverClass;
 
-LandUse index_land_use(const map::Features& features) {
+LandUse index_land_use(const map::FeatureView& features) {
   LandUse uses{features.areas, {}, {}};
   std::vector<Box2> boxes;
   for (std::uint32_t i = 0; i < uses.areas.size(); ++i) {

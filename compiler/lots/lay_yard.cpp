@@ -61,7 +61,7 @@ Polygon strip_about(Vec2 a, Vec2 b, double width_m) {
 }
 
 struct YardLayer {
-  const map::Features& features;
+  const map::FeatureView& features;
   const Lot& lot;
   const YardRule& rule;
   const MappedThings& mapped;
@@ -218,7 +218,8 @@ struct YardLayer {
 
 }  // namespace
 
-YardGround lay_yard(const map::Features& features, const Lot& lot, const YardRule& rule, const MappedThings& mapped) {
+YardGround lay_yard(const map::FeatureView& features, const Lot& lot, const YardRule& rule,
+                    const MappedThings& mapped) {
   YardLayer layer{features, lot, rule, mapped};
   layer.lay_surfaces();
   layer.lay_path();

@@ -34,6 +34,6 @@ inline constexpr double kYardPath_m = 1.25, kDriveWidth_m = 2.75;
 /// the side with room, else in front of it if a car has room. Neither is laid where it would leave the lot, meet a
 /// wall or a mapped barrier, tree or pool; nor a path where a path is mapped in the lot; nor a drive where a drive or
 /// a car park is mapped in or beside the lot.
-YardGround lay_yard(const map::Features& features, const Lot& lot, const YardRule& rule, const MappedThings& mapped);
+YardGround lay_yard(const map::FeatureView& features, const Lot& lot, const YardRule& rule, const MappedThings& mapped);
 
 }  // namespace citykiln::lots

@@ -121,7 +121,7 @@ bool is_inside_any(const OwnPolygons& polygons, Vec2 p) {
                                                       [&](std::uint32_t i) { return contains(polygons.all[i], p); });
 }
 
-MappedThings mapped_things(const map::Features& features, std::span<const Road> roads,
+MappedThings mapped_things(const map::FeatureView& features, std::span<const Road> roads,
                            std::span<const roads::Junction> junctions, std::span<const OsmId> private_ways) {
   std::vector<const Polygon*> buildings, pools;
   std::vector<Capsule> walls, streets, paths, drives, barriers, trees, wires, parking;

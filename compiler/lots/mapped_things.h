@@ -48,7 +48,7 @@ struct MappedThings {
 
 /// Returns the things of a map, which must outlive it. O(n log n).
 /// @param private_ways  Sorted.
-MappedThings mapped_things(const map::Features& features, std::span<const roads::Road> roads,
+MappedThings mapped_things(const map::FeatureView& features, std::span<const roads::Road> roads,
                            std::span<const roads::Junction> junctions, std::span<const OsmId> private_ways);
 
 /// The distance of hedges and trees to a node of a junction, beyond half its widest arm: the triangle of sight of a

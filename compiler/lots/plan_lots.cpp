@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -49,7 +50,7 @@ struct Walls {
   BoxGrid grid;
 };
 
-Walls walls_of_map(const map::Features& features, const std::vector<std::uint32_t>& footprints) {
+Walls walls_of_map(const map::FeatureView& features, const std::vector<std::uint32_t>& footprints) {
   Walls walls;
   std::vector<Box2> boxes;
   for (const std::uint32_t f : footprints) {
@@ -137,12 +138,12 @@ std::optional<Door> door_near(const Ring& ring, Vec2 p) {
 
 // Entrances and house numbers of a map.
 struct DoorPoints {
-  const std::vector<map::PointFeature>& points;
+  std::span<const map::PointFeature> points;
   std::vector<std::uint32_t> numbers;
   BoxGrid grid;
 };
 
-DoorPoints index_door_points(const map::Features& features) {
+DoorPoints index_door_points(const map::FeatureView& features) {
   DoorPoints doors{features.points, {}, {}};
   std::vector<Box2> boxes;
   for (std::uint32_t i = 0; i < doors.points.size(); ++i) {
@@ -189,7 +190,7 @@ std::optional<Door> door_to_front(std::uint32_t footprint, const Ring& ring, con
 }
 
 struct LotPlanner {
-  const map::Features& features;
+  const map::FeatureView& features;
   const MapLand& land;
   const ClimateAt& climate_at;
   Walls walls = walls_of_map(features, land.footprints);
@@ -260,7 +261,7 @@ std::string_view name_of(LotKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-std::vector<Lot> plan_lots(const map::Features& features, const MapLand& land, const parcels::Parcels& parcels,
+std::vector<Lot> plan_lots(const map::FeatureView& features, const MapLand& land, const parcels::Parcels& parcels,
                            const ClimateAt& climate_at, int threads) {
   const LotPlanner planner{features, land, climate_at};
   auto slots = for_each_slot<std::optional<Lot>>(parcels.lots.size(), threads,

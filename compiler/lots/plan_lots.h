@@ -82,7 +82,7 @@ using ClimateAt = std::function<climate::ClimateClass(Vec2)>;
 ///
 /// A lot depends on what lies within parcels::kInfluenceRadius_m, and its kind on walls within 1 m and on the smallest
 /// area of land use at its main building. O(n log n).
-std::vector<Lot> plan_lots(const map::Features& features, const MapLand& land, const parcels::Parcels& parcels,
+std::vector<Lot> plan_lots(const map::FeatureView& features, const MapLand& land, const parcels::Parcels& parcels,
                            const ClimateAt& climate_at, int threads);
 
 }  // namespace citykiln::lots

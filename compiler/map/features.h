@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -334,6 +335,45 @@ struct Features {
   /// Sorted by building, then by way. Set by plan_passageways().
   std::vector<Passageway> passageways{};
   std::vector<ElementText> texts{};  ///< Names and tags of the features' elements, sorted by id.
+};
+
+/// The features that a stage reads: lists of the map, or lists that an earlier stage has made in their place. Refers to
+/// the lists, which must outlive it.
+struct FeatureView {
+  Box2 extent;
+  std::span<const Track> tracks;
+  std::span<const Footprint> footprints;
+  std::span<const AreaFeature> areas;
+  std::span<const SportsArea> sports_areas;
+  std::span<const BridgeArea> bridge_areas;
+  std::span<const Waterway> waterways;
+  std::span<const Barrier> barriers;
+  std::span<const Landform> landforms;
+  std::span<const PointFeature> points;
+  std::span<const ThingFeature> things;
+  std::span<const ThingFeature> supports_beyond;
+  std::span<const FrontPoint> fronts;
+  std::span<const TreeRow> tree_rows;
+  std::span<const PowerLine> power_lines;
+  std::span<const Passageway> passageways;
+
+  FeatureView(const Features& map)  // NOLINT: implicit, so that the map as it is can be read
+      : extent(map.extent),
+        tracks(map.tracks),
+        footprints(map.footprints),
+        areas(map.areas),
+        sports_areas(map.sports_areas),
+        bridge_areas(map.bridge_areas),
+        waterways(map.waterways),
+        barriers(map.barriers),
+        landforms(map.landforms),
+        points(map.points),
+        things(map.things),
+        supports_beyond(map.supports_beyond),
+        fronts(map.fronts),
+        tree_rows(map.tree_rows),
+        power_lines(map.power_lines),
+        passageways(map.passageways) {}
 };
 
 }  // namespace citykiln::map

@@ -378,7 +378,7 @@ std::vector<Track> with_passages_on_ground(std::vector<Track> tracks, const std:
   return tracks;
 }
 
-std::vector<Passageway> plan_passageways(const Features& features, Report& report) {
+std::vector<Passageway> plan_passageways(const FeatureView& features, Report& report) {
   const FootprintIndex index = index_footprints(features.footprints);
   const std::vector<std::int64_t> shared = shared_nodes(features.tracks);
   std::vector<Passageway> passageways;

@@ -38,7 +38,7 @@ inline constexpr double kInsideShare = 0.75, kEndAtWall_m = 4, kLongestPassage_m
 /// them. It depends on one way, one footprint, and whether other ways continue at the way's ends; arcades also on the
 /// buildings beside them. O(n log n).
 /// @param features  With the tracks' final widths.
-std::vector<Passageway> plan_passageways(const Features& features, Report& report);
+std::vector<Passageway> plan_passageways(const FeatureView& features, Report& report);
 
 /// The height of an opening for a way without a tagged height: over roads, paths and rails.
 inline constexpr double kRoadClearance_m = 4, kPathClearance_m = 3.5, kRailClearance_m = 5.5;

@@ -97,7 +97,7 @@ const map::ThingRow* row_named(const map::ThingTable& table, std::string_view na
   return row == table.end() ? nullptr : &*row;
 }
 
-bool is_mapped(const map::Features& features, std::string_view kind, Vec2 at) {
+bool is_mapped(const map::FeatureView& features, std::string_view kind, Vec2 at) {
   return std::ranges::any_of(features.things, [&](const map::ThingFeature& thing) {
     return thing.kind == kind && distance(thing.at, at) < kMapped_m;
   });
@@ -124,7 +124,7 @@ std::vector<Field> fields_of(ObjectId id, const Polygon& area, std::string_view 
   return {};
 }
 
-std::vector<Field> plan(const map::Features& features) {
+std::vector<Field> plan(const map::FeatureView& features) {
   std::vector<Field> fields;
   for (const map::SportsArea& pitch : features.sports_areas) {
     const auto area = std::ranges::lower_bound(features.areas, pitch.id, {}, &map::AreaFeature::id);
@@ -135,7 +135,7 @@ std::vector<Field> plan(const map::Features& features) {
 }
 
 std::vector<map::ThingFeature> things_of(const std::vector<Field>& fields, const map::ThingTable& table,
-                                         const map::Features& features) {
+                                         const map::FeatureView& features) {
   std::vector<map::ThingFeature> things;
   std::optional<ObjectId> last;
   std::uint32_t number = 0;

@@ -22,11 +22,11 @@ std::vector<Field> fields_of(ObjectId id, const Polygon& area, std::string_view 
 inline constexpr double kInside = 0.94;
 
 /// Returns the fields of all areas with a sport, sorted by id.
-std::vector<Field> plan(const map::Features& features);
+std::vector<Field> plan(const map::FeatureView& features);
 
 /// Returns the equipment of fields as things, sorted by id. Equipment without a row in the table is left out, and any
 /// within 5 m of a mapped thing of its kind.
 std::vector<map::ThingFeature> things_of(const std::vector<Field>& fields, const map::ThingTable& table,
-                                         const map::Features& features);
+                                         const map::FeatureView& features);
 
 }  // namespace citykiln::pitches

@@ -53,7 +53,7 @@ double planned_height_m(double tagged_m, SpeciesMix species_mix, const map::Plan
   return height_from_tags_m(table[species], plant_tags);
 }
 
-std::vector<Tree> plan_trees(const map::Features& features, const SpeciesTable& table, Report& report) {
+std::vector<Tree> plan_trees(const map::FeatureView& features, const SpeciesTable& table, Report& report) {
   std::vector<Tree> trees;
   Account account;
   for (const map::PointFeature& point : features.points) {
@@ -72,7 +72,7 @@ std::vector<Tree> plan_trees(const map::Features& features, const SpeciesTable& 
   return trees;
 }
 
-const map::PlantTags& tags_of(const map::Features& features, const ground::LandCoverPolygon& surface) {
+const map::PlantTags& tags_of(const map::FeatureView& features, const ground::LandCoverPolygon& surface) {
   static constexpr map::PlantTags kNoTags;
   const auto found = std::ranges::lower_bound(features.areas, surface.id, {}, &map::AreaFeature::id);
   return found != features.areas.end() && found->id == surface.id ? found->plant_tags : kNoTags;
@@ -81,7 +81,7 @@ const map::PlantTags& tags_of(const map::Features& features, const ground::LandC
 // Spawners of one's own set the plants of an area, unless its tags name a species.
 bool has_spawner(const map::PlantTags& plant_tags) { return is_spawner(species_mix_for(plant_tags, {})); }
 
-std::vector<Wood> plan_woods(const map::Features& features, std::span<const ground::LandCoverPolygon> surfaces) {
+std::vector<Wood> plan_woods(const map::FeatureView& features, std::span<const ground::LandCoverPolygon> surfaces) {
   std::vector<Wood> woods;
   for (const ground::LandCoverPolygon& surface : surfaces)
     for (const WoodRow& row : kWoods)
@@ -128,7 +128,8 @@ Planting spawned_on(const ground::LandCoverPolygon& surface, SpeciesMix species_
           .height_m = std::max(in_eighths(tallest_m), 0.125)};
 }
 
-std::vector<Planting> plan_plantings(const map::Features& features, std::span<const ground::LandCoverPolygon> surfaces,
+std::vector<Planting> plan_plantings(const map::FeatureView& features,
+                                     std::span<const ground::LandCoverPolygon> surfaces,
                                      const map::Heightfield& terrain, const SpeciesTable& table) {
   std::vector<Planting> plantings;
   for (const ground::LandCoverPolygon& surface : surfaces) {
@@ -178,7 +179,7 @@ void add_avenue(const roads::Road& road, map::TreeSides sides, std::vector<TreeR
   if (sides != map::TreeSides::kLeft) add(-roads::right_m(road) + std::min(0.0, drift_m) - kBehindKerb_m, 1);
 }
 
-void add_avenues(const map::Features& features, std::span<const roads::Road> roads, std::vector<TreeRow>& rows) {
+void add_avenues(const map::FeatureView& features, std::span<const roads::Road> roads, std::vector<TreeRow>& rows) {
   for (const roads::Road& road : roads) {
     const auto found = std::ranges::lower_bound(features.tracks, ObjectId{road.id.osm, 0}, {}, &map::Track::id);
     if (found == features.tracks.end() || found->id.osm != road.id.osm || found->trees == map::TreeSides::kNone)
@@ -187,7 +188,7 @@ void add_avenues(const map::Features& features, std::span<const roads::Road> roa
   }
 }
 
-std::vector<TreeRow> plan_rows(const map::Features& features, std::span<const roads::Road> roads,
+std::vector<TreeRow> plan_rows(const map::FeatureView& features, std::span<const roads::Road> roads,
                                const SpeciesTable& table, Report& report) {
   std::vector<TreeRow> rows;
   Account account;
@@ -207,7 +208,7 @@ std::vector<TreeRow> plan_rows(const map::Features& features, std::span<const ro
 
 }  // namespace
 
-Plants plan(const map::Features& features, std::span<const ground::LandCoverPolygon> surfaces,
+Plants plan(const map::FeatureView& features, std::span<const ground::LandCoverPolygon> surfaces,
             std::span<const roads::Road> roads, const map::Heightfield& terrain, Report& report,
             const SpeciesTable& table) {
   assert(std::ranges::is_sorted(features.areas, {}, &map::AreaFeature::id));

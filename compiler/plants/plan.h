@@ -29,7 +29,7 @@ struct Plants {
 /// @param table     The species, and the spawners to which tags refer.
 ///
 /// Accepts any features. Ledgers "plants/tree", "plants/row". O(n log n).
-Plants plan(const map::Features& features, std::span<const ground::LandCoverPolygon> surfaces,
+Plants plan(const map::FeatureView& features, std::span<const ground::LandCoverPolygon> surfaces,
             std::span<const roads::Road> roads, const map::Heightfield& terrain, Report& report,
             const SpeciesTable& table = shipped_table());
 

@@ -37,7 +37,7 @@ void add_barrier(const map::Barrier& barrier, const Box2& extent, Props& props, 
 
 }  // namespace
 
-Props plan(const map::Features& features, Report& report) {
+Props plan(const map::FeatureView& features, Report& report) {
   Props props;
   Account barriers, points;
   for (const map::Barrier& barrier : features.barriers) add_barrier(barrier, features.extent, props, barriers, report);

@@ -22,6 +22,6 @@ std::vector<Barrier> with_more(std::vector<Barrier> barriers, std::vector<Barrie
 
 /// Returns the props of a map. Barriers are cut 4 m outside of the extent; their parts are numbered. Ledger
 /// "props/barrier", "props/point". Dropped: kOutsideBounds. Cannot fail.
-Props plan(const map::Features& features, Report& report);
+Props plan(const map::FeatureView& features, Report& report);
 
 }  // namespace citykiln::props

@@ -44,7 +44,7 @@ std::vector<Vec2> places_along(const Polyline& axis) {
   return places;
 }
 
-std::vector<Thing> things_of(const map::Features& features) {
+std::vector<Thing> things_of(const map::FeatureView& features) {
   std::vector<Thing> things;
   for (const map::PointFeature& point : features.points)
     if (point.kind == map::PointKind::kTree) things.push_back({{point.at}, kTreeFromKerb_m});
@@ -64,7 +64,7 @@ struct ThingIndex {
   BoxGrid grid;
 };
 
-ThingIndex index_things(const map::Features& features) {
+ThingIndex index_things(const map::FeatureView& features) {
   ThingIndex index{things_of(features), {}};
   std::vector<Box2> boxes;
   for (const Thing& thing : index.things) boxes.push_back(box_of(thing.places));
@@ -197,8 +197,8 @@ map::Track fitted(map::Track track, const ThingIndex& index) {
 
 }  // namespace
 
-std::vector<map::Track> fit_assumed_widths(const map::Features& features) {
-  std::vector<map::Track> tracks = features.tracks;
+std::vector<map::Track> fit_assumed_widths(const map::FeatureView& features) {
+  std::vector<map::Track> tracks(features.tracks.begin(), features.tracks.end());
   const ThingIndex index = index_things(features);
   if (index.things.empty()) return tracks;
   for (map::Track& track : tracks)

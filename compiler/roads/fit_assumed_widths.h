@@ -25,7 +25,7 @@ inline constexpr double kLongestFitted_m = 512;
 /// leave no room are ignored, and so are walls that cross the way, since the map puts them inside the road.
 ///
 /// The order of features does not matter. O(n log n).
-std::vector<map::Track> fit_assumed_widths(const map::Features& features);
+std::vector<map::Track> fit_assumed_widths(const map::FeatureView& features);
 
 /// Distances of objects from the kerb: half a trunk and a kerb stone for trees; a lamp post or a wall and a kerb stone
 /// for others.

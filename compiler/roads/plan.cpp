@@ -40,7 +40,7 @@ Vec2 direction_at(const map::Track& track, std::size_t v) {
 }
 
 // The nodes of level crossings, sorted.
-std::vector<std::int64_t> level_crossings(const map::Features& features) {
+std::vector<std::int64_t> level_crossings(const map::FeatureView& features) {
   std::vector<std::int64_t> nodes;
   for (const map::Track& track : features.tracks)
     for (const map::TrackPoint& point : track.points)
@@ -50,7 +50,7 @@ std::vector<std::int64_t> level_crossings(const map::Features& features) {
   return nodes;
 }
 
-std::vector<CrossingWay> crossing_ways(const map::Features& features, std::span<const std::int64_t> nodes) {
+std::vector<CrossingWay> crossing_ways(const map::FeatureView& features, std::span<const std::int64_t> nodes) {
   std::vector<CrossingWay> ways;
   for (const map::Track& track : features.tracks) {
     if (track.is_rail || track.passage != map::Passage::kGround) continue;
@@ -83,7 +83,7 @@ void set_reach(const map::Track& rails, std::span<const CrossingWay> ways, Road&
 
 }  // namespace
 
-std::vector<Road> plan(const map::Features& features, Report& report) {
+std::vector<Road> plan(const map::FeatureView& features, Report& report) {
   std::vector<Road> roads;
   Account account;
   const std::vector<CrossingWay> crossing = crossing_ways(features, level_crossings(features));
@@ -103,7 +103,7 @@ std::vector<Road> plan(const map::Features& features, Report& report) {
   return roads;
 }
 
-std::vector<OsmId> ways_through_buildings(const map::Features& features) {
+std::vector<OsmId> ways_through_buildings(const map::FeatureView& features) {
   std::vector<OsmId> ids;
   for (const map::Track& track : features.tracks)
     if (track.is_through_building) ids.push_back(track.id.osm);

@@ -14,9 +14,9 @@ Road road_of(const map::Track& track);
 
 /// Returns the roads of all tracks on the ground, sorted by id. Ledger "roads/track": tracks on bridges and in tunnels
 /// become structures and count as merged. O(n).
-std::vector<Road> plan(const map::Features& features, Report& report);
+std::vector<Road> plan(const map::FeatureView& features, Report& report);
 
 /// Returns the ids of the ways that are tagged to lead through buildings or have a passageway in one, sorted. O(n).
-std::vector<OsmId> ways_through_buildings(const map::Features& features);
+std::vector<OsmId> ways_through_buildings(const map::FeatureView& features);
 
 }  // namespace citykiln::roads

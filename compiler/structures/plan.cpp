@@ -36,7 +36,7 @@ void diagnose_missing_plates(const map::Features& features, std::span<const Span
 
 }  // namespace
 
-Structures plan(const map::Features& features, std::span<const Profile> off_ground, const map::Heightfield& heights,
+Structures plan(const map::FeatureView& features, std::span<const Profile> off_ground, const map::Heightfield& heights,
                 Report& report) {
   Structures structures;
   const std::vector<SpanEnds> ends = find_ends(features);

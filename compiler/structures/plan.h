@@ -28,7 +28,7 @@ struct Structures {
 ///
 /// Tunnels that do not lie under the terrain (is_underground()) are diagnosed kTunnelNotMeshed. Ledger
 /// "structures/bridge", "structures/tunnel". Cannot fail. O(n log n).
-Structures plan(const map::Features& features, std::span<const Profile> off_ground, const map::Heightfield& heights,
+Structures plan(const map::FeatureView& features, std::span<const Profile> off_ground, const map::Heightfield& heights,
                 Report& report);
 
 }  // namespace citykiln::structures

@@ -108,7 +108,7 @@ void add_gaps_at_nodes(const map::Track& track, PlatePlanner& planner) {
         planner.gaps.push_back({corner, half_way_m(track) + kBesideWay_m});
 }
 
-void add_gaps(const map::Features& features, const BoxGrid& near, PlatePlanner& planner) {
+void add_gaps(const map::FeatureView& features, const BoxGrid& near, PlatePlanner& planner) {
   for (const std::uint32_t t : boxes_about(near, box_of(planner.area.polygon.outer).widened(kCorners_m))) {
     const map::Track& track = features.tracks[t];
     if (track.passage == map::Passage::kTunnel) continue;
@@ -192,7 +192,7 @@ Span* bridge_with(std::vector<Span>& bridges, ObjectId id) {
 
 }  // namespace
 
-std::vector<Span> with_plates(std::vector<Span> bridges, const map::Features& features) {
+std::vector<Span> with_plates(std::vector<Span> bridges, const map::FeatureView& features) {
   constexpr double kBucket_m = 64;
   if (features.bridge_areas.empty()) return bridges;
   std::vector<Box2> boxes;

@@ -22,7 +22,7 @@ namespace citykiln::structures {
 /// Walls stand on the outline except where ways cross it or meet it at a node. O(areas · corners · bridges
 /// near).
 /// @param bridges  Sorted by id, with profiles.
-std::vector<Span> with_plates(std::vector<Span> bridges, const map::Features& features);
+std::vector<Span> with_plates(std::vector<Span> bridges, const map::FeatureView& features);
 
 /// Returns the height of a plate's top at a place: that of the nearest corner of its parts.
 double plate_height_m(const Plate& plate, Vec2 at);

@@ -20,7 +20,7 @@ struct Leaving {
   auto operator<=>(const Leaving&) const = default;
 };
 
-std::vector<Leaving> all_leaving(const map::Features& features) {
+std::vector<Leaving> all_leaving(const map::FeatureView& features) {
   std::vector<Leaving> leaving;
   for (std::uint32_t t = 0; t < features.tracks.size(); ++t) {
     const Track& track = features.tracks[t];
@@ -36,7 +36,7 @@ std::vector<Leaving> all_leaving(const map::Features& features) {
 double half_width_m(const Track& track) { return map::total_width_m(track.section) / 2; }
 
 struct EndFinder {
-  const map::Features& features;
+  const map::FeatureView& features;
   std::vector<Leaving> leaving = all_leaving(features);
 
   const Track& track_of(const Leaving& l) const { return features.tracks[l.track]; }
@@ -88,7 +88,7 @@ struct EndFinder {
 
 }  // namespace
 
-std::vector<SpanEnds> find_ends(const map::Features& features) {
+std::vector<SpanEnds> find_ends(const map::FeatureView& features) {
   const EndFinder finder{features};
   std::vector<SpanEnds> ends;
   for (std::uint32_t t = 0; t < features.tracks.size(); ++t) {

@@ -24,6 +24,6 @@ struct SpanEnds {
 /// - kFree: all other ends.
 ///
 /// The result does not depend on the order of tracks. O(n log n) in vertices.
-std::vector<SpanEnds> find_ends(const map::Features& features);
+std::vector<SpanEnds> find_ends(const map::FeatureView& features);
 
 }  // namespace citykiln::structures

@@ -46,7 +46,7 @@ struct Deck {
 
 // The data of all stations.
 struct MastPlanner {
-  const map::Features& features;
+  const map::FeatureView& features;
   const ground::GradedTerrain& ground;
   FreePlaces places;
   std::vector<Deck> decks{};
@@ -448,7 +448,7 @@ bool is_contact_kind(std::string_view kind) {
   return kind == kContactMast || kind == kContactPortal || kind == kContactHanger || kind == kContactPole;
 }
 
-ContactLines plan_contact_lines(const map::Features& features, const ContactSurroundings& around, Report& report) {
+ContactLines plan_contact_lines(const map::FeatureView& features, const ContactSurroundings& around, Report& report) {
   ContactLines lines;
   lines.index = index_tracks(features, around.roads, around.bridges);
   const TrackIndex& index = lines.index;

@@ -51,7 +51,7 @@ const roads::Road* part_at(const ContactTrack& track, double along_m) {
 
 }  // namespace
 
-TrackIndex index_tracks(const map::Features& features, std::span<const roads::Road> roads,
+TrackIndex index_tracks(const map::FeatureView& features, std::span<const roads::Road> roads,
                         std::span<const structures::Span> bridges) {
   TrackIndex index;
   for (const map::Track& track : features.tracks)

@@ -42,7 +42,7 @@ struct TrackIndex {
 };
 
 /// Returns the tracks of a map. Roads and bridges must outlive the index.
-TrackIndex index_tracks(const map::Features& features, std::span<const roads::Road> roads,
+TrackIndex index_tracks(const map::FeatureView& features, std::span<const roads::Road> roads,
                         std::span<const structures::Span> bridges);
 
 /// A place on an axis and the direction of the axis there, length 1.

@@ -144,7 +144,7 @@ void add_on_car_park(const map::AreaFeature& area, Cars& cars) {
 
 }  // namespace
 
-std::vector<ThingFeature> parked_cars(std::span<const ThingFeature> spaces, const map::Features& features,
+std::vector<ThingFeature> parked_cars(std::span<const ThingFeature> spaces, const map::FeatureView& features,
                                       std::span<const roads::Road> roads, FreePlaces& places, std::uint64_t seed) {
   Cars cars(places, seed);
   for (const ThingFeature& space : spaces) cars.add_mapped(space);

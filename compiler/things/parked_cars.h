@@ -27,7 +27,7 @@ inline constexpr double kOccupied = 0.7;
 /// with the numbers of places as parts. Draws depend on the seed and on the id alone. O(places · land cover near them).
 /// @param spaces  Things of kind kCar.
 /// @param places  The land cover of the map.
-std::vector<map::ThingFeature> parked_cars(std::span<const map::ThingFeature> spaces, const map::Features& features,
+std::vector<map::ThingFeature> parked_cars(std::span<const map::ThingFeature> spaces, const map::FeatureView& features,
                                            std::span<const roads::Road> roads, FreePlaces& places, std::uint64_t seed);
 
 }  // namespace citykiln::things

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <span>
 #include <tuple>
 
 #include "compiler/contract/random_sequence.h"
@@ -97,8 +98,8 @@ struct Network {
 
 // The things, with those of Facing::kArms for each arm of their junctions, and with parked cars if there is such a
 // kind.
-std::vector<map::ThingFeature> with_derived(const map::Features& features, const Network& network, const Kinds& kinds,
-                                            FreePlaces& places, std::uint64_t seed) {
+std::vector<map::ThingFeature> with_derived(const map::FeatureView& features, const Network& network,
+                                            const Kinds& kinds, FreePlaces& places, std::uint64_t seed) {
   std::vector<map::ThingFeature> things, spaces;
   std::map<std::string, std::vector<map::ThingFeature>> on_arms;
   for (const map::ThingFeature& thing : features.things) {
@@ -115,9 +116,9 @@ std::vector<map::ThingFeature> with_derived(const map::Features& features, const
 }
 
 // Counts the things on the map as in, and the difference to these as split or merged.
-void count_derived(const map::Features& features, const std::vector<map::ThingFeature>& things, const Report& report,
+void count_derived(const map::FeatureView& features, const std::vector<map::ThingFeature>& things, const Report& report,
                    Account& account) {
-  const auto counted = [&](const std::vector<map::ThingFeature>& all) {
+  const auto counted = [&](std::span<const map::ThingFeature> all) {
     return std::ranges::count_if(all, [&](const map::ThingFeature& thing) { return report.counts(thing.id.osm); });
   };
   const auto before = counted(features.things), after = counted(things);
@@ -127,7 +128,7 @@ void count_derived(const map::Features& features, const std::vector<map::ThingFe
 
 }  // namespace
 
-std::set<std::string> kind_names(const map::Features& features, const map::ThingTable& table) {
+std::set<std::string> kind_names(const map::FeatureView& features, const map::ThingTable& table) {
   std::set<std::string> names;
   for (const map::ThingRow& row : table)
     if (row.name == kCar) names.insert(row.name);
@@ -136,7 +137,7 @@ std::set<std::string> kind_names(const map::Features& features, const map::Thing
   return names;
 }
 
-std::vector<Thing> plan(const map::Features& features, std::span<const roads::Road> roads,
+std::vector<Thing> plan(const map::FeatureView& features, std::span<const roads::Road> roads,
                         std::span<const roads::Junction> junctions, std::span<const ground::LandCoverPolygon> cover,
                         std::span<const buildings::Building> buildings, const Kinds& kinds, std::uint64_t seed,
                         Report& report) {
@@ -185,7 +186,7 @@ std::vector<Thing> with_more(std::vector<Thing> things, const std::vector<Thing>
   return things;
 }
 
-std::vector<Thing> plan_supports_beyond(const map::Features& features, const Kinds& kinds, std::uint64_t seed) {
+std::vector<Thing> plan_supports_beyond(const map::FeatureView& features, const Kinds& kinds, std::uint64_t seed) {
   const Axes no_axes = axes_of({});
   std::vector<Thing> supports;
   for (const map::ThingFeature& thing : features.supports_beyond) {

@@ -17,7 +17,7 @@
 namespace citykiln::things {
 
 /// Returns the names of the kinds of a map's things, and kCar if the table has it.
-std::set<std::string> kind_names(const map::Features& features, const map::ThingTable& table);
+std::set<std::string> kind_names(const map::FeatureView& features, const map::ThingTable& table);
 
 /// Returns the things of a map, sorted by id. A thing that may not stand where it is mapped is moved to a free place
 /// (free_places.h), or dropped, kNoPlaceForThing, and kOutsideBounds if the place is outside of the extent. Signals of
@@ -26,7 +26,7 @@ std::set<std::string> kind_names(const map::Features& features, const map::Thing
 /// and is on none, is dropped, kAboveGround. Ledger "things/thing". O(things · land cover and buildings near them).
 /// @param cover  The land cover of the whole map, with buildings.
 /// @param kinds  The kinds of all things of the map; see kinds_of().
-std::vector<Thing> plan(const map::Features& features, std::span<const roads::Road> roads,
+std::vector<Thing> plan(const map::FeatureView& features, std::span<const roads::Road> roads,
                         std::span<const roads::Junction> junctions, std::span<const ground::LandCoverPolygon> cover,
                         std::span<const buildings::Building> buildings, const Kinds& kinds, std::uint64_t seed,
                         Report& report);
@@ -36,6 +36,6 @@ std::vector<Thing> with_more(std::vector<Thing> things, const std::vector<Thing>
 
 /// Returns the supports of power lines outside of the extent, where they are mapped. Sorted by id. They are not built.
 /// @param kinds  The kinds of the map's things.
-std::vector<Thing> plan_supports_beyond(const map::Features& features, const Kinds& kinds, std::uint64_t seed);
+std::vector<Thing> plan_supports_beyond(const map::FeatureView& features, const Kinds& kinds, std::uint64_t seed);
 
 }  // namespace citykiln::things

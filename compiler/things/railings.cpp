@@ -59,7 +59,7 @@ void add_doors(const buildings::Building& building, std::vector<Obstacle>& all) 
     }
 }
 
-Obstacles obstacles_of(const map::Features& features, const RailingSurroundings& around) {
+Obstacles obstacles_of(const map::FeatureView& features, const RailingSurroundings& around) {
   Obstacles found;
   for (const map::Barrier& barrier : features.barriers) {
     const bool retains = barrier.kind == map::BarrierKind::kRetainingWall;
@@ -87,7 +87,7 @@ struct EdgePlace {
 
 // The data of all edges.
 struct EdgePlanner {
-  const map::Features& features;
+  const map::FeatureView& features;
   const ground::GradedTerrain& ground;
   Obstacles obstacles;
   FreePlaces places;
@@ -252,7 +252,7 @@ bool is_walked_on(LandCoverClass surface) {
 
 }  // namespace
 
-std::vector<props::Barrier> assumed_railings(const map::Features& features, const RailingSurroundings& around,
+std::vector<props::Barrier> assumed_railings(const map::FeatureView& features, const RailingSurroundings& around,
                                              Report& report) {
   EdgePlanner planner{features, around.ground, obstacles_of(features, around), FreePlaces(around.cover)};
   std::vector<props::Barrier> railings;

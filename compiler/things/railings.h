@@ -51,7 +51,7 @@ struct RailingSurroundings {
 /// The ids are those of the element that is walked on, with the part map::kDerivedPart. Each railing lies in one square
 /// of kRailingSquare_m. Sorted by id, then axis. Counted as Assumption::kRailings, once for each element. Ledger
 /// "things/railing". O(length of edges · land cover near).
-std::vector<props::Barrier> assumed_railings(const map::Features& features, const RailingSurroundings& around,
+std::vector<props::Barrier> assumed_railings(const map::FeatureView& features, const RailingSurroundings& around,
                                              Report& report);
 
 }  // namespace citykiln::things

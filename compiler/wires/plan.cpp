@@ -43,7 +43,7 @@ const SagClass& sag_class_of(const map::PowerLine& line) {
 
 // The data that all spans need.
 struct SpanPlanner {
-  const map::Features& features;
+  const map::FeatureView& features;
   const Surroundings& around;
   Supports supports;
   Crossings crossings;
@@ -52,7 +52,7 @@ struct SpanPlanner {
   bool is_in_extent(Vec2 p) const { return features.extent.contains(p); }
 };
 
-SpanPlanner planner_of(const map::Features& features, const Surroundings& around) {
+SpanPlanner planner_of(const map::FeatureView& features, const Surroundings& around) {
   SpanPlanner planner{features, around, {}, index_crossings(around.roads, around.bridges), {}};
   add_supports(planner.supports, around.things, around.kinds, around.seed, around.ground);
   add_supports(planner.supports, around.beyond, around.kinds, around.seed, around.ground);
@@ -175,7 +175,7 @@ void add_line(const SpanPlanner& planner, const map::PowerLine& line, SpanList& 
 
 }  // namespace
 
-std::vector<WireSpan> plan(const map::Features& features, const Surroundings& around, Report& report) {
+std::vector<WireSpan> plan(const map::FeatureView& features, const Surroundings& around, Report& report) {
   if (features.power_lines.empty()) return {};
   const SpanPlanner planner = planner_of(features, around);
   SpanList list;

@@ -48,6 +48,6 @@ struct Surroundings {
 /// span. A span that is then too low over a carriageway, or touches the ground, is dropped, kWireTooLow.
 ///
 /// Ledger "wires/span". O(spans · length).
-std::vector<WireSpan> plan(const map::Features& features, const Surroundings& around, Report& report);
+std::vector<WireSpan> plan(const map::FeatureView& features, const Surroundings& around, Report& report);
 
 }  // namespace citykiln::wires

@@ -181,7 +181,7 @@ bool is_deck(const map::AreaFeature& area) {
 double deck_rise_m(LandCoverClass surface) { return surface == LandCoverClass::kBreakwater ? 1.5 : 1.25; }
 
 struct LandformPlanner {
-  const map::Features& features;
+  const map::FeatureView& features;
   const map::Heightfield& heights;
   Report& report;
   WaterAbout waters;
@@ -247,7 +247,7 @@ struct LandformPlanner {
   }
 };
 
-bool has_decks(const map::Features& features) {
+bool has_decks(const map::FeatureView& features) {
   return std::ranges::any_of(features.areas, is_deck) ||
          std::ranges::any_of(features.landforms,
                              [](const map::Landform& f) { return f.kind == map::LandformKind::kDeck; });
@@ -255,7 +255,7 @@ bool has_decks(const map::Features& features) {
 
 }  // namespace
 
-std::vector<Landform> plan_landforms(const map::Features& features, std::span<const LandCoverPolygon> surfaces,
+std::vector<Landform> plan_landforms(const map::FeatureView& features, std::span<const LandCoverPolygon> surfaces,
                                      std::span<const roads::Strip> streams, const map::Heightfield& heights,
                                      Report& report) {
   LandformPlanner planner{features, heights, report, {}};

@@ -30,7 +30,7 @@ namespace citykiln::ground {
 /// whole object. Steps lower than 0.25 m are left out: a cliff is dropped as kStepNotInTerrain, a retaining wall
 /// remains a wall. Reports kPierWithoutWater, and kStepLowered where the terrain rises over 1 m less than a tagged
 /// height. Ledger "ground/landform".
-std::vector<Landform> plan_landforms(const map::Features& features, std::span<const LandCoverPolygon> surfaces,
+std::vector<Landform> plan_landforms(const map::FeatureView& features, std::span<const LandCoverPolygon> surfaces,
                                      std::span<const roads::Strip> streams, const map::Heightfield& heights,
                                      Report& report);
 

@@ -38,7 +38,7 @@ struct Nodes {
   bool has(std::int64_t id) const { return std::ranges::binary_search(ids, id); }
 };
 
-Nodes nodes_of(const std::vector<Track>& tracks) {
+Nodes nodes_of(std::span<const Track> tracks) {
   Nodes nodes;
   for (const Track& track : tracks)
     if (may_merge(track)) nodes.ids.insert(nodes.ids.end(), track.node_ids.begin(), track.node_ids.end());
@@ -60,7 +60,7 @@ struct OffGround {
   std::vector<std::int64_t> ends, inner;
 };
 
-OffGround off_ground_of(const std::vector<Track>& tracks) {
+OffGround off_ground_of(std::span<const Track> tracks) {
   std::vector<std::int64_t> off;  // inner nodes of a way occur twice, as it continues there
   for (const Track& track : tracks) {
     if (track.passage == map::Passage::kGround) continue;
@@ -103,7 +103,7 @@ struct Decks {
   BoxGrid grid;
 };
 
-Decks decks_of(const std::vector<Track>& tracks) {
+Decks decks_of(std::span<const Track> tracks) {
   constexpr double kBucket_m = 64;
   Decks decks;
   std::vector<Box2> boxes;
@@ -135,7 +135,7 @@ bool passes_below(const Track& track, const Decks& decks) {
 
 }  // namespace
 
-std::vector<bool> approach_paths(const map::Features& features) {
+std::vector<bool> approach_paths(const map::FeatureView& features) {
   Nodes nodes = nodes_of(features.tracks);
   const OffGround off_ground = off_ground_of(features.tracks);
   measure_from(off_ground.ends, nodes);

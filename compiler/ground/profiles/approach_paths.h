@@ -19,6 +19,6 @@ inline constexpr double kLongestApproach_m = 2048;
 /// crossed by a bridge or connected by map nodes to the end of a bridge or tunnel that no other bridge or tunnel
 /// continues. The order of tracks does not matter. Depends on tracks within kApproach_m and kLongestApproach_m. O(n log
 /// n) in vertices.
-std::vector<bool> approach_paths(const map::Features& features);
+std::vector<bool> approach_paths(const map::FeatureView& features);
 
 }  // namespace citykiln::ground

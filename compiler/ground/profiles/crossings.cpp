@@ -72,7 +72,7 @@ bool share_a_node(const Track& a, const Track& b) {
 
 struct Finder {
   const ProfileGraph& graph;
-  const map::Features& features;
+  const map::FeatureView& features;
   const BelowBridges& below;
   BoxGrid off_ground;
   GraphWalk walk;
@@ -369,7 +369,7 @@ double wanted_clearance_over_water_m(double width_m) {
   return std::max(kClearanceOverDitch_m, kClearanceOverWater_m * std::min(1.0, width_m / kRiver_m));
 }
 
-std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Features& features,
+std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::FeatureView& features,
                                      const BelowBridges& below) {
   Finder finder{graph, features, below, grid_of_off_ground(graph), GraphWalk(graph)};
   finder.add_lines();
@@ -385,7 +385,7 @@ std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Featu
   return std::move(finder.found);
 }
 
-std::vector<UnorderedPair> find_unordered(const ProfileGraph& graph, const map::Features& features) {
+std::vector<UnorderedPair> find_unordered(const ProfileGraph& graph, const map::FeatureView& features) {
   const BelowBridges nothing{};
   Finder finder{graph, features, nothing, grid_of_off_ground(graph), GraphWalk(graph)};
   finder.add_lines();

@@ -79,13 +79,13 @@ struct BelowBridges {
 /// - if a path on the ground passes within kMouth_m of a tunnel's mouth.
 /// Sorted by upper line, then by place. O(n log n) in vertices of all lines, plus bridges times vertices of areas of
 /// water.
-std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Features& features,
+std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::FeatureView& features,
                                      const BelowBridges& below);
 
 /// Returns pairs of bridges, and of tunnels, with equal layers whose axes cross and that are not connected within
 /// kJoined_m. Sorted, unique. Corridors in buildings are left out. O(n log n) in vertices of
 /// all lines.
-std::vector<UnorderedPair> find_unordered(const ProfileGraph& graph, const map::Features& features);
+std::vector<UnorderedPair> find_unordered(const ProfileGraph& graph, const map::FeatureView& features);
 
 /// Returns the missing clearance for heights by node; <= 0 if there is enough.
 double clearance_shortfall_m(const ProfileGraph& graph, const Crossing& crossing, std::span<const double> z_m);

@@ -63,7 +63,7 @@ void measure_shortfalls(std::span<const ClearanceShortfall> shortfalls, ProfileM
 
 }  // namespace
 
-ProfileMeasures measure_profiles(const map::Features& features, const Profiles& profiles) {
+ProfileMeasures measure_profiles(const map::FeatureView& features, const Profiles& profiles) {
   ProfileMeasures measures;
   const ProfileGraph graph = graph_of(features, profiles.roads, {});
   measure_grades(graph, profiles, measures);

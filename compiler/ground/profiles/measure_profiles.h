@@ -31,6 +31,6 @@ struct ProfileMeasures {
 };
 
 /// Measures all profiles of a map.
-ProfileMeasures measure_profiles(const map::Features& features, const Profiles& profiles);
+ProfileMeasures measure_profiles(const map::FeatureView& features, const Profiles& profiles);
 
 }  // namespace citykiln::ground

@@ -56,7 +56,7 @@ struct WrittenHeights {
 
 // Returns one shortfall per pair of lines, sorted by ids.
 // @param graph  The graph of all lines (Lines::kAll).
-std::vector<ClearanceShortfall> find_shortfalls(const ProfileGraph& graph, const map::Features& features,
+std::vector<ClearanceShortfall> find_shortfalls(const ProfileGraph& graph, const map::FeatureView& features,
                                                 const Profiles& profiles, const BelowBridges& below) {
   const WrittenHeights heights{graph, profiles, below};
   const auto id_of = [&](std::uint32_t way, OsmId outside) {
@@ -203,7 +203,7 @@ void report_shortfalls(std::span<const ClearanceShortfall> shortfalls, Report& r
 
 }  // namespace
 
-Profiles plan_paths(const map::Features& features, Profiles profiles, const TerrainWithoutRoads& terrain,
+Profiles plan_paths(const map::FeatureView& features, Profiles profiles, const TerrainWithoutRoads& terrain,
                     Report& report) {
   const ProfileGraph paths = graph_of(features, profiles.roads, {}, Lines::kPaths);
   const ProfileGraph all = graph_of(features, profiles.roads, {}, Lines::kAll);

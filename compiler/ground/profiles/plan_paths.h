@@ -30,7 +30,7 @@ struct TerrainWithoutRoads {
 /// clearances and grade limits together move it by more than 0.25 m (a step of stairs), or if it passes below another
 /// line. Reports kClearanceNotMet or kLayersContradict for all lines, and kCrossingWithoutOrder. Cannot fail. Depends
 /// on data within the distances of approach_paths(), kSpanEndRadius_m along bridges and tunnels, and kGrading_m.
-Profiles plan_paths(const map::Features& features, Profiles profiles, const TerrainWithoutRoads& terrain,
+Profiles plan_paths(const map::FeatureView& features, Profiles profiles, const TerrainWithoutRoads& terrain,
                     Report& report);
 
 }  // namespace citykiln::ground

@@ -94,7 +94,7 @@ double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m) {
   return profile.empty() ? 0 : knot_at(profile, at_m).z_m;
 }
 
-Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
+Profiles plan_profiles(const map::FeatureView& features, std::vector<roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
                        std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,
                        double limit_scale, std::span<const Landform> landforms) {

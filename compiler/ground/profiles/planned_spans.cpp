@@ -63,7 +63,8 @@ bool enters_from_above(const roads::Road& tunnel, const map::Heightfield& height
   return goes_down(0, inside_m) || goes_down(long_m, long_m - inside_m);
 }
 
-PlannedSpans planned_spans(const map::Features& features, const Profiles& profiles, const map::Heightfield& heights) {
+PlannedSpans planned_spans(const map::FeatureView& features, const Profiles& profiles,
+                           const map::Heightfield& heights) {
   PlannedSpans spans;
   std::size_t off = 0;
   for (const map::Track& track : features.tracks) {

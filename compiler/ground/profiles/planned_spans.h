@@ -22,6 +22,6 @@ struct PlannedSpans {
 };
 
 /// Returns the bridges and tunnels of roads and rails, not those of paths. O(length of tunnels).
-PlannedSpans planned_spans(const map::Features& features, const Profiles& profiles, const map::Heightfield& heights);
+PlannedSpans planned_spans(const map::FeatureView& features, const Profiles& profiles, const map::Heightfield& heights);
 
 }  // namespace citykiln::ground

@@ -36,7 +36,7 @@ struct Draft {
 };
 
 struct GraphBuilder {
-  const map::Features& features;
+  const map::FeatureView& features;
   std::span<const roads::Road> roads;
   Lines lines;
   std::vector<bool> is_approach;  // by track
@@ -344,7 +344,7 @@ void GraphBuilder::pin_free_ends() {
 
 bool leaves_ground(const Track& track) { return track.passage != Passage::kGround; }
 
-ProfileGraph graph_of(const map::Features& features, std::span<const roads::Road> roads,
+ProfileGraph graph_of(const map::FeatureView& features, std::span<const roads::Road> roads,
                       std::span<const roads::Junction> junctions, Lines lines) {
   GraphBuilder builder{features, roads, lines, approach_paths(features), {}, {}, {}, {}};
   builder.graph.lines = lines;

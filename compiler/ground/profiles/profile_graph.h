@@ -95,7 +95,7 @@ bool leaves_ground(const map::Track& track);
 /// apart. The order of nodes depends on places and ids, not on distant objects or on the order of the input. Roads
 /// without a track are left out. In kPaths, places shared with lines that have profiles are pinned stations. O(n log n)
 /// in vertices.
-ProfileGraph graph_of(const map::Features& features, std::span<const roads::Road> roads,
+ProfileGraph graph_of(const map::FeatureView& features, std::span<const roads::Road> roads,
                       std::span<const roads::Junction> junctions, Lines lines = Lines::kGraded);
 
 /// Returns the height at a distance along a way.

@@ -13,7 +13,7 @@ namespace {
 
 using Tracks = std::vector<const map::Track*>;
 
-Tracks tracks_off_ground(const map::Features& features) {
+Tracks tracks_off_ground(const map::FeatureView& features) {
   Tracks tracks;
   for (const map::Track& track : features.tracks)
     if (track.passage != map::Passage::kGround) tracks.push_back(&track);
@@ -71,7 +71,7 @@ void count(const RoadLayer& layer, Account& account) {
 
 }  // namespace
 
-std::vector<RoadLayer> plan_layers(const map::Features& features, Report& report) {
+std::vector<RoadLayer> plan_layers(const map::FeatureView& features, Report& report) {
   const Tracks tracks = tracks_off_ground(features);
   const std::vector<int> layers = layers_of(tracks);
   std::map<std::pair<int, map::Passage>, std::vector<Road>> roads;

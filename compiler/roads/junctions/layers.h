@@ -34,6 +34,6 @@ struct RoadLayer {
 /// Junctions of one layer may lie above each other if a connected bridge passes over itself; outline_junctions() gives
 /// the shared area to one of them. Ledger "roads/junction_off_ground": nodes in, junctions out, nodes that share a
 /// junction merged. Diagnosed as by plan_junctions(). O(n log n) in vertices off the ground.
-std::vector<RoadLayer> plan_layers(const map::Features& features, Report& report);
+std::vector<RoadLayer> plan_layers(const map::FeatureView& features, Report& report);
 
 }  // namespace citykiln::roads
