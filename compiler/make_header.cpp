@@ -55,7 +55,7 @@ Result<std::vector<source::RasterSpec>> fitted_heightmaps(const CompileSpec& spe
 
 /// The land around the region, where the heightmaps cover it.
 Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, const map::Plane& plane,
-                                                     const scene::Recipes& recipes, const Box2& extent) {
+                                                     const HeaderInputs& recipes, const Box2& extent) {
   const source::LonLatBox window = map::lonlat_box_of(extent.widened(surroundings::kReach_m), plane);
   Report repeated;  // discarded: diagnosed for the region already, or lies beyond it
   const Result<std::vector<source::RasterSpec>> fitted = fitted_heightmaps(spec, plane, extent);
@@ -89,7 +89,7 @@ double mean_height_m(const map::Heightfield& heights) {
 }
 
 /// The highest point of ground, buildings and bridges, in the heightmaps' datum.
-double highest_m(const scene::Recipes& recipes) {
+double highest_m(const HeaderInputs& recipes) {
   double high_m = 0;
   for (const std::int32_t height : recipes.heights.heights) high_m = std::max(high_m, height * map::kHeightQuantum_m);
   for (const buildings::Building& building : recipes.buildings) high_m = std::max(high_m, building.top_m);
@@ -97,7 +97,7 @@ double highest_m(const scene::Recipes& recipes) {
 }
 
 /// Checks that a map fits into a cylinder.
-Result<Done> fits_into(const map::Cylinder& cylinder, const Box2& extent, const scene::Recipes& recipes) {
+Result<Done> fits_into(const map::Cylinder& cylinder, const Box2& extent, const HeaderInputs& recipes) {
   const double around_m = map::circumference_m(cylinder);
   // an extent of exactly one circumference has been rounded to whole cells
   constexpr double kRounding = 1 + 1e-9;
@@ -126,7 +126,7 @@ constexpr double kBelowAllLand_m = -1000;
 }  // namespace
 
 Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& extent,
-                                  const scene::Recipes& recipes) {
+                                  const HeaderInputs& recipes) {
   const map::Heightfield& heights = recipes.heights;
   Result<surroundings::Surroundings> around = plan_surroundings(spec, plane, recipes, extent);
   if (!around) return around.error();

@@ -1,6 +1,7 @@
 // The properties of a whole scene: origin, sky, the land around it, sources, rules.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "compiler/buildings/recipe.h"
@@ -16,12 +17,19 @@
 
 namespace citykiln {
 
+/// The recipes that the header depends on: the land around the extent goes on from heights and land cover, and
+/// buildings must fit into a cylinder.
+struct HeaderInputs {
+  const map::Heightfield& heights;
+  std::span<const ground::LandCoverPolygon> surfaces{};
+  std::span<const buildings::Building> buildings{};
+};
+
 /// The properties of the whole scene, without rules, species and things.
-/// @param recipes  Its heights and land cover are used: the land around the extent goes on from them.
 /// Errors: heightmaps or cloud files that cannot be read, a time without a sky, tiles in spec.only that the map lacks,
 /// a map that does not fit into the spec's cylinder.
 Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& extent,
-                                  const scene::Recipes& recipes);
+                                  const HeaderInputs& recipes);
 
 /// Returns the rules of houses on lots without buildings. Errors: those of the files of the spec's folder.
 Result<lots::HouseRules> house_rules_for(const CompileSpec& spec);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "compiler/assume/assume.h"
@@ -13,24 +16,16 @@
 #include "compiler/lots/add_yards.h"
 #include "compiler/make_header.h"
 #include "compiler/map/locate.h"
-#include "compiler/map/passageways.h"
 #include "compiler/map/private_ways.h"
 #include "compiler/pitches/plan.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"
-#include "compiler/roads/fit_assumed_widths.h"
 #include "compiler/roads/plan.h"
-#include "compiler/roads/width_limits/limit_widths.h"
 #include "compiler/scene/assemble.h"
 #include "compiler/source/read_osm.h"
 #include "compiler/structures/plan.h"
-#include "compiler/structures/plan_parapet_gaps.h"
-#include "compiler/structures/plan_piers.h"
 #include "compiler/structures/risers.h"
-#include "compiler/structures/within_extent.h"
-#include "compiler/things/contact_masts.h"
 #include "compiler/things/plan.h"
-#include "compiler/things/railings.h"
 #include "compiler/whole_map.h"
 #include "compiler/wires/contact_wires.h"
 #include "compiler/wires/plan.h"
@@ -46,56 +41,216 @@ lots::ClimateAt climate_of_places(const map::Plane& plane) {
   };
 }
 
-// Roads with their junctions, not wider than the buildings beside them allow.
-struct RoadPlan {
-  std::vector<roads::Road> roads;
-  std::vector<roads::Junction> junctions;
+// The things and species that the map is read with: those of citykiln, and those of the folders that the spec names.
+struct Tables {
+  things::Catalogue catalogue;
+  plants::OwnSpecies species;
 };
 
-RoadPlan plan_roads(const map::Features& features, Report& report) {
-  RoadPlan plan{roads::plan(features, report), {}};
-  plan.junctions = roads::plan_junctions(plan.roads, report);
-  plan.roads = roads::limit_widths(std::move(plan.roads), plan.junctions, features.footprints,
-                                   roads::ways_through_buildings(features), report);
-  return plan;
+Result<Tables> read_tables(const CompileSpec& spec) {
+  Result<things::Catalogue> catalogue = read_things(spec);
+  if (!catalogue) return catalogue.error();
+  Result<plants::OwnSpecies> species = read_species(spec.species_folder);
+  if (!species) return species.error();
+  return Tables{std::move(*catalogue), std::move(*species)};
+}
+
+map::Options reading_of(const CompileSpec& spec, const Tables& tables) {
+  map::Options reading = spec.map;
+  reading.things = &tables.catalogue.table, reading.own_plants = &tables.species.for_map;
+  return reading;
+}
+
+// A map in the plane.
+struct Located {
+  source::OsmData osm;
+  map::Plane plane;
+  map::Features map;
+  map::Heightfield heights;
+};
+
+// Reads a map and its heights, projects it to the plane and classifies its elements.
+Result<Located> locate(const CompileSpec& spec, const std::string& extract, const Survey* survey,
+                       const source::OwnsPlace& owns, const Tables& tables, StageTimer& timer, Report& report) {
+  timer.enter("read map");
+  Result<source::OsmData> osm = source::read_osm(extract, spec.threads, report, owns);
+  if (!osm) return osm.error();
+  timer.enter("project and classify");
+  const Result<source::LonLatBox> box = survey ? survey->extent : choose_worthwhile_extent(spec, *osm, report);
+  if (!box) return box.error();
+  map::Plane plane(survey ? survey->header.origin : spec.map.origin.value_or(map::default_origin(*box)));
+  map::Features map = map::locate(*osm, plane, *box, reading_of(spec, tables), report);
+  if (!survey && is_empty(map)) return Error{spec.map_path, "contains nothing to compile in this area"};
+  timer.enter("terrain heights");
+  Result<map::Heightfield> heights = survey ? survey->heights : read_heights(spec, plane, map.extent, report);
+  if (!heights) return heights.error();
+  return Located{std::move(*osm), std::move(plane), std::move(map), std::move(*heights)};
+}
+
+// Calls a function of the inputs of lots.
+template <typename Plan>
+auto with_lot_inputs(const CompileSpec& spec, const source::OsmData& osm, const map::Plane& plane,
+                     const roads::RoadPlan& roads, Plan plan) {
+  const lots::ClimateAt climate_at = climate_of_places(plane);
+  const std::vector<OsmId> private_ways = map::private_ways(osm);
+  return plan(lots::LotInputs{.roads = roads.roads,
+                              .junctions = roads.junctions,
+                              .private_ways = private_ways,
+                              .climate_at = climate_at,
+                              .seed = spec.seed,
+                              .threads = spec.threads});
 }
 
 // The assumptions about streets that count the houses beside them.
 constexpr Assumptions kOfStreets =
     bit_of(Assumption::kPavements) | bit_of(Assumption::kVerges) | bit_of(Assumption::kParking);
 
-// Adds the houses that fill lots, beside the streets as they would be without them. Later assumptions count
-// them as mapped ones.
-Result<map::Features> with_filled_lots(map::Features features, const CompileSpec& spec, const source::OsmData& osm,
-                                       const map::Plane& plane, Report& report) {
+// The footprints with the houses that fill lots, beside the streets as they would be without them; nothing without
+// spec.fill_lots. Later stages count them as mapped ones.
+Result<std::optional<std::vector<map::Footprint>>> filled_lots(const CompileSpec& spec, const source::OsmData& osm,
+                                                               const map::Plane& plane, const map::FeatureView& mapped,
+                                                               Report& report) {
+  if (!spec.fill_lots) return std::optional<std::vector<map::Footprint>>{};
   const Result<lots::HouseRules> rules = house_rules_for(spec);
   if (!rules) return rules.error();
   Report without_houses;
-  map::Features streets = assume::assume(features, {Assumptions(spec.assume & kOfStreets), spec.seed}, without_houses);
-  streets.passageways = map::plan_passageways(streets, without_houses);
-  const RoadPlan planned = plan_roads(streets, without_houses);
-  const lots::ClimateAt climate_at = climate_of_places(plane);
-  const std::vector<OsmId> private_ways = map::private_ways(osm);
-  const lots::LotInputs inputs{.roads = planned.roads,
-                               .junctions = planned.junctions,
-                               .private_ways = private_ways,
-                               .climate_at = climate_at,
-                               .seed = spec.seed,
-                               .threads = spec.threads};
-  return lots::with_houses(std::move(features), inputs, *rules, report);
+  const assume::Assumed streets =
+      assume::assume(mapped, {Assumptions(spec.assume & kOfStreets), spec.seed}, without_houses);
+  const roads::RoadPlan roads = roads::plan(seen_with(mapped, streets), without_houses);
+  return with_lot_inputs(spec, osm, plane, roads, [&](const lots::LotInputs& inputs) {
+    return std::optional(lots::with_houses(mapped, inputs, *rules, report));
+  });
 }
 
-map::Features with_yards(map::Features features, const CompileSpec& spec, const source::OsmData& osm,
-                         const map::Plane& plane, const scene::Recipes& recipes, Report& report) {
-  const lots::ClimateAt climate_at = climate_of_places(plane);
-  const std::vector<OsmId> private_ways = map::private_ways(osm);
-  const lots::LotInputs inputs{.roads = recipes.roads,
-                               .junctions = recipes.junctions,
-                               .private_ways = private_ways,
-                               .climate_at = climate_at,
-                               .seed = spec.seed,
-                               .threads = spec.threads};
-  return lots::with_yards(std::move(features), inputs, report);
+map::FeatureView seen_with(map::FeatureView features, const std::optional<std::vector<map::Footprint>>& filled) {
+  if (filled) features.footprints = *filled;
+  return features;
+}
+
+// The yards; nothing where they are not assumed.
+std::optional<lots::Yards> yards_of(const CompileSpec& spec, const source::OsmData& osm, const map::Plane& plane,
+                                    const map::FeatureView& features, const roads::RoadPlan& roads, Report& report) {
+  if (!has(spec.assume, Assumption::kYards)) return std::nullopt;
+  return with_lot_inputs(spec, osm, plane, roads, [&](const lots::LotInputs& inputs) {
+    return std::optional(lots::with_yards(features, inputs, report));
+  });
+}
+
+// The land cover of a whole map, and its heights.
+struct PlannedGround {
+  ground::Waters waters;
+  std::vector<ground::LandCoverPolygon> surfaces;  // those of waters, with the rims of pools
+  std::vector<ground::Landform> landforms;
+  ground::Profiles profiles;
+  ground::ProfileMeasures measured;
+};
+
+PlannedGround plan_ground(const map::FeatureView& features, const roads::RoadPlan& planned,
+                          const map::Heightfield& heights, const Survey* survey, StageTimer& timer, Report& report) {
+  PlannedGround ground;
+  timer.enter("land cover and water");
+  ground.waters = survey ? surveyed_waters(features, *survey, report) : plan_waters(features, heights, report);
+  const auto& [surfaces, streams] = ground.waters;
+  ground.landforms = ground::plan_landforms(features, surfaces, streams, heights, report);
+  timer.enter("road heights");
+  ground.profiles = ground::plan_profiles(features, planned.roads, planned.junctions, streams, surfaces, heights,
+                                          report, 1, ground.landforms);
+  ground.measured = ground::measure_profiles(features, ground.profiles);
+  ground.surfaces = ground::with_pool_rims(surfaces);
+  return ground;
+}
+
+// The ground of a whole map, and what carries roads above and below it.
+struct Land {
+  const WholeGround& ground;
+  std::span<const roads::Road> roads;  // with heights and risers
+  const structures::Structures& structures;
+  const ground::GradedTerrain& graded;
+  const roads::RoadPlan& planned;
+};
+
+// The objects that stand on the ground, and the wires above it.
+struct Standing {
+  std::vector<buildings::Building> buildings;
+  plants::Plants plants;
+  props::Props props;
+  pitches::Pitches pitches;
+  things::ThingPlan things;
+  std::vector<props::Barrier> barriers;  // those of props, and railings
+  std::vector<wires::WireSpan> wire_spans;
+};
+
+Result<things::ThingPlan> things_of(const CompileSpec& spec, const map::FeatureView& features, const Land& land,
+                                    std::span<const buildings::Building> buildings,
+                                    std::span<const map::ThingFeature> equipment, const things::Catalogue& catalogue,
+                                    Report& report) {
+  const std::vector<ground::LandCoverPolygon> cover = thing_obstacles(land.ground, buildings);
+  return things::plan(features,
+                      {.catalogue = catalogue,
+                       .equipment = equipment,
+                       .cover = cover,
+                       .roads = land.roads,
+                       .junctions = land.ground.junctions,
+                       .bridges = land.structures.bridges,
+                       .buildings = buildings,
+                       .ground = land.graded,
+                       .assumed = spec.assume,
+                       .seed = spec.seed},
+                      report);
+}
+
+// The wires of power lines and contact lines.
+std::vector<wires::WireSpan> wires_of(const CompileSpec& spec, const map::FeatureView& features, const Land& land,
+                                      const things::ThingPlan& things, Report& report) {
+  std::vector<wires::WireSpan> power_lines = wires::plan(features,
+                                                         {.mapped = things.mapped,
+                                                          .things = things.things,
+                                                          .beyond = things.beyond,
+                                                          .kinds = things.kinds,
+                                                          .roads = land.roads,
+                                                          .bridges = land.structures.bridges,
+                                                          .ground = land.graded,
+                                                          .seed = spec.seed},
+                                                         report);
+  return wires::with_more(std::move(power_lines), wires::contact_spans(things.contact_lines, land.graded, report));
+}
+
+// Plans the objects that stand on the ground, and the wires.
+Result<Standing> plan_standing(const CompileSpec& spec, const map::FeatureView& features, const Land& land,
+                               const Tables& tables, StageTimer& timer, Report& report) {
+  Standing standing;
+  timer.enter("buildings");
+  standing.buildings =
+      buildings::plan(features, land.graded, report, land.planned.passageways, land.structures.bridges);
+  timer.enter("plants");
+  standing.plants =
+      plants::plan(features, land.ground.surfaces, land.roads, land.ground.heights, report, tables.species.table);
+  timer.enter("props");
+  standing.props = props::plan(features, report);
+  timer.enter("things");
+  standing.pitches = pitches::plan(features, tables.catalogue.table);
+  Result<things::ThingPlan> things =
+      things_of(spec, features, land, standing.buildings, standing.pitches.equipment, tables.catalogue, report);
+  if (!things) return things.error();
+  standing.things = std::move(*things);
+  standing.barriers = standing.props.barriers;
+  if (has(spec.assume, Assumption::kRailings))
+    standing.barriers = props::with_more(std::move(standing.barriers), standing.things.railings);
+  timer.enter("wires");
+  standing.wire_spans = wires_of(spec, features, land, standing.things, report);
+  return standing;
+}
+
+// The header with the rules, species and things of the scene.
+Result<scene::Header> header_with_texts(scene::Header header, const CompileSpec& spec, const Standing& standing,
+                                        const Tables& tables) {
+  Result<std::vector<buildings::RuleText>> rules = rules_for(spec, standing.buildings);
+  if (!rules) return rules.error();
+  header.rules = std::move(*rules);
+  header.species = plants::species_texts_for(standing.plants, has_hedges(standing.props), tables.species.texts,
+                                             tables.species.table);
+  header.things = things::texts_for(tables.catalogue, standing.things.kinds, standing.things.things);
+  return header;
 }
 
 /// Compiles a whole map; with a survey, the tiles of spec.only from an extract that covers their surroundings.
@@ -104,140 +259,81 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   assert(!spec.map_path.empty() && spec.tile_m > 0 && std::ranges::is_sorted(spec.only));
   StageTimer timer(on_progress);
   Report report;
-  scene::Recipes recipes;
+  const Result<Tables> tables = read_tables(spec);
+  if (!tables) return tables.error();
 
-  const Result<things::Catalogue> catalogue = read_things(spec);
-  if (!catalogue) return catalogue.error();
-  const Result<plants::OwnSpecies> own_species = read_species(spec.species_folder);
-  if (!own_species) return own_species.error();
-  map::Options reading = spec.map;
-  reading.things = &catalogue->table, reading.own_plants = &own_species->for_map;
+  // read the map and locate it: in the plane, with its elements classified
+  const Result<Located> located = locate(spec, extract, survey, owns, *tables, timer, report);
+  if (!located) return located.error();
+  const auto& [osm, plane, map, heights] = *located;
 
-  // read the map, project it to the plane and classify its elements
-  timer.enter("read map");
-  const Result<source::OsmData> osm = source::read_osm(extract, spec.threads, report, owns);
-  if (!osm) return osm.error();
-  timer.enter("project and classify");
-  const Result<source::LonLatBox> box = survey ? survey->extent : choose_worthwhile_extent(spec, *osm, report);
-  if (!box) return box.error();
-  const map::Plane plane(survey ? survey->header.origin : spec.map.origin.value_or(map::default_origin(*box)));
-  map::Features features = map::locate(*osm, plane, *box, reading, report);
-  if (!survey && is_empty(features)) return Error{spec.map_path, "contains nothing to compile in this area"};
-
-  // resample the heightmaps
-  timer.enter("terrain heights");
-  Result<map::Heightfield> heights = survey ? survey->heights : read_heights(spec, plane, features.extent, report);
-  if (!heights) return heights.error();
-  recipes.heights = std::move(*heights);
-
-  // plan roads, land cover and their heights
+  // assume what it does not say
   timer.enter("roads");
-  // assumptions measure the room beside the fitted kerbs
-  features.tracks = roads::fit_assumed_widths(features);
-  if (spec.fill_lots) {
-    Result<map::Features> filled = with_filled_lots(std::move(features), spec, *osm, plane, report);
-    if (!filled) return filled.error();
-    features = std::move(*filled);
-  }
-  features = assume::assume(std::move(features), {spec.assume, spec.seed}, report);
-  features.passageways = map::plan_passageways(features, report);
-  RoadPlan planned = plan_roads(features, report);
-  recipes.roads = std::move(planned.roads), recipes.junctions = std::move(planned.junctions);
-  if (has(spec.assume, Assumption::kYards)) {
-    timer.enter("lots");
-    features = with_yards(std::move(features), spec, *osm, plane, recipes, report);
-  }
-  timer.enter("land cover and water");
-  ground::Waters waters = survey ? surveyed_waters(plan_dry_waters(features, report), *survey)
-                                 : plan_waters(plan_dry_waters(features, report), features, recipes.heights, report);
-  recipes.surfaces = std::move(waters.surfaces), recipes.watercourses = std::move(waters.streams);
-  recipes.landforms = ground::plan_landforms(features, recipes.surfaces, recipes.watercourses, recipes.heights, report);
-  timer.enter("road heights");
-  ground::Profiles profiles =
-      ground::plan_profiles(features, std::move(recipes.roads), recipes.junctions, recipes.watercourses,
-                            recipes.surfaces, recipes.heights, report, 1, recipes.landforms);
-  const ground::ProfileMeasures measured = ground::measure_profiles(features, profiles);
-  recipes.roads = std::move(profiles.roads);
-  recipes.surfaces = ground::with_pool_rims(std::move(recipes.surfaces));
+  const Result<std::optional<std::vector<map::Footprint>>> filled = filled_lots(spec, osm, plane, map, report);
+  if (!filled) return filled.error();
+  const map::FeatureView mapped = seen_with(map, *filled);
+  const assume::Assumed assumed = assume::assume(mapped, {spec.assume, spec.seed}, report);
+  const map::FeatureView streets = seen_with(mapped, assumed);
 
-  // plan bridges and tunnels, then the objects that stand on the ground
+  // roads, and the lots between them
+  const roads::RoadPlan planned = roads::plan(streets, report);
+  if (has(spec.assume, Assumption::kYards)) timer.enter("lots");
+  const std::optional<lots::Yards> yards = yards_of(spec, osm, plane, streets, planned, report);
+  const map::FeatureView features = yards ? seen_with(streets, *yards) : streets;
+
+  // the ground: land cover and all heights
+  const auto [waters, surfaces, landforms, profiles, measured] =
+      plan_ground(features, planned, heights, survey, timer, report);
+  const WholeGround ground{.heights = heights,
+                           .surfaces = surfaces,
+                           .roads = profiles.roads,
+                           .junctions = planned.junctions,
+                           .streams = waters.streams,
+                           .landforms = landforms};
+
+  // bridges, tunnels and stairs, which meet the graded terrain
   timer.enter("bridges and tunnels");
-  recipes.structures = structures::plan(features, profiles.off_ground, recipes.heights, report);
-  recipes.structures.bridges = structures::find_parapet_gaps(std::move(recipes.structures.bridges));
-  const ground::GradedTerrain graded = grade_whole_map(recipes, features.extent);
-  recipes.roads = structures::with_risers(std::move(recipes.roads), features.tracks, graded, report);
-  recipes.structures.bridges =
-      structures::place_piers(std::move(recipes.structures.bridges), graded, pier_obstacles(recipes, features), report);
-  recipes.structures = structures::within_extent(std::move(recipes.structures), features.extent, report);
-  timer.enter("buildings");
-  recipes.buildings = buildings::plan(features, graded, report, recipes.structures.bridges);
-  timer.enter("plants");
-  recipes.plants = plants::plan(features, recipes.surfaces, recipes.roads, recipes.heights, report, own_species->table);
-  timer.enter("props");
-  recipes.props = props::plan(features, report);
-  timer.enter("things");
-  const std::vector<ground::LandCoverPolygon> cover = thing_obstacles(recipes);
-  if (has(spec.assume, Assumption::kRailings)) {
-    std::vector<props::Barrier> railings = things::assumed_railings(features,
-                                                                    {.cover = cover,
-                                                                     .roads = recipes.roads,
-                                                                     .bridges = recipes.structures.bridges,
-                                                                     .buildings = recipes.buildings,
-                                                                     .ground = graded},
-                                                                    report);
-    recipes.props.barriers = props::with_more(std::move(recipes.props.barriers), std::move(railings));
-  }
-  recipes.fields = pitches::plan(features);
-  for (map::ThingFeature& thing : pitches::things_of(recipes.fields, catalogue->table, features))
-    features.things.push_back(std::move(thing));
-  things::ContactLines contact_lines;
-  if (has(spec.assume, Assumption::kMasts))
-    contact_lines = things::plan_contact_lines(
-        features, {.cover = cover, .roads = recipes.roads, .bridges = recipes.structures.bridges, .ground = graded},
-        report);
-  std::erase_if(features.things, [&](const auto& thing) { return contact_lines.replaced.contains(thing.id.osm); });
-  Result<things::Kinds> kinds = things::Kinds{};
-  auto names = things::kind_names(features, catalogue->table);
-  for (const things::Thing& mast : contact_lines.masts) names.insert(mast.form.kind);
-  if (!names.empty()) {
-    kinds = things::kinds_of(*catalogue, names);
-    if (!kinds) return kinds.error();
-    recipes.things =
-        things::plan(features, recipes.roads, recipes.junctions, cover, recipes.buildings, *kinds, spec.seed, report);
-    recipes.things = things::with_more(std::move(recipes.things), contact_lines.masts);
-  }
-  timer.enter("wires");
-  const std::vector<things::Thing> supports_beyond = things::plan_supports_beyond(features, *kinds, spec.seed);
-  recipes.wire_spans = wires::plan(features,
-                                   {.things = recipes.things,
-                                    .beyond = supports_beyond,
-                                    .kinds = *kinds,
-                                    .roads = recipes.roads,
-                                    .bridges = recipes.structures.bridges,
-                                    .ground = graded,
-                                    .seed = spec.seed},
-                                   report);
-  recipes.wire_spans =
-      wires::with_more(std::move(recipes.wire_spans), wires::contact_spans(contact_lines, graded, report));
+  const structures::Structures spans = structures::plan(features, profiles.off_ground, heights, report);
+  const ground::GradedTerrain graded = grade_whole_map(ground, spans, features.extent);
+  const std::vector<roads::Road> roads = structures::with_risers(profiles.roads, features.tracks, graded, report);
+  const structures::Structures structures =
+      structures::with_piers(spans, graded, pier_obstacles(ground, features.footprints), features.extent, report);
 
-  // plan the land around the extent, describe the sky and the sources
+  // what stands on the ground
+  const Land land{.ground = ground, .roads = roads, .structures = structures, .graded = graded, .planned = planned};
+  const Result<Standing> standing = plan_standing(spec, features, land, *tables, timer, report);
+  if (!standing) return standing.error();
+  const auto& [buildings, plants, props, pitches, things, barriers, wire_spans] = *standing;
+
+  // the sky, and the land around the extent
   timer.enter("surroundings");
-  Result<scene::Header> header = survey ? survey->header : make_header(spec, plane, features.extent, recipes);
-  if (!header) return header.error();
+  const Result<scene::Header> around =
+      survey ? survey->header : make_header(spec, plane, features.extent, {heights, surfaces, buildings});
+  if (!around) return around.error();
 
-  // sort all recipes into tiles
+  // the scene: all recipes, by tile
   timer.enter("sort into tiles");
-  recipes.texts = features.texts;
-  Result<std::vector<buildings::RuleText>> rules = rules_for(spec, recipes.buildings);
-  if (!rules) return rules.error();
-  header->rules = std::move(*rules);
-  header->species =
-      plants::species_texts_for(recipes.plants, has_hedges(recipes.props), own_species->texts, own_species->table);
-  header->things = things::texts_for(*catalogue, *kinds, recipes.things);
-  scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
-  map::remove_diagnoses_outside(*osm, plane, features.extent, report);
-  map::Places places = map::places_of(*osm, report);
-  map::LayerTags layer_tags = map::layer_tags_of(*osm, report);
+  const Result<scene::Header> header = header_with_texts(*around, spec, *standing, *tables);
+  if (!header) return header.error();
+  scene::Scene scene = scene::assemble({.heights = heights,
+                                        .surfaces = surfaces,
+                                        .roads = roads,
+                                        .watercourses = waters.streams,
+                                        .landforms = landforms,
+                                        .junctions = planned.junctions,
+                                        .fields = pitches.fields,
+                                        .structures = structures,
+                                        .buildings = buildings,
+                                        .plants = plants,
+                                        .barriers = barriers,
+                                        .lamps = props.lamps,
+                                        .things = things.things,
+                                        .wire_spans = wire_spans,
+                                        .texts = map.texts},
+                                       *header, spec.only, spec.threads);
+  map::remove_diagnoses_outside(osm, plane, features.extent, report);
+  map::Places places = map::places_of(osm, report);
+  map::LayerTags layer_tags = map::layer_tags_of(osm, report);
   // all tiles that are baked belong to the region
   report.lift_limit();
   return CompileResult{std::move(scene), std::move(report), measured,

@@ -77,25 +77,24 @@ Result<Survey> survey(const CompileSpec& spec, const std::string& extract, const
   Result<DryWaters> dry = read_dry_waters(spec, extract, plane, extent);
   if (!dry) return dry.error();
   give_back_memory();
-  scene::Recipes recipes;
   Result<map::Heightfield> heights = read_heights(spec, plane, dry->extent, report);
   if (!heights) return heights.error();
-  recipes.heights = std::move(*heights);
   ground::Waters waters = ground::plan_water_heights(std::move(dry->waters.surfaces), std::move(dry->waters.streams),
-                                                     dry->covered, recipes.heights, report);
-  recipes.surfaces = std::move(waters.surfaces);
-  Result<scene::Header> header = make_header(spec, plane, dry->extent, recipes);
+                                                     dry->covered, *heights, report);
+  Result<scene::Header> header =
+      make_header(spec, plane, dry->extent, {.heights = *heights, .surfaces = waters.surfaces});
   if (!header) return header.error();
   timer.finish();
   return Survey{extent,
                 std::move(*header),
-                std::move(recipes.heights),
-                std::move(recipes.surfaces),
+                std::move(*heights),
+                std::move(waters.surfaces),
                 std::move(waters.streams),
                 of_diagnosed(std::move(dry->places), report)};
 }
 
-ground::Waters surveyed_waters(ground::Waters waters, const Survey& survey) {
+ground::Waters surveyed_waters(const map::FeatureView& features, const Survey& survey, Report& report) {
+  ground::Waters waters = plan_dry_waters(features, report);
   std::ranges::stable_sort(waters.streams, {}, &roads::Strip::id);
   // the survey has no land on which a pond could lie
   std::vector<std::uint8_t> raised;

@@ -36,6 +36,6 @@ Result<Survey> survey(const CompileSpec& spec, const std::string& extract, const
                       Report& report, const OnProgress& on_progress);
 
 /// Returns the areas and watercourses, with the heights of those that the survey contains.
-ground::Waters surveyed_waters(ground::Waters waters, const Survey& survey);
+ground::Waters surveyed_waters(const map::FeatureView& features, const Survey& survey, Report& report);
 
 }  // namespace citykiln

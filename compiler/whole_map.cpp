@@ -14,13 +14,12 @@
 namespace citykiln {
 namespace {
 
-// Returns the recipes that cover ground, without buildings.
-scene::CoverRecipes cover_recipes_of(const scene::Recipes& recipes) {
-  return {.areas = recipes.surfaces,
-          .roads = recipes.roads,
-          .junctions = recipes.junctions,
-          .watercourses = recipes.watercourses,
-          .landforms = recipes.landforms,
+scene::CoverRecipes cover_of(const WholeGround& ground) {
+  return {.areas = ground.surfaces,
+          .roads = ground.roads,
+          .junctions = ground.junctions,
+          .watercourses = ground.streams,
+          .landforms = ground.landforms,
           .footprints = {}};
 }
 
@@ -60,35 +59,38 @@ ground::Waters plan_dry_waters(const map::FeatureView& features, Report& report)
   return {std::move(surfaces), ground::plan_streams(features, report)};
 }
 
-ground::Waters plan_waters(ground::Waters dry, const map::FeatureView& features, const map::Heightfield& heights,
-                           Report& report) {
+ground::Waters plan_waters(const map::FeatureView& features, const map::Heightfield& heights, Report& report) {
+  ground::Waters dry = plan_dry_waters(features, report);
   return ground::plan_water_heights(std::move(dry.surfaces), std::move(dry.streams),
                                     ground::covered_waterways(features), heights, report);
 }
 
-ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& extent) {
+ground::GradedTerrain grade_whole_map(const WholeGround& ground, const structures::Structures& spans,
+                                      const Box2& extent) {
   // slopes start at the outlines of junctions, as in tiles, so those of roads are needed too
-  const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(cover_recipes_of(recipes));
-  return ground::grade_terrain<structures::Span>(recipes.heights,
-                                                 {.roads = recipes.roads,
-                                                  .streams = recipes.watercourses,
+  const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(cover_of(ground));
+  return ground::grade_terrain<structures::Span>(ground.heights,
+                                                 {.roads = ground.roads,
+                                                  .streams = ground.streams,
                                                   .surfaces = surfaces,
-                                                  .box = ground::graded_box(extent, recipes.heights),
+                                                  .box = ground::graded_box(extent, ground.heights),
                                                   .has_kerbs = false,
-                                                  .landforms = recipes.landforms},
-                                                 recipes.structures.bridges, recipes.structures.tunnels);
+                                                  .landforms = ground.landforms},
+                                                 spans.bridges, spans.tunnels);
 }
 
-std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recipes, const map::FeatureView& features) {
-  scene::CoverRecipes cover = cover_recipes_of(recipes);
-  for (const map::Footprint& footprint : features.footprints)
+std::vector<ground::LandCoverPolygon> pier_obstacles(const WholeGround& ground,
+                                                     std::span<const map::Footprint> footprints) {
+  scene::CoverRecipes cover = cover_of(ground);
+  for (const map::Footprint& footprint : footprints)
     cover.footprints.push_back(scene::footprint_surface(footprint.id, footprint.polygon));
   return scene::coarse_land_cover(cover);
 }
 
-std::vector<ground::LandCoverPolygon> thing_obstacles(const scene::Recipes& recipes) {
-  scene::CoverRecipes cover = cover_recipes_of(recipes);
-  for (const buildings::Building& building : recipes.buildings)
+std::vector<ground::LandCoverPolygon> thing_obstacles(const WholeGround& ground,
+                                                      std::span<const buildings::Building> buildings) {
+  scene::CoverRecipes cover = cover_of(ground);
+  for (const buildings::Building& building : buildings)
     if (building.stands_on_ground) cover.footprints.push_back(scene::footprint_surface(building));
   return scene::coarse_land_cover(cover);
 }

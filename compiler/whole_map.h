@@ -1,6 +1,7 @@
 // Steps of compile() and survey() that need the whole map: its extent, heights, waters and graded terrain.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "compiler/contract/report.h"
@@ -32,18 +33,29 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
 /// Returns areas and watercourses without heights.
 ground::Waters plan_dry_waters(const map::FeatureView& features, Report& report);
 
-/// Adds levels to areas of water and profiles to watercourses.
-/// @param dry  The result of plan_dry_waters() for these features.
-ground::Waters plan_waters(ground::Waters dry, const map::FeatureView& features, const map::Heightfield& heights,
-                           Report& report);
+/// Returns areas and watercourses, with levels of water and profiles of watercourses.
+ground::Waters plan_waters(const map::FeatureView& features, const map::Heightfield& heights, Report& report);
+
+/// The recipes that cover the ground of the whole map, without buildings. Refers to the products of stages.
+struct WholeGround {
+  const map::Heightfield& heights;
+  std::span<const ground::LandCoverPolygon> surfaces{};
+  std::span<const roads::Road> roads{};
+  std::span<const roads::Junction> junctions{};
+  std::span<const roads::Strip> streams{};
+  std::span<const ground::Landform> landforms{};
+};
 
 /// The graded terrain of the whole map, without the rounded street corners, which are made only when baking.
-ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& extent);
+ground::GradedTerrain grade_whole_map(const WholeGround& ground, const structures::Structures& spans,
+                                      const Box2& extent);
 
 /// The land cover of the whole map, in which piers look for free ground. It includes the footprints of building parts.
-std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recipes, const map::FeatureView& features);
+std::vector<ground::LandCoverPolygon> pier_obstacles(const WholeGround& ground,
+                                                     std::span<const map::Footprint> footprints);
 
 /// The land cover of the whole map in which things look for free places: with the buildings that stand on the ground.
-std::vector<ground::LandCoverPolygon> thing_obstacles(const scene::Recipes& recipes);
+std::vector<ground::LandCoverPolygon> thing_obstacles(const WholeGround& ground,
+                                                      std::span<const buildings::Building> buildings);
 
 }  // namespace citykiln

@@ -183,6 +183,61 @@ def shared_local_names():
     return {name: paths for name, paths in declared.items() if len(paths) > 1}
 
 
+# Rooms that make a product once a run; none may change the product of another. The report is where all of them write.
+STAGES = ["source", "map", "assume", "roads", "lots", "ground", "structures", "buildings", "plants", "props", "pitches", "things", "wires", "sky",
+          "surroundings", "scene"]
+# Working data that a room lends to another by reference, which is no product.
+# A view is passed by value; rasters are so large that they are handed on.
+LENT = {"map::FeatureView", "source::Raster"}
+
+
+def declarations(text):
+    """Functions that a header declares at the left margin, without comments: (name, result, parameters)."""
+    code = re.sub(r"//.*", "", text)
+    for found in re.finditer(r"^(?!using|typedef|#|namespace|struct|class|enum|static_assert)(?P<result>[A-Za-z][^;{}()=]*?[\s&*])(?P<name>\w+)\((?P<parameters>[^;{}]*?)\)\s*(?=[;{])",
+                             code, re.M):
+        yield found["name"], " ".join(found["result"].split()), split_parameters(" ".join(found["parameters"].split()))
+
+
+def split_parameters(text):
+    parts, depth = [""], 0
+    for char in text:
+        depth += (char in "<({") - (char in ">)}")
+        if char == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += char
+    return [part.strip() for part in parts if part.strip()]
+
+
+def foreign_types(text, room):
+    """The types of other stages that a declaration names, such as map::Features."""
+    return {f"{space}::{name}" for space, name in re.findall(r"\b(\w+)::([A-Z]\w*)", text) if space in STAGES and space != room} - LENT
+
+
+def changes_of_products(text, room):
+    """Parameters by which a function can change the product of another stage: a reference that is not const, or a value
+    of a type that the function also returns."""
+    for name, result, parameters in declarations(text):
+        for parameter in parameters:
+            types = foreign_types(parameter, room)
+            is_reference = re.search(r"(?<!&)&(?!&)", parameter) and not re.search(r"\bconst\b[^,]*&", parameter)
+            is_value = "&" not in parameter and "*" not in parameter and "span" not in parameter and types & foreign_types(result, room)
+            if types and (is_reference or is_value):
+                yield f"{name}() may change {parameter}"
+
+
+def edits_in_pipeline(text):
+    """Lines of compile_part() that change a local again, and locals that are not const."""
+    body = re.search(r"^Result<CompileResult> compile_part\(.*?^}", text, re.M | re.S)[0].split("remove_diagnoses_outside")[0]
+    for line in body.splitlines()[2:]:
+        line = line.split("//")[0].strip()
+        if re.match(r"(?!timer\.|report\.)\w[\w.>-]* = |std::erase|std::(ranges::)?sort", line) or re.search(r"\.(push_back|insert|erase)\(", line):
+            yield f"changes a product: {line}"
+        if re.match(r"(?!const |return |StageTimer |Report |timer|report|if |assert|scene::Scene scene = )[a-zA-Z][\w:<>, ]*[&\s]\w+( = |\{|\()", line):
+            yield f"is not const: {line}"
+
+
 class Rooms(unittest.TestCase):
     def assertNone(self, violations):
         if violations:
@@ -295,6 +350,28 @@ class Rooms(unittest.TestCase):
                 if re.search(r"\b(TODO|FIXME|XXX|HACK)\b", line):
                     violations.append(f"{path}:{number}: {line.strip()}")
         self.assertNone(violations)
+
+
+class Stages(unittest.TestCase):
+    def assertNone(self, violations):
+        if violations:
+            self.fail("\n" + "\n".join(violations))
+
+    def test_no_stage_may_change_the_product_of_another(self):
+        self.assertNone([f"{path}: {violation}" for path in sources() if path.suffix == ".h" and room_of(path).split("/")[-1] in STAGES + ["compiler"] and path.stem != "parse_values"
+                         for violation in changes_of_products((ROOT / path).read_text(), room_of(path).split("/")[-1])])
+
+    def test_the_pipeline_makes_each_product_once(self):
+        self.assertNone([f"compiler/pipeline.cpp: {edit}" for edit in edits_in_pipeline((ROOT / "compiler/pipeline.cpp").read_text())])
+
+    def test_changes_are_found(self):
+        text = ("void fill(map::Features& features);\nmap::Features with_yards(map::Features features, int a);\n"
+                "std::vector<roads::Road> narrowed(std::vector<roads::Road> roads);\nvoid ok(const map::Features& f, std::span<const roads::Road> r);\n"
+                "Yards plan(map::Features features);\nvoid own(std::vector<Yard>& yards, Report& report);\n")
+        self.assertEqual([violation.split("(")[0] for violation in changes_of_products(text, "lots")], ["fill", "with_yards", "narrowed"])
+        part = ("Result<CompileResult> compile_part(int a,\n                 int b) {\n  Report report;\n  const int a = f();\n  features = g(features);\n"
+                "  map::Features made = g();\n  recipes.roads = h();\n  return CompileResult{};\n}\n")
+        self.assertEqual(len(list(edits_in_pipeline(part))), 3)
 
 
 if __name__ == "__main__":

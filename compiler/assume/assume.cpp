@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "compiler/assume/bridge_pavements.h"
+#include "compiler/assume/fit_widths.h"
 #include "compiler/assume/fronts.h"
 #include "compiler/assume/heights.h"
 #include "compiler/assume/lamps.h"
@@ -15,21 +16,35 @@
 
 namespace citykiln::assume {
 
-map::Features assume(map::Features features, const Settings& settings, Report& report) {
-  if (has(settings.on, Assumption::kHeights)) features = assume_heights(std::move(features), settings.seed, report);
-  // by the assumed storeys
-  if (has(settings.on, Assumption::kRoofs)) features = assume_roofs(std::move(features), settings.seed, report);
-  const std::vector<map::Track> mapped = features.tracks;
-  if (has(settings.on, Assumption::kPavements))
-    features.tracks = assume_bridge_pavements(assume_pavements(features, report), report);
-  // beside the pavements
-  if (has(settings.on, Assumption::kVerges)) features.tracks = assume_verges(features, mapped, report);
-  if (has(settings.on, Assumption::kParking)) features.tracks = assume_parking(features, report);
-  if (has(settings.on, Assumption::kSurfaces)) features.tracks = assume_surfaces(features, report);
-  if (has(settings.on, Assumption::kLamps)) features.tracks = assume_lamps(features, report);
-  if (has(settings.on, Assumption::kFronts)) assume_fronts(features, settings.seed, report);
-  if (has(settings.on, Assumption::kStyles)) features = assume_styles(std::move(features), report);
+map::FeatureView seen_with(map::FeatureView features, const Assumed& assumed) {
+  features.tracks = assumed.tracks, features.footprints = assumed.footprints, features.fronts = assumed.fronts;
   return features;
+}
+
+Assumed assume(const map::FeatureView& mapped, const Settings& settings, Report& report) {
+  const auto is_on = [&](Assumption assumption) { return has(settings.on, assumption); };
+  // pavements and verges are measured from the fitted kerbs
+  Assumed made{.tracks = fit_assumed_widths(mapped),
+               .footprints = {mapped.footprints.begin(), mapped.footprints.end()},
+               .fronts = {}};
+  const auto seen = [&] { return seen_with(mapped, made); };
+  if (is_on(Assumption::kHeights)) made.footprints = assume_heights(seen(), settings.seed, report);
+  // by the assumed storeys
+  if (is_on(Assumption::kRoofs)) made.footprints = assume_roofs(seen(), settings.seed, report);
+  const std::vector<map::Track> fitted = made.tracks;
+  if (is_on(Assumption::kPavements)) made.tracks = assume_bridge_pavements(assume_pavements(seen(), report), report);
+  // beside the pavements
+  if (is_on(Assumption::kVerges)) made.tracks = assume_verges(seen(), fitted, report);
+  if (is_on(Assumption::kParking)) made.tracks = assume_parking(seen(), report);
+  if (is_on(Assumption::kSurfaces)) made.tracks = assume_surfaces(seen(), report);
+  if (is_on(Assumption::kLamps)) made.tracks = assume_lamps(seen(), report);
+  if (is_on(Assumption::kFronts)) {
+    AssumedFronts fronts = assume_fronts(seen(), settings.seed, report);
+    for (const std::uint32_t f : fronts.footprints) made.footprints[f].assumed |= bit_of(Assumption::kFronts);
+    made.fronts = std::move(fronts.fronts);
+  }
+  if (is_on(Assumption::kStyles)) made.footprints = assume_styles(made.footprints, report);
+  return made;
 }
 
 }  // namespace citykiln::assume

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "compiler/contract/assumption.h"
 #include "compiler/contract/report.h"
@@ -15,17 +16,27 @@ struct Settings {
   std::uint64_t seed = 0;              ///< Selects the random draws.
 };
 
+/// The tracks, footprints and fronts of a map with what is assumed of them. Each list is whole, and sorted by id.
+struct Assumed {
+  std::vector<map::Track> tracks;
+  std::vector<map::Footprint> footprints;
+  std::vector<map::FrontPoint> fronts;
+};
+
+/// Returns the features with these lists in place of the map's. `assumed` must outlive the result.
+map::FeatureView seen_with(map::FeatureView features, const Assumed& assumed);
+
 /// Returns the features with assumed properties. Track::assumed and Footprint::assumed say which assumptions changed a
 /// feature, and the report counts these features. No property that a tag states is changed. Ways of more than
-/// kLongestWhole_m (pavements.h) may become several tracks. If Settings::on is kNoAssumptions, nothing is changed.
+/// kLongestWhole_m (pavements.h) may become several tracks. If Settings::on is kNoAssumptions, only widths are fitted.
 ///
-/// The steps run in this order: storeys, roofs, pavements, pavements of bridges, verges, parking, surfaces, lamps, shop
-/// fronts, styles. Roofs and shop fronts depend on assumed storeys, bridges and verges on assumed pavements, lamps on
-/// assumed surfaces.
+/// The steps run in this order: widths (fit_widths.h), storeys, roofs, pavements, pavements of bridges, verges,
+/// parking, surfaces, lamps, shop fronts, styles. Roofs and shop fronts depend on assumed storeys, bridges and verges
+/// on assumed pavements, lamps on assumed surfaces.
 ///
 /// Each assumption is local: it depends on what is mapped within the radius that its header states, and on the earlier
 /// steps that it reads within this radius. The order of the features does not matter, except where areas of equal size
 /// overlap.
-map::Features assume(map::Features features, const Settings& settings, Report& report);
+Assumed assume(const map::FeatureView& mapped, const Settings& settings, Report& report);
 
 }  // namespace citykiln::assume

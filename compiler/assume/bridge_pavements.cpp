@@ -59,7 +59,8 @@ bool may_have_bridge_pavement(const Track& track) {
 
 }  // namespace
 
-std::vector<Track> assume_bridge_pavements(std::vector<Track> tracks, Report& report) {
+std::vector<Track> assume_bridge_pavements(std::span<const Track> without, Report& report) {
+  std::vector<Track> tracks(without.begin(), without.end());
   const std::vector<StreetEnd> ends = street_ends(tracks);
   for (Track& bridge : tracks) {
     if (!may_have_bridge_pavement(bridge)) continue;

@@ -1,6 +1,7 @@
 // Assumes pavements on a short bridge if the streets at both of its ends have pavements.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "compiler/contract/report.h"
@@ -18,6 +19,6 @@ inline constexpr double kLongestBridge_m = 128;
 /// Exactly one street on the ground has to end at each end of the bridge, so a bridge of several ways in a row does not
 /// change. Runs after assume_pavements(). Depends on the streets at the ends, at most kLongestBridge_m away, and on
 /// their assumed pavements. O(n log n), n: tracks.
-std::vector<map::Track> assume_bridge_pavements(std::vector<map::Track> tracks, Report& report);
+std::vector<map::Track> assume_bridge_pavements(std::span<const map::Track> without, Report& report);
 
 }  // namespace citykiln::assume

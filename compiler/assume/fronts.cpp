@@ -99,7 +99,7 @@ void index(FrontSegments& segments, double reach_m) {
   segments.grid = grid_of(boxes, kFrontBucket_m);
 }
 
-FrontSegments main_streets(const std::vector<map::Track>& tracks) {
+FrontSegments main_streets(std::span<const map::Track> tracks) {
   FrontSegments streets;
   for (std::uint32_t t = 0; t < tracks.size(); ++t) {
     const map::Track& track = tracks[t];
@@ -112,7 +112,7 @@ FrontSegments main_streets(const std::vector<map::Track>& tracks) {
   return streets;
 }
 
-FrontSegments walls_of(const std::vector<map::Footprint>& footprints) {
+FrontSegments walls_of(std::span<const map::Footprint> footprints) {
   FrontSegments walls;
   for (std::uint32_t f = 0; f < footprints.size(); ++f) {
     const Ring& ring = footprints[f].polygon.outer;
@@ -135,7 +135,7 @@ bool is_against_neighbour(std::uint32_t footprint, Vec2 place, Vec2 along, const
 
 // The class of the nearest main street that a wall faces, if its kerb is near.
 std::optional<LandCoverClass> street_before(Vec2 middle, Vec2 outward, const FrontSegments& streets,
-                                            const std::vector<map::Track>& tracks) {
+                                            std::span<const map::Track> tracks) {
   constexpr double kCos30 = 0.866;
   std::optional<std::tuple<double, LandCoverClass>> nearest;
   for (const std::uint32_t i : boxes_about(streets.grid, middle)) {
@@ -186,11 +186,12 @@ bool is_house_of_centre(const map::Footprint& footprint) {
 }
 
 struct FrontAssumer {
-  map::Features& features;
+  const map::FeatureView& features;
   std::uint64_t seed;
   FrontSegments streets = main_streets(features.tracks);
   FrontSegments walls = walls_of(features.footprints);
   MappedShops shops = mapped_shops(features);
+  std::vector<map::FrontPoint> fronts{};
 
   bool is_attached(std::uint32_t f) const {
     const Ring& ring = features.footprints[f].polygon.outer;
@@ -211,7 +212,7 @@ struct FrontAssumer {
     for (std::uint32_t i = 0; i < count; ++i) {
       const Vec2 at = from + along * ((i + 0.5) / count) + left_of(unit(along)) * kBehindWall_m;
       const map::FrontKind kind = kind_of(draw.below(whole_mix(), 64 * (edge + 1) + i % 64));
-      features.fronts.push_back({footprint.id, snapped(at), {kind, {}}, true});
+      fronts.push_back({footprint.id, snapped(at), {kind, {}}, true});
     }
   }
 
@@ -221,7 +222,7 @@ struct FrontAssumer {
     const Ring& ring = footprint.polygon.outer;
     if (!is_house_of_centre(footprint) || streets.all.empty()) return false;
     const RandomSequence draw(seed, stable_id(footprint.id), "assumed front");
-    const std::size_t before = features.fronts.size();
+    const std::size_t before = fronts.size();
     std::optional<bool> attached;
     for (std::uint32_t edge = 0; edge < ring.size(); ++edge) {
       const Vec2 from = ring[edge], along = ring[(edge + 1) % ring.size()] - from, middle = from + along * 0.5;
@@ -232,23 +233,25 @@ struct FrontAssumer {
       if (!*attached || is_against_neighbour(f, middle, unit(along), walls) || is_near_shop(middle, shops)) continue;
       add_wall(f, edge, draw);
     }
-    return features.fronts.size() > before;
+    return fronts.size() > before;
   }
 };
 
 }  // namespace
 
-void assume_fronts(map::Features& features, std::uint64_t seed, Report& report) {
-  features.fronts.clear();
-  for (const map::PointFeature& point : features.points)
-    if (point.front) features.fronts.push_back({point.id, point.at, *point.front, false});
+AssumedFronts assume_fronts(const map::FeatureView& features, std::uint64_t seed, Report& report) {
   FrontAssumer assumer{features, seed};
+  AssumedFronts made;
+  for (const map::PointFeature& point : features.points)
+    if (point.front) assumer.fronts.push_back({point.id, point.at, *point.front, false});
   for (std::uint32_t f = 0; f < features.footprints.size(); ++f) {
     if (!assumer.add_footprint(f)) continue;
-    features.footprints[f].assumed |= bit_of(Assumption::kFronts);
+    made.footprints.push_back(f);
     report.count_assumed(Assumption::kFronts, features.footprints[f].id.osm);
   }
-  std::ranges::sort(features.fronts, {}, [](const map::FrontPoint& p) { return std::tuple(p.id, p.at); });
+  made.fronts = std::move(assumer.fronts);
+  std::ranges::sort(made.fronts, {}, [](const map::FrontPoint& p) { return std::tuple(p.id, p.at); });
+  return made;
 }
 
 }  // namespace citykiln::assume

@@ -3,13 +3,20 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "compiler/contract/report.h"
 #include "compiler/map/features.h"
 
 namespace citykiln::assume {
 
-/// Sets Features::fronts. Without this function no building has fronts, not even those of mapped points.
+/// The fronts of a map, sorted by id, then by position, and the indices of the footprints that have assumed ones.
+struct AssumedFronts {
+  std::vector<map::FrontPoint> fronts;
+  std::vector<std::uint32_t> footprints;
+};
+
+/// Returns all fronts. Without this function no building has fronts, not even those of mapped points.
 ///
 /// Every point of a shop, restaurant, office or workshop gets a front, which buildings/fronts.h places if there is
 /// room. The map states that the shop exists; width, door and colours of its front are assumed.
@@ -21,7 +28,7 @@ namespace citykiln::assume {
 ///
 /// The result for a wall depends on the footprints that touch its building, the streets within kFrontKerb_m, the shops
 /// within kFrontSearch_m, and on assumed storeys (assume_heights()). O(n · edges near), n: walls.
-void assume_fronts(map::Features& features, std::uint64_t seed, Report& report);
+AssumedFronts assume_fronts(const map::FeatureView& features, std::uint64_t seed, Report& report);
 
 /// No front is assumed this near to a shop that is mapped as a point or as an outline.
 inline constexpr double kFrontSearch_m = 150;

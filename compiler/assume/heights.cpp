@@ -404,22 +404,23 @@ ObjectId drawing_member(std::uint32_t entry, const map::FeatureView& features, c
   return least.second;
 }
 
-map::Features assume_heights(map::Features features, std::uint64_t seed, Report& report) {
+std::vector<map::Footprint> assume_heights(const map::FeatureView& features, std::uint64_t seed, Report& report) {
   const std::map<ObjectId, double> storeys = assumed_storeys(features, seed);
+  std::vector<map::Footprint> footprints(features.footprints.begin(), features.footprints.end());
   std::set<OsmId> counted;
   std::map<ObjectId, const map::Footprint*> outlines;
-  for (map::Footprint& f : features.footprints) {
+  for (map::Footprint& f : footprints) {
     const auto found = storeys.find(f.id);
     if (found == storeys.end()) continue;
     set_storeys(found->second, f);
     outlines.emplace(f.id, &f);
     if (counted.insert(f.id.osm).second) report.count_assumed(Assumption::kHeights, f.id.osm);
   }
-  for (map::Footprint& f : features.footprints) {
+  for (map::Footprint& f : footprints) {
     const auto outline = follows_outline(f) ? outlines.find(*f.outline) : outlines.end();
     if (outline != outlines.end()) set_as_outline(*outline->second, f);
   }
-  return features;
+  return footprints;
 }
 
 }  // namespace citykiln::assume

@@ -93,6 +93,6 @@ ObjectId drawing_member(std::uint32_t entry, const map::FeatureView& features, c
 /// A random draw chooses one value of storeys_of(): `low` with a probability of 1/4, `middle` of 1/2, `high` of 1/4.
 /// The draw is that of drawing_member(). The radius is kHeightNeighbours_m, from centroid to centroid, and the
 /// buildings that touch those within it.
-map::Features assume_heights(map::Features features, std::uint64_t seed, Report& report);
+std::vector<map::Footprint> assume_heights(const map::FeatureView& features, std::uint64_t seed, Report& report);
 
 }  // namespace citykiln::assume

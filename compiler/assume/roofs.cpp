@@ -126,11 +126,12 @@ void set_roof(const RoofRow& row, RoofForm form, const std::optional<Vec2>& part
 
 }  // namespace
 
-map::Features assume_roofs(map::Features features, std::uint64_t seed, Report& report) {
+std::vector<map::Footprint> assume_roofs(const map::FeatureView& features, std::uint64_t seed, Report& report) {
   const HeightIndex index = index_heights(features);
+  std::vector<map::Footprint> footprints(features.footprints.begin(), features.footprints.end());
   std::set<OsmId> counted;
   for (std::uint32_t i = 0; i < index.footprints.size(); ++i) {
-    map::Footprint& f = features.footprints[index.footprints[i]];
+    map::Footprint& f = footprints[index.footprints[i]];
     if (!is_roof_silent(f)) continue;
     const RoofRow& row = roof_row(f, index.facts[i]);
     const StableId member = stable_id(drawing_member(i, features, index, seed));
@@ -138,7 +139,7 @@ map::Features assume_roofs(map::Features features, std::uint64_t seed, Report& r
     set_roof(row, form, party_wall_direction(i, features, index), f);
     if (counted.insert(f.id.osm).second) report.count_assumed(Assumption::kRoofs, f.id.osm);
   }
-  return features;
+  return footprints;
 }
 
 }  // namespace citykiln::assume

@@ -19,6 +19,6 @@ namespace citykiln::assume {
 ///
 /// If storeys are assumed too, assume_heights() has to run before. The radius is kHeightRow_m, from centroid to
 /// centroid, and the buildings that touch those within it.
-map::Features assume_roofs(map::Features features, std::uint64_t seed, Report& report);
+std::vector<map::Footprint> assume_roofs(const map::FeatureView& features, std::uint64_t seed, Report& report);
 
 }  // namespace citykiln::assume

@@ -2,12 +2,13 @@
 
 namespace citykiln::assume {
 
-map::Features assume_styles(map::Features features, Report& report) {
-  for (map::Footprint& footprint : features.footprints) {
+std::vector<map::Footprint> assume_styles(std::span<const map::Footprint> footprints, Report& report) {
+  std::vector<map::Footprint> styled(footprints.begin(), footprints.end());
+  for (map::Footprint& footprint : styled) {
     footprint.assumed |= bit_of(Assumption::kStyles);
     if (!footprint.has_parts) report.count_assumed(Assumption::kStyles, footprint.id.osm);
   }
-  return features;
+  return styled;
 }
 
 }  // namespace citykiln::assume

@@ -500,8 +500,8 @@ std::vector<const structures::Plate*> plates_under(std::span<const map::Footprin
   return under;
 }
 
-Site site_of(const map::FeatureView& features, const ground::GradedTerrain& ground,
-             std::span<const structures::Span> bridges, Report& report) {
+Site site_of(const map::FeatureView& features, std::span<const map::Passageway> passageways,
+             std::span<const structures::Span> bridges, const ground::GradedTerrain& ground, Report& report) {
   std::vector<std::vector<SharedWall>> shared = shared_walls(features.footprints);
   std::vector<bool> supported = find_supported(features.footprints, shared);
   diagnose_unsupported(features.footprints, supported, report);
@@ -516,7 +516,7 @@ Site site_of(const map::FeatureView& features, const ground::GradedTerrain& grou
           .doors = index_doors(features.points),
           .supported = std::move(supported),
           .post_obstacles = index_post_obstacles(features.tracks, features.footprints),
-          .passageways = features.passageways,
+          .passageways = passageways,
           .plates = plates_under(features.footprints, bridges)};
 }
 
@@ -528,8 +528,8 @@ bool is_in_region(std::size_t i, const Site& site, const Box2& extent) {
 }  // namespace
 
 std::vector<Building> plan(const map::FeatureView& features, const ground::GradedTerrain& ground, Report& report,
-                           std::span<const structures::Span> bridges) {
-  const Site site = site_of(features, ground, bridges, report);
+                           std::span<const map::Passageway> passageways, std::span<const structures::Span> bridges) {
+  const Site site = site_of(features, passageways, bridges, ground, report);
   std::vector<std::optional<Planned>> planned(site.footprints.size());
   Account account;
   for (std::size_t i = 0; i < planned.size(); ++i) {

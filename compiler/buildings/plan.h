@@ -28,6 +28,7 @@ namespace citykiln::buildings {
 /// the footprints. A building on the plate of a bridge (structures/plates.h), unless its layer is lower, stands on
 /// that. Accepts any footprints.
 std::vector<Building> plan(const map::FeatureView& features, const ground::GradedTerrain& ground, Report& report,
+                           std::span<const map::Passageway> passageways = {},
                            std::span<const structures::Span> bridges = {});
 
 }  // namespace citykiln::buildings

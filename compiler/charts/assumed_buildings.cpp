@@ -24,9 +24,8 @@ map::Heightfield level_ground(const Box2& extent) {
 
 std::vector<Building> planned_on_level_ground(const map::Features& features) {
   Report ignored;
-  scene::Recipes recipes;
-  recipes.heights = level_ground(features.extent);
-  return buildings::plan(features, grade_whole_map(recipes, features.extent), ignored);
+  const map::Heightfield level = level_ground(features.extent);
+  return buildings::plan(features, grade_whole_map({.heights = level}, {}, features.extent), ignored);
 }
 
 /// True for buildings of one body that stand on the ground.

@@ -10,7 +10,7 @@
 #include "compiler/ground/cover/land_cover_index.h"
 #include "compiler/props/plan.h"
 #include "compiler/props/street_lamps.h"
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 #include "compiler/scene/land_cover.h"
 
 namespace citykiln::charts {
@@ -111,7 +111,7 @@ LampsByStreet lamps_by_street(const std::vector<Road>& roads, const std::vector<
 /// The lamps of a map: the mapped ones, and those along lit streets.
 LampsByStreet built_lamps(const map::Features& features) {
   Report ignored;
-  const std::vector<Road> roads = roads::plan(features, ignored);
+  const std::vector<Road> roads = roads::roads_on_ground(features, ignored);
   const std::vector<props::Lamp> mapped = props::plan(features, ignored).lamps;
   scene::CoverRecipes recipes{
       .areas = {}, .roads = roads, .junctions = {}, .watercourses = {}, .landforms = {}, .footprints = {}};

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "compiler/assume/assume.h"
+#include "compiler/assume/fit_widths.h"
 #include "compiler/map/locate.h"
-#include "compiler/roads/fit_assumed_widths.h"
 #include "compiler/source/read_osm.h"
 
 namespace citykiln::charts {
@@ -110,15 +110,16 @@ Result<Place> read_place(const std::string& path, int threads) {
   place.box = map::choose_box(place.osm, {});
   place.origin = map::default_origin(place.box);
   place.mapped = located(place, place.osm);
-  place.mapped.tracks = roads::fit_assumed_widths(place.mapped);
+  place.mapped.tracks = assume::fit_assumed_widths(place.mapped);
   return place;
 }
 
 map::Features guessed(const Place& place, LeftOut kind, const IsOut& is_out, Assumptions on) {
   Report ignored;
   map::Features features = located(place, without_tags(place.osm, kind, is_out));
-  features.tracks = roads::fit_assumed_widths(features);
-  return assume::assume(std::move(features), {.on = on, .seed = 0}, ignored);
+  assume::Assumed assumed = assume::assume(features, {.on = on, .seed = 0}, ignored);
+  features.tracks = std::move(assumed.tracks), features.footprints = std::move(assumed.footprints);
+  return features;
 }
 
 }  // namespace citykiln::charts

@@ -12,7 +12,7 @@
 #include "compiler/ground/water/plan_water_heights.h"
 #include "compiler/map/locate.h"
 #include "compiler/map/resample.h"
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 #include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_osm.h"
 #include "compiler/source/read_raster.h"
@@ -46,7 +46,7 @@ Result<ProfileInputs> read_profile_inputs(const ChartRequest& request) {
   Result<map::Heightfield> heights = map::resample(*rasters, plane, inputs.features.extent, ignored);
   if (!heights) return heights.error();
   inputs.heights = std::move(*heights);
-  inputs.roads = roads::plan(inputs.features, ignored);
+  inputs.roads = roads::roads_on_ground(inputs.features, ignored);
   inputs.junctions = roads::plan_junctions(inputs.roads, ignored);
   inputs.waters =
       ground::plan_water_heights(ground::plan(inputs.features, ignored), ground::plan_streams(inputs.features, ignored),

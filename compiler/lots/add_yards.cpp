@@ -88,49 +88,49 @@ struct YardMaker {
 };
 
 struct YardAdder {
-  map::Features& features;
+  Yards& yards;
 
   void add(const Lot& lot, const Yard& yard) {
-    const ObjectId building = features.footprints[lot.main].id;
+    const ObjectId building = yards.footprints[lot.main].id;
     const std::uint32_t first = map::kDerivedPart + kPartsOfBuilding * building.part;
     std::uint32_t part = first;
     for (const YardArea& area : yard.ground.areas) {
       const ObjectId id{building.osm, part++};
-      features.areas.push_back(
+      yards.areas.push_back(
           {.id = id, .polygon = area.polygon, .surface = area.surface, .area_m2 = area_m2(area.polygon)});
-      if (area.has_bays) features.sports_areas.push_back({id, kBays});
+      if (area.has_bays) yards.sports_areas.push_back({id, kBays});
     }
     part = first;
     for (std::size_t i = 0; i < yard.barriers.size() && i < kPartsOfBuilding / kPartsOfBarrier; ++i) {
       const YardBarrier& barrier = yard.barriers[i];
-      features.barriers.push_back({.id = {building.osm, part},
-                                   .axis = barrier.axis,
-                                   .kind = barrier.kind,
-                                   .height_m = barrier.height_m,
-                                   .width_m = width_of(barrier.kind)});
+      yards.barriers.push_back({.id = {building.osm, part},
+                                .axis = barrier.axis,
+                                .kind = barrier.kind,
+                                .height_m = barrier.height_m,
+                                .width_m = width_of(barrier.kind)});
       part += kPartsOfBarrier;
     }
     part = first;
     for (const YardPlant& plant : yard.plants) {
       const map::PlantKind kind = plant.is_shrub ? map::PlantKind::kBush : map::PlantKind::kUnknown;
-      features.points.push_back({.id = {building.osm, part++},
-                                 .at = plant.at,
-                                 .kind = map::PointKind::kTree,
-                                 .height_m = plant.height_m,
-                                 .plant_tags = {.kind = kind}});
+      yards.points.push_back({.id = {building.osm, part++},
+                              .at = plant.at,
+                              .kind = map::PointKind::kTree,
+                              .height_m = plant.height_m,
+                              .plant_tags = {.kind = kind}});
     }
-    if (wants_entrance(lot, features.footprints[lot.main]))
-      features.points.push_back(
+    if (wants_entrance(lot, yards.footprints[lot.main]))
+      yards.points.push_back(
           {.id = {building.osm, first + kEntrancePart}, .at = lot.door->at, .kind = map::PointKind::kEntrance});
   }
 };
 
 // Car parks without mapped lanes have bays.
-void add_bays(const MappedThings& mapped, map::Features& features, Report& report) {
-  for (const map::AreaFeature& area : features.areas) {
+void add_bays(const MappedThings& mapped, Yards& yards, Report& report) {
+  for (const map::AreaFeature& area : yards.areas) {
     if (area.surface != map::LandCoverClass::kParking || area.id.part >= map::kDerivedPart) continue;
     if (axis_enters(mapped.roads, area.polygon) || axis_enters(mapped.drives, area.polygon)) continue;
-    features.sports_areas.push_back({area.id, kBays});
+    yards.sports_areas.push_back({area.id, kBays});
     report.count_assumed(Assumption::kYards, area.id.osm);
   }
 }
@@ -154,27 +154,38 @@ std::vector<Lot> lots_of_map(const map::FeatureView& features, const LotInputs& 
   return lots_on(features, land_with(features, inputs), inputs);
 }
 
-map::Features with_yards(map::Features features, const LotInputs& inputs, Report& report) {
+map::FeatureView seen_with(map::FeatureView features, const Yards& yards) {
+  features.footprints = yards.footprints, features.areas = yards.areas, features.sports_areas = yards.sports_areas;
+  features.barriers = yards.barriers, features.points = yards.points;
+  return features;
+}
+
+Yards with_yards(const map::FeatureView& features, const LotInputs& inputs, Report& report) {
   MapLand land = land_with(features, inputs);
   std::vector<Lot> lots = lots_on(features, land, inputs);
   YardMaker maker{features, inputs, std::move(land), std::move(lots),
                   mapped_things(features, inputs.roads, inputs.junctions, inputs.private_ways)};
-  const std::vector<Yard> yards = maker.yards();
-  YardAdder adder{features};
-  for (std::size_t i = 0; i < yards.size(); ++i) {
+  const std::vector<Yard> made = maker.yards();
+  Yards yards{.footprints = {features.footprints.begin(), features.footprints.end()},
+              .areas = {features.areas.begin(), features.areas.end()},
+              .sports_areas = {features.sports_areas.begin(), features.sports_areas.end()},
+              .barriers = {features.barriers.begin(), features.barriers.end()},
+              .points = {features.points.begin(), features.points.end()}};
+  YardAdder adder{yards};
+  for (std::size_t i = 0; i < made.size(); ++i) {
     const Lot& lot = maker.lots[i];
     if (!maker.rules[i] || !is_in_extent(features, lot)) continue;
-    adder.add(lot, yards[i]);
-    map::Footprint& main = features.footprints[lot.main];
+    adder.add(lot, made[i]);
+    map::Footprint& main = yards.footprints[lot.main];
     main.assumed |= bit_of(Assumption::kYards);
     report.count_assumed(Assumption::kYards, main.id.osm);
   }
-  add_bays(maker.mapped, features, report);
-  std::ranges::stable_sort(features.areas, {}, &map::AreaFeature::id);
-  std::ranges::stable_sort(features.sports_areas, {}, &map::SportsArea::id);
-  std::ranges::stable_sort(features.barriers, {}, &map::Barrier::id);
-  std::ranges::stable_sort(features.points, {}, &map::PointFeature::id);
-  return features;
+  add_bays(maker.mapped, yards, report);
+  std::ranges::stable_sort(yards.areas, {}, &map::AreaFeature::id);
+  std::ranges::stable_sort(yards.sports_areas, {}, &map::SportsArea::id);
+  std::ranges::stable_sort(yards.barriers, {}, &map::Barrier::id);
+  std::ranges::stable_sort(yards.points, {}, &map::PointFeature::id);
+  return yards;
 }
 
 }  // namespace citykiln::lots

@@ -211,23 +211,23 @@ Result<HouseRules> read_house_rules(const grammars::Loader& load) {
   return rules;
 }
 
-map::Features with_houses(map::Features features, const LotInputs& inputs, const HouseRules& rules, Report& report) {
+std::vector<map::Footprint> with_houses(const map::FeatureView& features, const LotInputs& inputs,
+                                        const HouseRules& rules, Report& report) {
   MapLand land = land_of(features, inputs.roads, inputs.private_ways);
   land.land.split_empty = true;
   const parcels::Parcels parcels = parcels::divide(land.land, inputs.threads);
   const LotFiller filler{features, land, inputs, rules};
   const auto houses = for_each_slot<std::vector<map::Footprint>>(
       parcels.lots.size(), inputs.threads, [&](std::size_t i) { return filler.houses_on(parcels.lots[i]); });
-  std::vector<map::Footprint> made;
+  std::vector<map::Footprint> all(features.footprints.begin(), features.footprints.end());
   for (const std::vector<map::Footprint>& of_lot : houses)
     for (const map::Footprint& house : of_lot) {
       if (!features.extent.contains(centroid(house.polygon))) continue;
-      made.push_back(house);
+      all.push_back(house);
       report.count_assumed(Assumption::kHouses, house.id.osm);
     }
-  features.footprints.insert(features.footprints.end(), made.begin(), made.end());
-  std::ranges::stable_sort(features.footprints, {}, &map::Footprint::id);
-  return features;
+  std::ranges::stable_sort(all, {}, &map::Footprint::id);
+  return all;
 }
 
 }  // namespace citykiln::lots

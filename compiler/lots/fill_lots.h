@@ -11,6 +11,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
@@ -31,13 +32,14 @@ using HouseRules = std::map<std::string, grammars::Program, std::less<>>;
 /// Reads the rules that houses.inc names. Errors: those of read_rules().
 Result<HouseRules> read_house_rules(const grammars::Loader& load);
 
-/// Returns the features with houses on lots without buildings whose middle is residential land, or land of no mapped
-/// use beside a residential street. They are footprints of a type of their own (OsmType::kLot), numbered by the ids of
-/// lots, and marked with Assumption::kHouses.
+/// Returns the footprints, sorted by id, with houses on lots without buildings whose middle is residential land, or
+/// land of no mapped use beside a residential street. They are footprints of a type of their own (OsmType::kLot),
+/// numbered by the ids of lots, and marked with Assumption::kHouses.
 ///
 /// None stands on anything that is mapped, and none where the lot has no room for one. They have no roofs yet. A house
 /// depends on what lies within parcels::kInfluenceRadius_m. The result does not depend on the order of features.
 /// @param rules  The result of read_house_rules().
-map::Features with_houses(map::Features features, const LotInputs& inputs, const HouseRules& rules, Report& report);
+std::vector<map::Footprint> with_houses(const map::FeatureView& features, const LotInputs& inputs,
+                                        const HouseRules& rules, Report& report);
 
 }  // namespace citykiln::lots

@@ -18,6 +18,10 @@ char letter_of(LaneDirection way) {
 
 }  // namespace
 
+bool is_soft(LaneKind kind) {
+  return kind == LaneKind::kParking || kind == LaneKind::kShoulder || kind == LaneKind::kBuffer;
+}
+
 double carriageway_width_m(const CrossSection& section) {
   double sum = 0;
   for (const Lane& lane : section.lanes) sum += lane.is_raised ? 0 : lane.width_m;

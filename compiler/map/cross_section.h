@@ -67,6 +67,9 @@ enum RoadSide : std::uint8_t { kLeftSide = 1, kRightSide = 2, kBothSides = 3 };
 /// The side of the road on which traffic drives.
 enum class DrivingSide : std::uint8_t { kRight, kLeft };
 
+/// True for lanes that narrow first: parking, shoulders and buffers.
+bool is_soft(LaneKind kind);
+
 /// The width of all lanes that are not raised.
 double carriageway_width_m(const CrossSection& section);
 /// The width of all lanes.

@@ -328,12 +328,8 @@ struct Features {
   std::vector<ThingFeature> things{};
   /// Things outside of the extent that are nodes of power lines: wires hang on them, but they are not built.
   std::vector<ThingFeature> supports_beyond{};
-  /// Sorted by id, then by position. Set by assume_fronts(): without it no building has fronts.
-  std::vector<FrontPoint> fronts{};
   std::vector<TreeRow> tree_rows;
   std::vector<PowerLine> power_lines;
-  /// Sorted by building, then by way. Set by plan_passageways().
-  std::vector<Passageway> passageways{};
   std::vector<ElementText> texts{};  ///< Names and tags of the features' elements, sorted by id.
 };
 
@@ -352,10 +348,9 @@ struct FeatureView {
   std::span<const PointFeature> points;
   std::span<const ThingFeature> things;
   std::span<const ThingFeature> supports_beyond;
-  std::span<const FrontPoint> fronts;
+  std::span<const FrontPoint> fronts{};  ///< Sorted by id, then by position. None unless they are assumed.
   std::span<const TreeRow> tree_rows;
   std::span<const PowerLine> power_lines;
-  std::span<const Passageway> passageways;
 
   FeatureView(const Features& map)  // NOLINT: implicit, so that the map as it is can be read
       : extent(map.extent),
@@ -370,10 +365,8 @@ struct FeatureView {
         points(map.points),
         things(map.things),
         supports_beyond(map.supports_beyond),
-        fronts(map.fronts),
         tree_rows(map.tree_rows),
-        power_lines(map.power_lines),
-        passageways(map.passageways) {}
+        power_lines(map.power_lines) {}
 };
 
 }  // namespace citykiln::map

@@ -22,4 +22,13 @@ const LandCoverValues& values_of(LandCoverClass surface) {
   return kLandCoverValues[static_cast<std::size_t>(surface)];
 }
 
+Family family_of(LandCoverClass surface) {
+  if (surface == LandCoverClass::kRunway) return Family::kOther;
+  if (surface == LandCoverClass::kFarmTrack) return Family::kStreet;
+  const LandCoverGroup group = values_of(surface).group;
+  return group == LandCoverGroup::kRoad   ? Family::kStreet
+         : group == LandCoverGroup::kPath ? Family::kPath
+                                          : Family::kOther;
+}
+
 }  // namespace citykiln::map

@@ -50,4 +50,9 @@ struct LandCoverValues {
 /// Returns the row of a class.
 const LandCoverValues& values_of(LandCoverClass surface);
 
+/// Roads form junctions only with roads of their family: a footpath that ends on a street makes no junction. kOther
+/// (rails, runways) has no junctions at all.
+enum class Family : std::uint8_t { kStreet, kPath, kOther };
+Family family_of(LandCoverClass surface);
+
 }  // namespace citykiln::map

@@ -124,7 +124,13 @@ std::vector<Field> fields_of(ObjectId id, const Polygon& area, std::string_view 
   return {};
 }
 
-std::vector<Field> plan(const map::FeatureView& features) {
+Pitches plan(const map::FeatureView& features, const map::ThingTable& table) {
+  Pitches pitches{.fields = plan_fields(features), .equipment = {}};
+  pitches.equipment = things_of(pitches.fields, table, features);
+  return pitches;
+}
+
+std::vector<Field> plan_fields(const map::FeatureView& features) {
   std::vector<Field> fields;
   for (const map::SportsArea& pitch : features.sports_areas) {
     const auto area = std::ranges::lower_bound(features.areas, pitch.id, {}, &map::AreaFeature::id);

@@ -21,8 +21,17 @@ std::vector<Field> fields_of(ObjectId id, const Polygon& area, std::string_view 
 /// The share of a field's ground that must lie in its area.
 inline constexpr double kInside = 0.94;
 
+/// The sports fields of a map, and what stands on them.
+struct Pitches {
+  std::vector<Field> fields;                 ///< Sorted by id.
+  std::vector<map::ThingFeature> equipment;  ///< Sorted by id.
+};
+
+/// Returns the fields of all areas with a sport, with their equipment as far as the table of things has it.
+Pitches plan(const map::FeatureView& features, const map::ThingTable& table);
+
 /// Returns the fields of all areas with a sport, sorted by id.
-std::vector<Field> plan(const map::FeatureView& features);
+std::vector<Field> plan_fields(const map::FeatureView& features);
 
 /// Returns the equipment of fields as things, sorted by id. Equipment without a row in the table is left out, and any
 /// within 5 m of a mapped thing of its kind.

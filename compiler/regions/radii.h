@@ -3,6 +3,7 @@
 #pragma once
 
 #include "compiler/assume/bridge_pavements.h"
+#include "compiler/assume/fit_widths.h"
 #include "compiler/assume/fronts.h"
 #include "compiler/assume/heights.h"
 #include "compiler/assume/pavements.h"
@@ -16,7 +17,6 @@
 #include "compiler/plants/placing/blue_noise.h"
 #include "compiler/plants/placing/placing.h"
 #include "compiler/plants/recipe.h"
-#include "compiler/roads/fit_assumed_widths.h"
 #include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/pieces/stretches.h"
 #include "compiler/scene/scene.h"
@@ -36,8 +36,8 @@ namespace citykiln::regions {
 // | pieces of roads        | roads::kJunctionHalo_m         |     32 | junctions that end a stretch                   |
 // | running water          | ground::kMaxInfluence_m        |   1008 | the axis that gives a bank its height          |
 // | transitions of lanes   | map::kLongestTransition_m      |    512 | the ways before and after                      |
-// | assumed widths         | roads::kLongestFitted_m        |    512 | objects that are mapped beside the way         |
-// | assumed pavements      | assume::kPavementRadius_m      |    576 | houses beside the other end of the way         |
+// | assumed widths         | assume::kLongestFitted_m        |    512 | objects that are mapped beside the way | |
+// assumed pavements      | assume::kPavementRadius_m      |    576 | houses beside the other end of the way         |
 // | verges, parking        | assume::kPavementRadius_m      |    576 | the same, beside the same stretch              |
 // | assumed surfaces       | assume::kPavementRadius_m      |    576 | land use along the way                         |
 // | pavements on bridges   | assume::kLongestBridge_m       |    128 | streets at the other end                       |
@@ -69,7 +69,7 @@ inline constexpr double kStoreyRadius_m = 1700;
 /// The radius of what is assumed of a road: the fitted widths of the streets beside it, its pavements, then those of a
 /// bridge.
 inline constexpr double kAssumedRoads_m =
-    roads::kLongestFitted_m + assume::kPavementRadius_m + assume::kLongestBridge_m;
+    assume::kLongestFitted_m + assume::kPavementRadius_m + assume::kLongestBridge_m;
 
 /// The width of the data around a region that it is compiled with: at least the sum of radii along the longest chain of
 /// dependences, which is a tile, the supports of its wires, the roads and junctions that grade the ground below these,
@@ -92,7 +92,7 @@ static_assert(kRegionHalo_m >= scene::kHalo_m + plants::kObstacleInfluence_m + l
 inline constexpr double kFilledLotsHalo_m = 1792;
 static_assert(kFilledLotsHalo_m >= parcels::kInfluenceRadius_m + roads::kJunctionRadius_m + kAssumedRoads_m);
 
-static_assert(map::kLongestTransition_m <= roads::kLongestFitted_m);
+static_assert(map::kLongestTransition_m <= assume::kLongestFitted_m);
 static_assert(kRegionHalo_m >= scene::kHalo_m + ground::kMaxInfluence_m + plants::kInfluenceRadius_m);
 
 }  // namespace citykiln::regions

@@ -83,17 +83,6 @@ bool is_node(std::span<const Road> roads, const std::vector<Arm>& arms, Family f
 
 }  // namespace
 
-Family family_of(map::LandCoverClass surface) {
-  using map::LandCoverClass;
-  using map::LandCoverGroup;
-  if (surface == LandCoverClass::kRunway) return Family::kOther;
-  if (surface == LandCoverClass::kFarmTrack) return Family::kStreet;
-  const LandCoverGroup group = map::values_of(surface).group;
-  return group == LandCoverGroup::kRoad   ? Family::kStreet
-         : group == LandCoverGroup::kPath ? Family::kPath
-                                          : Family::kOther;
-}
-
 double disk_radius_m(std::span<const Road> roads, std::span<const Arm> arms) {
   constexpr double kMargin_m = 1.5, kLargest_m = 12;
   double tagged_m = 0, half_m = 0;

@@ -11,10 +11,8 @@
 
 namespace citykiln::roads {
 
-/// Roads form junctions only with roads of their family: a footpath that ends on a street makes no junction. kOther
-/// (rails, runways) has no junctions at all.
-enum class Family : std::uint8_t { kStreet, kPath, kOther };
-Family family_of(map::LandCoverClass surface);
+using map::Family;
+using map::family_of;
 
 /// True for streets of residential or higher class; false for driveways, car parks and tracks.
 bool is_through_street(const Road& road);

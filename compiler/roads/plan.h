@@ -1,22 +1,23 @@
-// Plans roads: turns tracks on the ground into road recipes.
+// Plans roads: tracks on the ground become roads and junctions, no wider than the buildings beside them allow.
 #pragma once
 
 #include <vector>
 
 #include "compiler/contract/report.h"
 #include "compiler/map/features.h"
+#include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::roads {
 
-/// Returns the track as a road, at its full width.
-Road road_of(const map::Track& track);
+/// The roads on the ground, without heights: ground::plan_profiles() decides these.
+struct RoadPlan {
+  std::vector<Road> roads;                   ///< Sorted by id, not wider than the buildings beside them allow.
+  std::vector<Junction> junctions;           ///< The junctions of these roads, at full width.
+  std::vector<map::Passageway> passageways;  ///< Sorted by building, then by way.
+};
 
-/// Returns the roads of all tracks on the ground, sorted by id. Ledger "roads/track": tracks on bridges and in tunnels
-/// become structures and count as merged. O(n).
-std::vector<Road> plan(const map::FeatureView& features, Report& report);
-
-/// Returns the ids of the ways that are tagged to lead through buildings or have a passageway in one, sorted. O(n).
-std::vector<OsmId> ways_through_buildings(const map::FeatureView& features);
+/// Plans passageways, roads, junctions and width limits, in this order.
+RoadPlan plan(const map::FeatureView& features, Report& report);
 
 }  // namespace citykiln::roads

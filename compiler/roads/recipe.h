@@ -55,9 +55,8 @@ struct Road {
   /// Marked nodes such as crossings, sorted; TrackPoint::vertex is an index into this axis.
   std::vector<map::TrackPoint> points;
   WidthLimits width_limits;
-  Profile profile{};   ///< Heights along the axis, set by ground::plan_profiles(). Empty before that, and for roads on
-                       ///< terrain that is not graded.
-  double riser_m = 0;  ///< The height of a step of stairs with a tagged number of steps; a multiple of 2^-10.
+  Profile profile{};           ///< Heights along the axis. Empty in a RoadPlan, and for roads that lie on the terrain.
+  double riser_m = 0;          ///< The height of a step of stairs with a tagged number of steps; a multiple of 2^-10.
   std::uint8_t handrails = 0;  ///< map::Handrail bits of stairs.
   map::CountryGroup country{};
   Assumptions assumed = kNoAssumptions;  ///< The assumptions made of it.

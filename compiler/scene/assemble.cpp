@@ -166,14 +166,14 @@ Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<cons
           .tree_rows = by_segments(grid, std::span(plants.rows), [](const auto&) { return std::optional(0.0); }),
           .corridors = by_segments(grid, std::span(plants.corridors),
                                    [](const auto& c) { return std::optional(c.width_m / 2); }),
-          .barriers = barriers_by_tile(grid, recipes.props.barriers),
-          .lamps = by_anchor(grid, std::span(recipes.props.lamps), [](const auto& lamp) { return lamp.at; }),
+          .barriers = barriers_by_tile(grid, recipes.barriers),
+          .lamps = by_anchor(grid, std::span(recipes.lamps), [](const auto& lamp) { return lamp.at; }),
           .things = by_anchor(grid, std::span(recipes.things), [](const auto& thing) { return thing.at; }),
           .wire_spans = by_anchor(grid, std::span(recipes.wire_spans), wires::middle_of)};
 }
 
 template <typename Object>
-std::vector<Object> pick(const std::vector<Object>& objects, const std::vector<std::uint32_t>& numbers) {
+std::vector<Object> pick(std::span<const Object> objects, const std::vector<std::uint32_t>& numbers) {
   std::vector<Object> picked;
   for (const std::uint32_t i : numbers) picked.push_back(objects[i]);
   return picked;
@@ -219,7 +219,7 @@ std::vector<ground::LandCoverPolygon> surfaces_for(const Recipes& recipes, const
 }
 
 template <typename Strip>
-std::vector<Strip> strips_for(const std::vector<Strip>& strips, const std::vector<std::uint32_t>& numbers,
+std::vector<Strip> strips_for(std::span<const Strip> strips, const std::vector<std::uint32_t>& numbers,
                               const Box2& tile, double halo_m) {
   std::vector<Strip> runs;
   for (const std::uint32_t i : numbers)
@@ -228,7 +228,7 @@ std::vector<Strip> strips_for(const std::vector<Strip>& strips, const std::vecto
 }
 
 // Lines are trimmed, areas whole.
-std::vector<ground::Landform> landforms_for(const std::vector<ground::Landform>& forms,
+std::vector<ground::Landform> landforms_for(std::span<const ground::Landform> forms,
                                             const std::vector<std::uint32_t>& numbers, const Box2& tile) {
   std::vector<ground::Landform> here;
   for (const std::uint32_t i : numbers) {
@@ -304,16 +304,16 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCover
   chunk.fields = pick(recipes.fields, sorted.fields[t]);
   chunk.watercourses = strips_for(recipes.watercourses, sorted.watercourses[t], tile, kHalo_m);
   chunk.landforms = landforms_for(recipes.landforms, sorted.landforms[t], tile);
-  chunk.bridges = pick(recipes.structures.bridges, sorted.bridges[t]);
-  chunk.tunnels = pick(recipes.structures.tunnels, sorted.tunnels[t]);
+  chunk.bridges = pick<structures::Span>(recipes.structures.bridges, sorted.bridges[t]);
+  chunk.tunnels = pick<structures::Span>(recipes.structures.tunnels, sorted.tunnels[t]);
   chunk.buildings = pick(recipes.buildings, sorted.buildings[t]);
-  chunk.trees = pick(recipes.plants.trees, sorted.trees[t]);
+  chunk.trees = pick<plants::Tree>(recipes.plants.trees, sorted.trees[t]);
   chunk.woods = growing_on(chunk.surfaces, recipes.plants.woods);
   chunk.plantings = growing_on(chunk.surfaces, recipes.plants.plantings);
-  chunk.tree_rows = pick(recipes.plants.rows, sorted.tree_rows[t]);
-  chunk.corridors = pick(recipes.plants.corridors, sorted.corridors[t]);
-  chunk.barriers = pick(recipes.props.barriers, sorted.barriers[t]);
-  chunk.lamps = pick(recipes.props.lamps, sorted.lamps[t]);
+  chunk.tree_rows = pick<plants::TreeRow>(recipes.plants.rows, sorted.tree_rows[t]);
+  chunk.corridors = pick<plants::PowerLineCorridor>(recipes.plants.corridors, sorted.corridors[t]);
+  chunk.barriers = pick(recipes.barriers, sorted.barriers[t]);
+  chunk.lamps = pick(recipes.lamps, sorted.lamps[t]);
   chunk.things = pick(recipes.things, sorted.things[t]);
   chunk.wire_spans = pick(recipes.wire_spans, sorted.wire_spans[t]);
   chunk.texts = texts_for(recipes.texts, chunk);

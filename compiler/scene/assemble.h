@@ -13,22 +13,23 @@
 
 namespace citykiln::scene {
 
-/// The recipes of the whole extent, made by the stages before this one.
+/// The recipes of the whole extent, made by the stages before this one. Refers to their products.
 struct Recipes {
-  map::Heightfield heights;
-  std::vector<ground::LandCoverPolygon> surfaces;
-  std::vector<roads::Road> roads;
-  std::vector<roads::Strip> watercourses;
-  std::vector<ground::Landform> landforms;
-  std::vector<roads::Junction> junctions;
-  std::vector<pitches::Field> fields{};
-  structures::Structures structures;
-  std::vector<buildings::Building> buildings;
-  plants::Plants plants;
-  props::Props props;
-  std::vector<things::Thing> things;
-  std::vector<wires::WireSpan> wire_spans;
-  std::vector<map::ElementText> texts;  ///< Sorted by id.
+  const map::Heightfield& heights;
+  std::span<const ground::LandCoverPolygon> surfaces;
+  std::span<const roads::Road> roads;
+  std::span<const roads::Strip> watercourses;
+  std::span<const ground::Landform> landforms;
+  std::span<const roads::Junction> junctions;
+  std::span<const pitches::Field> fields;
+  const structures::Structures& structures;
+  std::span<const buildings::Building> buildings;
+  const plants::Plants& plants;
+  std::span<const props::Barrier> barriers;
+  std::span<const props::Lamp> lamps;
+  std::span<const things::Thing> things;
+  std::span<const wires::WireSpan> wire_spans;
+  std::span<const map::ElementText> texts;  ///< Sorted by id.
 };
 
 /// Makes one chunk of recipes per tile. Chunk says which chunks hold an object that crosses a tile's border.

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cassert>
 
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
+#include "compiler/structures/plan_parapet_gaps.h"
+#include "compiler/structures/plan_piers.h"
 #include "compiler/structures/plates.h"
 #include "compiler/structures/span_ends.h"
 #include "compiler/structures/tunnel.h"
+#include "compiler/structures/within_extent.h"
 
 namespace citykiln::structures {
 namespace {
@@ -57,7 +60,13 @@ Structures plan(const map::FeatureView& features, std::span<const Profile> off_g
   diagnose_missing_plates(features, structures.bridges, report);
   count_spans(report, "bridge", structures.bridges);
   count_spans(report, "tunnel", structures.tunnels);
+  structures.bridges = find_parapet_gaps(std::move(structures.bridges));
   return structures;
+}
+
+Structures with_piers(const Structures& spans, const ground::GradedTerrain& graded,
+                      std::span<const ground::LandCoverPolygon> obstacles, const Box2& extent, Report& report) {
+  return within_extent({place_piers(spans.bridges, graded, obstacles, report), spans.tunnels}, extent, report);
 }
 
 }  // namespace citykiln::structures

@@ -25,8 +25,9 @@ double climb_m(const Polyline& axis, const ground::GradedTerrain& ground) {
 
 }  // namespace
 
-std::vector<roads::Road> with_risers(std::vector<roads::Road> roads, std::span<const map::Track> tracks,
+std::vector<roads::Road> with_risers(std::span<const roads::Road> without, std::span<const map::Track> tracks,
                                      const ground::GradedTerrain& ground, Report& report) {
+  std::vector<roads::Road> roads(without.begin(), without.end());
   for (roads::Road& road : roads) {
     if (road.surface != map::LandCoverClass::kSteps) continue;
     const auto track = std::ranges::lower_bound(tracks, road.id, {}, &map::Track::id);

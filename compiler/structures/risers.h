@@ -19,7 +19,7 @@ inline constexpr double kLowestRiser_m = 0.06, kHighestRiser_m = 0.3;
 /// is outside the limits, which is diagnosed as kStepCountContradicts. O(length of stairs).
 /// @param tracks  Sorted by id.
 /// @param ground  Heights along the stairs.
-std::vector<roads::Road> with_risers(std::vector<roads::Road> roads, std::span<const map::Track> tracks,
+std::vector<roads::Road> with_risers(std::span<const roads::Road> without, std::span<const map::Track> tracks,
                                      const ground::GradedTerrain& ground, Report& report);
 
 }  // namespace citykiln::structures

@@ -107,9 +107,10 @@ void add_things_on_arms(const roads::Junction& junction, std::span<const roads::
 
 }  // namespace
 
-std::vector<ThingFeature> with_one_for_each_arm(std::vector<ThingFeature> things, std::span<const roads::Road> roads,
+std::vector<ThingFeature> with_one_for_each_arm(std::span<const ThingFeature> things,
+                                                std::span<const roads::Road> roads,
                                                 std::span<const roads::Junction> junctions) {
-  const Mapped mapped = sorted_by_junctions(std::move(things), junctions);
+  const Mapped mapped = sorted_by_junctions({things.begin(), things.end()}, junctions);
   if (mapped.at_junctions.empty()) return mapped.others;
   std::vector<ThingFeature> all = mapped.others;
   const std::vector<std::vector<roads::Arm>> arms = roads::arms_of(junctions, roads);

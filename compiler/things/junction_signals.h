@@ -31,7 +31,7 @@ inline constexpr int kMostLanes = 4;
 /// where the junction begins. Its capacity is the number of lanes on which traffic comes in, its text is "left" for
 /// left-hand traffic. O(n log n), plus
 /// arms of junctions with such a thing times things.
-std::vector<map::ThingFeature> with_one_for_each_arm(std::vector<map::ThingFeature> things,
+std::vector<map::ThingFeature> with_one_for_each_arm(std::span<const map::ThingFeature> things,
                                                      std::span<const roads::Road> roads,
                                                      std::span<const roads::Junction> junctions);
 

@@ -109,8 +109,7 @@ std::vector<map::ThingFeature> with_derived(const map::FeatureView& features, co
   const auto append = [&](std::vector<map::ThingFeature>&& more) {
     std::ranges::move(more, std::back_inserter(things));
   };
-  for (auto& [kind, mapped] : on_arms)
-    append(with_one_for_each_arm(std::move(mapped), network.roads, network.junctions));
+  for (auto& [kind, mapped] : on_arms) append(with_one_for_each_arm(mapped, network.roads, network.junctions));
   if (kinds.contains(kCar)) append(parked_cars(spaces, features, network.roads, places, seed));
   return things;
 }
@@ -137,10 +136,11 @@ std::set<std::string> kind_names(const map::FeatureView& features, const map::Th
   return names;
 }
 
-std::vector<Thing> plan(const map::FeatureView& features, std::span<const roads::Road> roads,
-                        std::span<const roads::Junction> junctions, std::span<const ground::LandCoverPolygon> cover,
-                        std::span<const buildings::Building> buildings, const Kinds& kinds, std::uint64_t seed,
-                        Report& report) {
+std::vector<Thing> plan_mapped(const map::FeatureView& features, std::span<const roads::Road> roads,
+                               std::span<const roads::Junction> junctions,
+                               std::span<const ground::LandCoverPolygon> cover,
+                               std::span<const buildings::Building> buildings, const Kinds& kinds, std::uint64_t seed,
+                               Report& report) {
   const Axes axes = axes_of(roads);
   FreePlaces places(cover);
   const Roofs roofs(buildings);
@@ -200,6 +200,35 @@ std::vector<Thing> plan_supports_beyond(const map::FeatureView& features, const 
   }
   std::ranges::sort(supports, {}, &Thing::id);
   return supports;
+}
+
+Result<ThingPlan> plan(const map::FeatureView& features, const ThingInputs& inputs, Report& report) {
+  const auto& [catalogue, equipment, cover, roads, junctions, bridges, buildings, ground, assumed, seed] = inputs;
+  ThingPlan plan;
+  if (has(assumed, Assumption::kRailings))
+    plan.railings = assumed_railings(
+        features, {.cover = cover, .roads = roads, .bridges = bridges, .buildings = buildings, .ground = ground},
+        report);
+  plan.mapped.assign(features.things.begin(), features.things.end());
+  plan.mapped.insert(plan.mapped.end(), equipment.begin(), equipment.end());
+  map::FeatureView seen = features;
+  seen.things = plan.mapped;
+  if (has(assumed, Assumption::kMasts))
+    plan.contact_lines =
+        plan_contact_lines(seen, {.cover = cover, .roads = roads, .bridges = bridges, .ground = ground}, report);
+  std::erase_if(plan.mapped, [&](const auto& thing) { return plan.contact_lines.replaced.contains(thing.id.osm); });
+  seen.things = plan.mapped;
+  std::set<std::string> names = kind_names(seen, catalogue.table);
+  for (const Thing& mast : plan.contact_lines.masts) names.insert(mast.form.kind);
+  if (!names.empty()) {
+    Result<Kinds> kinds = kinds_of(catalogue, names);
+    if (!kinds) return kinds.error();
+    plan.kinds = std::move(*kinds);
+    plan.things = with_more(plan_mapped(seen, roads, junctions, cover, buildings, plan.kinds, seed, report),
+                            plan.contact_lines.masts);
+  }
+  plan.beyond = plan_supports_beyond(seen, plan.kinds, seed);
+  return plan;
 }
 
 }  // namespace citykiln::things

@@ -12,9 +12,38 @@
 #include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/recipe.h"
 #include "compiler/things/catalogue.h"
+#include "compiler/things/contact_masts.h"
+#include "compiler/things/railings.h"
 #include "compiler/things/recipe.h"
 
 namespace citykiln::things {
+
+/// All things of a map, and what other rooms hang on them or stand beside them.
+struct ThingPlan {
+  Kinds kinds;                            ///< The kinds of `things` and `beyond`.
+  std::vector<map::ThingFeature> mapped;  ///< The mapped things and the equipment of pitches, without replaced masts.
+  std::vector<Thing> things;              ///< Sorted by id, then by place.
+  std::vector<Thing> beyond;              ///< Supports of power lines outside of the extent, sorted by id.
+  ContactLines contact_lines;             ///< Its masts are among `things`.
+  std::vector<props::Barrier> railings;   ///< Sorted by id, then axis.
+};
+
+/// The data that things depend on, besides the map.
+struct ThingInputs {
+  const Catalogue& catalogue;
+  std::span<const map::ThingFeature> equipment;     ///< The equipment of pitches.
+  std::span<const ground::LandCoverPolygon> cover;  ///< The land cover of the whole map, with buildings.
+  std::span<const roads::Road> roads;               ///< On the ground; must outlive the result.
+  std::span<const roads::Junction> junctions;
+  std::span<const structures::Span> bridges;  ///< Must outlive the result.
+  std::span<const buildings::Building> buildings;
+  const ground::GradedTerrain& ground;
+  Assumptions assumed = kNoAssumptions;
+  std::uint64_t seed = 0;
+};
+
+/// Plans railings, contact lines and things, in this order. Errors: those of kinds_of().
+Result<ThingPlan> plan(const map::FeatureView& features, const ThingInputs& inputs, Report& report);
 
 /// Returns the names of the kinds of a map's things, and kCar if the table has it.
 std::set<std::string> kind_names(const map::FeatureView& features, const map::ThingTable& table);
@@ -26,10 +55,11 @@ std::set<std::string> kind_names(const map::FeatureView& features, const map::Th
 /// and is on none, is dropped, kAboveGround. Ledger "things/thing". O(things · land cover and buildings near them).
 /// @param cover  The land cover of the whole map, with buildings.
 /// @param kinds  The kinds of all things of the map; see kinds_of().
-std::vector<Thing> plan(const map::FeatureView& features, std::span<const roads::Road> roads,
-                        std::span<const roads::Junction> junctions, std::span<const ground::LandCoverPolygon> cover,
-                        std::span<const buildings::Building> buildings, const Kinds& kinds, std::uint64_t seed,
-                        Report& report);
+std::vector<Thing> plan_mapped(const map::FeatureView& features, std::span<const roads::Road> roads,
+                               std::span<const roads::Junction> junctions,
+                               std::span<const ground::LandCoverPolygon> cover,
+                               std::span<const buildings::Building> buildings, const Kinds& kinds, std::uint64_t seed,
+                               Report& report);
 
 /// Returns two lists of things as one, sorted by id.
 std::vector<Thing> with_more(std::vector<Thing> things, const std::vector<Thing>& more);

@@ -56,7 +56,7 @@ SpanPlanner planner_of(const map::FeatureView& features, const Surroundings& aro
   SpanPlanner planner{features, around, {}, index_crossings(around.roads, around.bridges), {}};
   add_supports(planner.supports, around.things, around.kinds, around.seed, around.ground);
   add_supports(planner.supports, around.beyond, around.kinds, around.seed, around.ground);
-  for (const map::ThingFeature& thing : features.things)
+  for (const map::ThingFeature& thing : around.mapped)
     if (thing.id.osm.type == OsmType::kNode) planner.mapped.insert(thing.id.osm.id);
   return planner;
 }

@@ -29,10 +29,11 @@ inline constexpr double kLeastOverRoad_m = 4.5;
 
 /// The data that spans depend on, besides the map.
 struct Surroundings {
-  std::span<const things::Thing> things;  ///< Sorted by id.
-  std::span<const things::Thing> beyond;  ///< Supports outside of the extent, sorted by id.
-  const things::Kinds& kinds;             ///< The kinds of both.
-  std::span<const roads::Road> roads;     ///< On the ground.
+  std::span<const map::ThingFeature> mapped;  ///< The features of these things.
+  std::span<const things::Thing> things;      ///< Sorted by id.
+  std::span<const things::Thing> beyond;      ///< Supports outside of the extent, sorted by id.
+  const things::Kinds& kinds;                 ///< The kinds of both.
+  std::span<const roads::Road> roads;         ///< On the ground.
   std::span<const structures::Span> bridges;
   const ground::GradedTerrain& ground;  ///< The graded terrain of the whole map.
   std::uint64_t seed = 0;

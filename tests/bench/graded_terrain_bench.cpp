@@ -9,7 +9,7 @@
 #include "compiler/map/locate.h"
 #include "compiler/map/resample.h"
 #include "compiler/pipeline.h"
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"
 #include "compiler/source/fill_gaps.h"
@@ -86,7 +86,7 @@ void profiles_of_a_country(benchmark::State& state) {
   std::vector<source::Raster> rasters;
   rasters.push_back(source::fill_voids(*source::read_raster(*source::parse_raster_spec(dem), nullptr), report));
   const map::Heightfield heights = *map::resample(rasters, plane, features.extent, report);
-  const std::vector<roads::Road> roads = roads::plan(features, report);
+  const std::vector<roads::Road> roads = roads::roads_on_ground(features, report);
   const std::vector<roads::Junction> junctions = roads::plan_junctions(roads, report);
   for (auto _ : state)
     benchmark::DoNotOptimize(ground::plan_profiles(features, roads, junctions, {}, {}, heights, report));

@@ -4,7 +4,7 @@
 
 #include "compiler/map/locate.h"
 #include "compiler/roads/junctions/junction.h"
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 #include "compiler/source/read_osm.h"
 #include "tests/bench/bench_data.h"
 
@@ -15,7 +15,7 @@ std::vector<Road> roads_of(const std::string& path) {
   Report ignored;
   const auto osm = source::read_osm(path, 0, ignored);
   const source::LonLatBox box = map::choose_box(*osm, {});
-  return plan(map::locate(*osm, map::Plane(map::default_origin(box)), box, {}, ignored), ignored);
+  return roads_on_ground(map::locate(*osm, map::Plane(map::default_origin(box)), box, {}, ignored), ignored);
 }
 
 void plan_and_outline(benchmark::State& state, const std::string& name) {

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "compiler/assume/assume.h"
+#include "compiler/assume/fit_widths.h"
 #include "compiler/map/locate.h"
-#include "compiler/roads/fit_assumed_widths.h"
 #include "compiler/source/read_osm.h"
 #include "tests/test_files.h"
 
@@ -103,7 +103,7 @@ std::vector<Track> streets_of(const OsmData& osm, Assumptions on) {
   Report report;
   const source::LonLatBox box = map::choose_box(osm, {});
   map::Features features = map::locate(osm, map::Plane(map::default_origin(box)), box, {}, report);
-  features.tracks = roads::fit_assumed_widths(features);
+  features.tracks = assume::fit_assumed_widths(features);
   return assume::assume(std::move(features), {.on = on, .seed = 0}, report).tracks;
 }
 

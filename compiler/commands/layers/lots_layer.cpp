@@ -3,24 +3,20 @@
 #include <utility>
 
 #include "compiler/assume/assume.h"
+#include "compiler/assume/fit_widths.h"
 #include "compiler/climate/climate_at.h"
 #include "compiler/lots/add_yards.h"
 #include "compiler/map/passageways.h"
-#include "compiler/roads/fit_assumed_widths.h"
 #include "compiler/roads/plan.h"
 #include "compiler/roads/width_limits/limit_widths.h"
 
 namespace citykiln::commands {
 
-Layer lots_layer(map::Features features, std::span<const OsmId> private_ways, const map::Plane& plane) {
+Layer lots_layer(const map::FeatureView& mapped, std::span<const OsmId> private_ways, const map::Plane& plane) {
   Report ignored;
-  features.tracks = roads::fit_assumed_widths(features);
-  features = assume::assume(std::move(features), {}, ignored);
-  features.passageways = map::plan_passageways(features, ignored);
-  std::vector<roads::Road> roads = roads::plan(features, ignored);
-  const std::vector<roads::Junction> junctions = roads::plan_junctions(roads, ignored);
-  roads = roads::limit_widths(std::move(roads), junctions, features.footprints, roads::ways_through_buildings(features),
-                              ignored);
+  const assume::Assumed assumed = assume::assume(mapped, {}, ignored);
+  const map::FeatureView features = seen_with(mapped, assumed);
+  const auto [roads, junctions, passageways] = roads::plan(features, ignored);
   const lots::ClimateAt climate_at = [&](Vec2 at) {
     const map::LonLat place = plane.backward(at);
     return climate::climate_at(place.lon_deg, place.lat_deg);

@@ -6,7 +6,7 @@
 #include "compiler/geometry/clip_polygon.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/roads/junctions/layers.h"
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 
 namespace citykiln::commands {
 namespace {
@@ -101,7 +101,7 @@ Layer mapped_junctions(const map::Features& features) {
   Report ignored;
   Layer layer;
   roads::RoadLayer ground;
-  ground.roads = roads::plan(features, ignored);
+  ground.roads = roads::roads_on_ground(features, ignored);
   ground.junctions = roads::plan_junctions(ground.roads, ignored);
   add_junctions(ground, features, layer);
   for (const roads::RoadLayer& network : roads::plan_layers(features, ignored)) add_junctions(network, features, layer);

@@ -20,7 +20,7 @@
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/profiles/planned_spans.h"
 #include "compiler/ground/profiles/profile_knots.h"
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 
 namespace citykiln::ground {
 namespace {

@@ -94,7 +94,7 @@ double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m) {
   return profile.empty() ? 0 : knot_at(profile, at_m).z_m;
 }
 
-Profiles plan_profiles(const map::FeatureView& features, std::vector<roads::Road> roads,
+Profiles plan_profiles(const map::FeatureView& features, std::span<const roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
                        std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,
                        double limit_scale, std::span<const Landform> landforms) {
@@ -106,7 +106,7 @@ Profiles plan_profiles(const map::FeatureView& features, std::vector<roads::Road
   const std::vector<double> lines_m = initial_heights(graph, heights, index_landforms(landforms));
   const JunctionPlanes planes = solve(graph, crossings, heights, lines_m);
 
-  Profiles profiles{std::move(roads), {}, {}};
+  Profiles profiles{{roads.begin(), roads.end()}, {}, {}};
   profiles.off_ground.resize(static_cast<std::size_t>(std::ranges::count_if(features.tracks, leaves_ground)));
   const LevelWays level(graph, planes, heights);
   for (const GraphWay& way : graph.ways) {

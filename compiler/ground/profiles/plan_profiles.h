@@ -45,7 +45,7 @@ struct ClearanceShortfall {
 /// The planned heights of all lines. A profile is a list of knots, heights at distances along a line, linear in
 /// between.
 struct Profiles {
-  std::vector<roads::Road> roads;   ///< The given roads, with their profiles.
+  std::vector<roads::Road> roads;   ///< The roads as they are built: the planned ones, with their profiles.
   std::vector<Profile> off_ground;  ///< One per track that leaves the ground, in the order of features.tracks.
   std::vector<ClearanceShortfall> shortfalls;  ///< One per pair, sorted by ids.
 };
@@ -70,7 +70,7 @@ double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m);
 /// no knots. The order of tracks and roads does not matter. Reports kTooSteep, kStepAtCrossing, kClearanceNotMet or
 /// kLayersContradict, kCrossingWithoutOrder, kTunnelLowered, kBridgeWithoutGround. Cannot fail. Depends on data within
 /// kProfileRadius_m.
-Profiles plan_profiles(const map::FeatureView& features, std::vector<roads::Road> roads,
+Profiles plan_profiles(const map::FeatureView& features, std::span<const roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
                        std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,
                        double limit_scale = 1, std::span<const Landform> landforms = {});

@@ -4,7 +4,7 @@
 
 #include "compiler/ground/grading/span_influence.h"
 #include "compiler/ground/profiles/grade_rules.h"
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 
 namespace citykiln::ground {
 namespace {

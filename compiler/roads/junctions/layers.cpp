@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "compiler/contract/disjoint_sets.h"
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 
 namespace citykiln::roads {
 namespace {

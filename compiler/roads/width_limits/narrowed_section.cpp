@@ -119,11 +119,6 @@ void narrow_carriageway(std::span<const map::Lane* const> lanes, std::span<doubl
 
 }  // namespace
 
-bool is_soft(map::LaneKind kind) {
-  using map::LaneKind;
-  return kind == LaneKind::kParking || kind == LaneKind::kShoulder || kind == LaneKind::kBuffer;
-}
-
 double min_half_width_m(const Road& road) {
   const double least_m = std::ranges::all_of(road.section.lanes, is_walked_or_cycled) ? kMinPath_m : kMinCarriageway_m;
   return std::min(least_m, width_m(road)) / 2;

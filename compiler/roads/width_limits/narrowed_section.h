@@ -29,8 +29,7 @@ inline constexpr double kMinCarriageway_m = 2.5;
 /// The width that a path keeps: one person with a pram.
 inline constexpr double kMinPath_m = 1;
 
-/// True for lanes that narrow first: parking, shoulders and buffers.
-bool is_soft(map::LaneKind kind);
+using map::is_soft;
 
 /// The minimum distance from the carriageway's middle to either kerb.
 double min_half_width_m(const Road& road);

@@ -37,6 +37,13 @@ map::PointFeature shop_at(double x, double y) {
   return point;
 }
 
+// Marks the footprints that get fronts, and returns the fronts.
+std::vector<map::FrontPoint> add_fronts(map::Features& features, Report& report) {
+  AssumedFronts made = assume_fronts(features, 1, report);
+  for (const std::uint32_t f : made.footprints) features.footprints[f].assumed |= bit_of(Assumption::kFronts);
+  return std::move(made.fronts);
+}
+
 std::size_t houses_with_fronts(const map::Features& features) {
   return static_cast<std::size_t>(std::ranges::count_if(
       features.footprints, [](const map::Footprint& f) { return has(f.assumed, Assumption::kFronts); }));
@@ -45,12 +52,12 @@ std::size_t houses_with_fronts(const map::Features& features) {
 TEST(AssumedFronts, AreInAShareOfTheHousesAlongAMainStreet) {
   Report report;
   map::Features features = row_of_houses();
-  assume_fronts(features, 1, report);
+  const std::vector<map::FrontPoint> fronts = add_fronts(features, report);
   // a share of 0.6
   EXPECT_GT(houses_with_fronts(features), 24u);
   EXPECT_LT(houses_with_fronts(features), 48u);
   EXPECT_EQ(report.assumed(Assumption::kFronts), houses_with_fronts(features));
-  for (const map::FrontPoint& front : features.fronts) {
+  for (const map::FrontPoint& front : fronts) {
     EXPECT_TRUE(front.is_assumed);
     EXPECT_EQ(front.at.y, 0.5);
   }
@@ -60,7 +67,7 @@ TEST(AssumedFronts, AreMoreAlongMainStreetsThanAlongResidentialOnes) {
   Report report;
   map::Features main = row_of_houses(), residential = row_of_houses(5, map::LandCoverClass::kResidentialRoad),
                 track = row_of_houses(5, map::LandCoverClass::kFarmTrack);
-  for (map::Features* features : {&main, &residential, &track}) assume_fronts(*features, 1, report);
+  for (map::Features* features : {&main, &residential, &track}) add_fronts(*features, report);
   EXPECT_LT(houses_with_fronts(residential), houses_with_fronts(main));
   EXPECT_EQ(houses_with_fronts(track), 0u);
 }
@@ -70,7 +77,7 @@ TEST(AssumedFronts, AreNotInLowNorDetachedHouses) {
   map::Features low = row_of_houses(2), detached = row_of_houses();
   for (std::size_t i = 0; i < detached.footprints.size(); i += 2) detached.footprints[i].polygon = {};
   for (map::Features* features : {&low, &detached}) {
-    assume_fronts(*features, 1, report);
+    add_fronts(*features, report);
     EXPECT_EQ(houses_with_fronts(*features), 0u);
   }
 }
@@ -79,13 +86,13 @@ TEST(AssumedFronts, AreNotNearMappedShops) {
   Report report;
   map::Features features = row_of_houses();
   features.points.push_back(shop_at(420, 3));
-  assume_fronts(features, 1, report);
+  const std::vector<map::FrontPoint> fronts = add_fronts(features, report);
   EXPECT_GT(houses_with_fronts(features), 0u);
-  for (const map::FrontPoint& front : features.fronts)
+  for (const map::FrontPoint& front : fronts)
     if (front.is_assumed) {
       EXPECT_GT(distance(front.at, {420, 3}), kFrontSearch_m - 14);
     }
-  EXPECT_EQ(std::ranges::count(features.fronts, false, &map::FrontPoint::is_assumed), 1);
+  EXPECT_EQ(std::ranges::count(fronts, false, &map::FrontPoint::is_assumed), 1);
 }
 
 TEST(AssumedFronts, DependOnTheirSurroundingsAlone) {
@@ -93,7 +100,7 @@ TEST(AssumedFronts, DependOnTheirSurroundingsAlone) {
   map::Features all = row_of_houses(), west = row_of_houses();
   west.footprints.resize(30);
   all.points.push_back(shop_at(800, 3));
-  for (map::Features* features : {&all, &west}) assume_fronts(*features, 1, report);
+  for (map::Features* features : {&all, &west}) add_fronts(*features, report);
   for (std::size_t i = 0; i < 29; ++i) EXPECT_EQ(all.footprints[i].assumed, west.footprints[i].assumed) << i;
 }
 
@@ -101,9 +108,9 @@ TEST(AssumedFronts, AreNoneIfTheyAreOff) {
   Report report;
   map::Features features = row_of_houses();
   features.points.push_back(shop_at(420, 3));
-  features = assume(std::move(features), {kNoAssumptions, 1}, report);
-  EXPECT_TRUE(features.fronts.empty());
-  EXPECT_EQ(houses_with_fronts(features), 0u);
+  const Assumed assumed = assume(features, {kNoAssumptions, 1}, report);
+  EXPECT_TRUE(assumed.fronts.empty());
+  for (const map::Footprint& f : assumed.footprints) EXPECT_EQ(f.assumed, kNoAssumptions);
 }
 
 }  // namespace

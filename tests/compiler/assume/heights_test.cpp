@@ -16,7 +16,9 @@ using map::Footprint;
 
 map::Features assumed(const std::string& text, std::uint64_t seed = 0) {
   Report report;
-  return assume_heights(map::features_of(text), seed, report);
+  map::Features features = map::features_of(text);
+  features.footprints = assume_heights(features, seed, report);
+  return features;
 }
 
 const Footprint& footprint_of(const map::Features& features, std::int64_t way) {
@@ -80,10 +82,11 @@ TEST(AssumedHeights, DoNotDependOnTheOrderOfFootprints) {
     text += house(i + 1, 12 * i, i % 2 == 0 ? "building=yes" : "building=yes building:levels=3");
   map::Features features = map::features_of(text);
   Report report;
-  const map::Features forward = assume_heights(features, 0, report);
+  const std::vector<Footprint> forward = assume_heights(features, 0, report);
   std::ranges::reverse(features.footprints);
-  const map::Features backward = assume_heights(features, 0, report);
-  for (const Footprint& f : forward.footprints) EXPECT_EQ(f.levels, footprint_of(backward, f.id.osm.id).levels);
+  map::Features backward = features;
+  backward.footprints = assume_heights(features, 0, report);
+  for (const Footprint& f : forward) EXPECT_EQ(f.levels, footprint_of(backward, f.id.osm.id).levels);
 }
 
 TEST(AssumedHeights, KeepClassesWithAHeightOfTheirOwn) {

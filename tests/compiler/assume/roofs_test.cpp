@@ -20,7 +20,8 @@ map::Features with_roofs(const std::string& text, CountryGroup country, std::uin
   map::Features features = map::features_of(text);
   for (Footprint& f : features.footprints) f.country = country;
   Report report;
-  return assume_roofs(std::move(features), seed, report);
+  features.footprints = assume_roofs(features, seed, report);
+  return features;
 }
 
 // Detached houses of 10 m by 8 m and of two storeys.

@@ -26,11 +26,12 @@ HouseRules shipped_house_rules() {
 }
 
 map::Features filled(map::Features features, Report& report) {
-  const std::vector<roads::Road> roads = roads::plan(features, report);
+  const std::vector<roads::Road> roads = roads::roads_on_ground(features, report);
   const ClimateAt climate_at = [](Vec2) { return climate::ClimateClass::kCfb; };
-  return with_houses(std::move(features),
-                     {.roads = roads, .junctions = {}, .private_ways = {}, .climate_at = climate_at, .seed = 1},
-                     shipped_house_rules(), report);
+  features.footprints =
+      with_houses(features, {.roads = roads, .junctions = {}, .private_ways = {}, .climate_at = climate_at, .seed = 1},
+                  shipped_house_rules(), report);
+  return features;
 }
 map::Features filled(map::Features features) {
   Report report;

@@ -8,7 +8,7 @@
 #include "compiler/lots/add_yards.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/roads/junctions/junction.h"
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 
 namespace citykiln::lots {
 
@@ -71,17 +71,21 @@ inline map::Features made_town(map::CountryGroup country = map::CountryGroup::kC
 inline map::Features town_with_yards(map::Features features, Report& report, std::vector<OsmId> private_ways = {},
                                      climate::ClimateClass climate = climate::ClimateClass::kCfb) {
   std::ranges::sort(features.tracks, {}, &map::Track::id);
-  const std::vector<roads::Road> roads = roads::plan(features, report);
+  const std::vector<roads::Road> roads = roads::roads_on_ground(features, report);
   const std::vector<roads::Junction> junctions = roads::plan_junctions(roads, report);
   const ClimateAt climate_at = [=](Vec2) { return climate; };
-  return with_yards(std::move(features),
-                    {.roads = roads,
-                     .junctions = junctions,
-                     .private_ways = private_ways,
-                     .climate_at = climate_at,
-                     .seed = 1,
-                     .threads = 1},
-                    report);
+  Yards yards = with_yards(features,
+                           {.roads = roads,
+                            .junctions = junctions,
+                            .private_ways = private_ways,
+                            .climate_at = climate_at,
+                            .seed = 1,
+                            .threads = 1},
+                           report);
+  features.footprints = std::move(yards.footprints), features.areas = std::move(yards.areas);
+  features.sports_areas = std::move(yards.sports_areas), features.barriers = std::move(yards.barriers);
+  features.points = std::move(yards.points);
+  return features;
 }
 inline map::Features town_with_yards(map::Features features) {
   Report report;
@@ -91,7 +95,7 @@ inline map::Features town_with_yards(map::Features features) {
 /// The lots of a map.
 inline std::vector<Lot> lots_of_town(const map::Features& features) {
   Report report;
-  const std::vector<roads::Road> roads = roads::plan(features, report);
+  const std::vector<roads::Road> roads = roads::roads_on_ground(features, report);
   const ClimateAt climate_at = [](Vec2) { return climate::ClimateClass::kCfb; };
   return lots_of_map(features, {.roads = roads, .junctions = {}, .private_ways = {}, .climate_at = climate_at});
 }

@@ -13,7 +13,7 @@ double clear_of_junction_m(map::LandCoverClass surface) {
   town.tracks = {street(1, {{-60, 0}, {0, 0}, {60, 0}}, surface), street(2, {{0, 0}, {0, 60}}, surface)};
   town.tracks[1].node_ids[0] = town.tracks[0].node_ids[1];
   Report report;
-  const std::vector<roads::Road> roads = roads::plan(town, report);
+  const std::vector<roads::Road> roads = roads::roads_on_ground(town, report);
   const MappedThings mapped = mapped_things(town, roads, roads::plan_junctions(roads, report), {});
   EXPECT_FALSE(mapped.junction_zones.all.empty());
   double half_m = 0;
@@ -33,7 +33,7 @@ TEST(MappedThings, CornersOfJunctionsReachFarAtSmallAngles) {
   town.tracks = {street(1, {{-60, 0}, {0, 0}, {60, 0}}, service), street(2, {{0, 0}, {60, 16}}, service)};
   town.tracks[1].node_ids[0] = town.tracks[0].node_ids[1];
   Report report;
-  const std::vector<roads::Road> roads = roads::plan(town, report);
+  const std::vector<roads::Road> roads = roads::roads_on_ground(town, report);
   const std::vector<roads::Junction> junctions = roads::plan_junctions(roads, report);
   const MappedThings mapped = mapped_things(town, roads, junctions, {});
   ASSERT_EQ(junctions.size(), 1u);
@@ -51,7 +51,7 @@ TEST(MappedThings, OuterCornersOfBendsAreSurfacesOfRoads) {
   map::Features town;
   town.tracks = {street(1, {{-60, 0}, {0, 0}, {0, 60}}), street(2, {{200, 0}, {140, 0}, {140, -60}})};
   Report report;
-  const std::vector<roads::Road> roads = roads::plan(town, report);
+  const std::vector<roads::Road> roads = roads::roads_on_ground(town, report);
   const MappedThings mapped = mapped_things(town, roads, {}, {});
   ASSERT_EQ(roads.size(), 2u);
   for (const roads::Road& road : roads) {
@@ -70,7 +70,7 @@ TEST(MappedThings, RoadsWhoseAxisDriftsAreAsWideAsTheyAreAtEachPlace) {
   map::Features town;
   town.tracks = {street(1, {{0, 0}, {50, 0}, {100, 0}})};
   Report report;
-  std::vector<roads::Road> roads = roads::plan(town, report);
+  std::vector<roads::Road> roads = roads::roads_on_ground(town, report);
   ASSERT_EQ(roads.size(), 1u);
   roads[0].section.axis_drift = 0.0625;
   const double left_m = roads::left_m(roads[0]) + roads::raised_left_m(roads[0]);

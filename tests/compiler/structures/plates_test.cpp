@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 #include "compiler/structures/plate_mesh.h"
 #include "tests/compiler/structures/made_spans.h"
 

@@ -41,7 +41,7 @@ std::vector<map::ThingFeature> cars_in_street(std::uint64_t seed) {
   const auto cover = cover_of_street();
   FreePlaces places(cover);
   const std::vector<roads::Road> roads = {parking_street()};
-  return parked_cars({}, {}, roads, places, seed);
+  return parked_cars({}, map::Features{}, roads, places, seed);
 }
 
 TEST(ParkedCars, StandInTheParkingLane) {
@@ -74,7 +74,7 @@ TEST(ParkedCars, APartOfAStreetHasTheCarsOfTheWhole) {
   part[0].axis = {{100, 0}, {300, 0}};
   part[0].start_along_m = 100;
   const auto whole = cars_in_street(1);
-  for (const map::ThingFeature& car : parked_cars({}, {}, part, places, 1))
+  for (const map::ThingFeature& car : parked_cars({}, map::Features{}, part, places, 1))
     EXPECT_EQ(std::ranges::count_if(whole, [&](const auto& other) { return other.id == car.id && other.at == car.at; }),
               1);
 }

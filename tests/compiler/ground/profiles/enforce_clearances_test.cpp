@@ -30,7 +30,7 @@ CrossingNetwork crossing_network(std::vector<map::Track> tracks) {
   CrossingNetwork m;
   Report report;
   m.features.tracks = std::move(tracks);
-  m.roads = roads::plan(m.features, report);
+  m.roads = roads::roads_on_ground(m.features, report);
   m.junctions = roads::plan_junctions(m.roads, report);
   m.graph = graph_of(m.features, m.roads, m.junctions);
   m.crossings = find_crossings(m.graph, m.features, {{}, {}, [](Vec2) { return 40.0; }});

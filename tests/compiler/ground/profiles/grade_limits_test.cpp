@@ -16,7 +16,7 @@ struct StraightRoad {
   explicit StraightRoad(double half_m) {
     features.tracks = {track(1, {{-half_m, 0}, {half_m, 0}})};
     Report report;
-    roads = roads::plan(features, report);
+    roads = roads::roads_on_ground(features, report);
     graph = graph_of(features, roads, {});
   }
 

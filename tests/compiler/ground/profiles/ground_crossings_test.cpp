@@ -48,7 +48,7 @@ TEST(GroundCrossings, BridgesAndTunnelsDoNotMeetTheGround) {
   map::Features features;
   features.tracks = {road, other};
   Report report;
-  const std::vector<roads::Road> roads = roads::plan(features, report);
+  const std::vector<roads::Road> roads = roads::roads_on_ground(features, report);
   EXPECT_TRUE(ground_crossings(graph_of(features, roads, {}).ways).empty());
 }
 
@@ -56,7 +56,7 @@ TEST(GroundCrossings, WaysThatShareANodeDoNotCrossThere) {
   map::Features features;
   features.tracks = {track(1, {{-300, 0}, {0, 0}, {300, 0}}), track(2, {{0, -300}, {0, 0}, {0, 300}})};
   Report report;
-  const std::vector<roads::Road> roads = roads::plan(features, report);
+  const std::vector<roads::Road> roads = roads::roads_on_ground(features, report);
   EXPECT_TRUE(ground_crossings(graph_of(features, roads, {}).ways).empty());
 }
 

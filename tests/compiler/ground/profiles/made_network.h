@@ -6,7 +6,7 @@
 
 #include "compiler/contract/random_sequence.h"
 #include "compiler/ground/profiles/measure_profiles.h"
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 
 namespace citykiln::ground {
 
@@ -87,7 +87,7 @@ inline Planned planned(map::Features features, const map::Heightfield& heights) 
   Planned p;
   map::Features sorted = features;
   std::ranges::sort(sorted.tracks, {}, &map::Track::id);
-  std::vector<roads::Road> roads = roads::plan(sorted, p.report);
+  std::vector<roads::Road> roads = roads::roads_on_ground(sorted, p.report);
   p.junctions = roads::plan_junctions(roads, p.report);
   p.profiles = plan_profiles(features, roads, p.junctions, {}, {}, heights, p.report);
   p.measures = measure_profiles(features, p.profiles);

@@ -502,7 +502,7 @@ TEST(Profiles, BridgesClearStandingWater) {
       {{OsmType::kWay, 99}, 0}, LandCoverClass::kLake, 800, {{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}}};
   lake.level_m = 39.5;
   Report report;
-  const auto roads = roads::plan(f, report);
+  const auto roads = roads::roads_on_ground(f, report);
   const map::Heightfield heights = field_from([](double, double) { return 40; });
   const Profiles p = plan_profiles(f, roads, {}, {}, std::span(&lake, 1), heights, report);
   EXPECT_GE(height_m(p.off_ground[0], 30), 39.5 + kClearanceOverWater_m - 0.05);
@@ -516,7 +516,7 @@ TEST(Profiles, AFootbridgeClearsAPondBetweenItsStations) {
       {{OsmType::kWay, 99}, 0}, LandCoverClass::kLake, 9, {{{-3, -1.5}, {3, -1.5}, {3, 1.5}, {-3, 1.5}}}};
   pond.level_m = 39.5;
   Report report;
-  const auto roads = roads::plan(f, report);
+  const auto roads = roads::roads_on_ground(f, report);
   const map::Heightfield heights = field_from([](double, double) { return 40; });
   const Profiles p = plan_profiles(f, roads, {}, {}, std::span(&pond, 1), heights, report);
   ASSERT_EQ(p.shortfalls.size(), 1u);

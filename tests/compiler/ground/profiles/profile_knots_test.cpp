@@ -15,7 +15,7 @@ struct LongRoad {
   LongRoad() {
     features.tracks = {track(1, {{0, 0}, {8192, 0}})};
     Report report;
-    roads = roads::plan(features, report);
+    roads = roads::roads_on_ground(features, report);
     graph = graph_of(features, roads, {});
   }
 

@@ -8,7 +8,7 @@
 #include "compiler/ground/plan.h"
 #include "compiler/ground/profiles/measure_profiles.h"
 #include "compiler/map/resample.h"
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 #include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
 #include "tests/compiler/roads/real_map.h"
@@ -62,7 +62,7 @@ TEST_P(ProfilesReal, MeetWithoutJumpsAndKeepTheirLimits) {
   const map::Features& features = real->features;
   const auto heights = read_heights(place, map::Plane(real->origin), features.extent, report);
   ASSERT_TRUE(heights) << to_string(heights.error());
-  const auto roads = roads::plan(features, report);
+  const auto roads = roads::roads_on_ground(features, report);
   const auto junctions = roads::plan_junctions(roads, report);
   const auto streams = plan_streams(features, report);
   const auto waters = plan(features, report);

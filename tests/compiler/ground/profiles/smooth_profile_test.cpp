@@ -15,7 +15,7 @@ struct ObliqueRoad {
   explicit ObliqueRoad(double half_m) {
     features.tracks = {track(1, {{-half_m, 5}, {half_m, 11}})};
     Report report;
-    roads = roads::plan(features, report);
+    roads = roads::roads_on_ground(features, report);
     graph = graph_of(features, roads, {});
   }
 };

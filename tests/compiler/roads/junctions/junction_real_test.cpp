@@ -7,7 +7,7 @@
 
 #include "compiler/map/locate.h"
 #include "compiler/roads/generate.h"
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 #include "compiler/source/read_osm.h"
 #include "tests/compiler/roads/junctions/junction_claims.h"
 #include "tests/compiler/roads/real_map.h"
@@ -188,7 +188,7 @@ TEST_P(JunctionsReal, AreSimpleWithoutSpikesApartAndWithinReach) {
   const auto real = read_real_map(path, report);
   ASSERT_TRUE(real) << to_string(real.error());
   const map::Plane plane(real->origin);
-  const std::vector<Road> roads = plan(real->features, report);
+  const std::vector<Road> roads = roads_on_ground(real->features, report);
 
   const std::vector<Junction> junctions = plan_junctions(roads, report);
   const auto outlines = outline_junctions(junctions, roads, 0);

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 
 namespace citykiln::roads {
 namespace {
@@ -40,7 +40,7 @@ TEST(RoadLayers, ABridgeOverAStreetMeetsNothing) {
   features.tracks = {track(1, Passage::kGround, 0, kEastward, {1, 2, 3}),
                      track(2, Passage::kBridge, 1, {{0, -60}, {0, 60}}, {4, 5})};
   Report report;
-  EXPECT_TRUE(plan_junctions(plan(features, report), report).empty());
+  EXPECT_TRUE(plan_junctions(roads_on_ground(features, report), report).empty());
   const auto layers = plan_layers(features, report);
   ASSERT_EQ(layers.size(), 1u);
   EXPECT_EQ(layers[0].roads.size(), 1u);
@@ -105,7 +105,7 @@ TEST(RoadLayers, AtAnAbutmentTheEndsSimplyMeet) {
                      track(2, Passage::kBridge, 1, {{0, 0}, {60, 0}}, {2, 3}),
                      track(3, Passage::kGround, 0, {{60, 0}, {120, 0}}, {3, 4})};
   Report report;
-  EXPECT_TRUE(plan_junctions(plan(features, report), report).empty());
+  EXPECT_TRUE(plan_junctions(roads_on_ground(features, report), report).empty());
   const auto layers = plan_layers(features, report);
   ASSERT_EQ(layers.size(), 1u);
   EXPECT_TRUE(layers[0].junctions.empty());
@@ -131,7 +131,7 @@ TEST(RoadLayers, EveryTrackIsOnTheGroundOrInOneLayer) {
     const map::Features features = tangle(seed);
     Report report;
     std::multiset<ObjectId> planned;
-    for (const Road& road : plan(features, report)) planned.insert(road.id);
+    for (const Road& road : roads_on_ground(features, report)) planned.insert(road.id);
     for (const RoadLayer& layer : plan_layers(features, report)) {
       EXPECT_FALSE(layer.roads.empty());
       EXPECT_TRUE(std::ranges::is_sorted(layer.roads, {}, &Road::id));

@@ -7,7 +7,7 @@
 
 #include "compiler/map/locate.h"
 #include "compiler/roads/generate.h"
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 #include "compiler/roads/width_limits/building_obstacles.h"
 #include "compiler/roads/width_limits/limit_widths.h"
 #include "compiler/roads/width_limits/narrowed_section.h"
@@ -59,7 +59,7 @@ TEST_P(LimitWidthsReal, KeepsOutOfBuildingsOrSaysThatItDoesNot) {
   const auto real = read_real_map(path, report);
   ASSERT_TRUE(real) << to_string(real.error());
   const map::Features& features = real->features;
-  const std::vector<Road> roads = plan(features, report);
+  const std::vector<Road> roads = roads_on_ground(features, report);
   const std::vector<Road> narrowed =
       limit_widths(roads, plan_junctions(roads, report), features.footprints, {}, report);
 

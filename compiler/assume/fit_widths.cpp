@@ -1,4 +1,4 @@
-#include "compiler/roads/fit_assumed_widths.h"
+#include "compiler/assume/fit_widths.h"
 
 #include <algorithm>
 #include <array>
@@ -10,14 +10,11 @@
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/lanes/narrowest_lanes.h"
-#include "compiler/roads/network.h"
-#include "compiler/roads/plan.h"
-#include "compiler/roads/width_limits/narrowed_section.h"
 
-namespace citykiln::roads {
+namespace citykiln::assume {
 namespace {
 
-constexpr double kBucket_m = 32;
+constexpr double kThingBucket_m = 32;
 // Lines are sampled at this distance.
 constexpr double kApart_m = 2;
 // A line that comes nearer to the axis crosses the way.
@@ -68,7 +65,7 @@ ThingIndex index_things(const map::FeatureView& features) {
   ThingIndex index{things_of(features), {}};
   std::vector<Box2> boxes;
   for (const Thing& thing : index.things) boxes.push_back(box_of(thing.places));
-  index.grid = grid_of(boxes, kBucket_m);
+  index.grid = grid_of(boxes, kThingBucket_m);
   return index;
 }
 
@@ -89,13 +86,13 @@ std::optional<double> offset_m(const Polyline& axis, Vec2 p) {
 }
 
 // How far the kerbs may be from the axis for one thing; both at least 0.
-struct Room {
+struct KerbRoom {
   double left_m = std::numeric_limits<double>::infinity(), right_m = std::numeric_limits<double>::infinity();
 };
 
 // The room that a thing leaves for the carriageway; unlimited if the thing is not beside the way or crosses it.
-Room room_beside(const Thing& thing, const Polyline& axis, double half_m) {
-  Room room;
+KerbRoom kerb_room(const Thing& thing, const Polyline& axis, double half_m) {
+  KerbRoom room;
   for (const Vec2 p : thing.places) {
     const std::optional<double> offset = offset_m(axis, p);
     if (!offset || std::abs(*offset) > half_m + thing.from_kerb_m) continue;
@@ -107,20 +104,20 @@ Room room_beside(const Thing& thing, const Polyline& axis, double half_m) {
 }
 
 // The rooms of all things beside a track, without those that leave it unchanged.
-std::vector<Room> rooms_beside(const map::Track& track, const ThingIndex& index, double half_m) {
-  std::vector<Room> rooms;
+std::vector<KerbRoom> rooms_beside(const map::Track& track, const ThingIndex& index, double half_m) {
+  std::vector<KerbRoom> rooms;
   const Box2 box = box_of(track.axis).widened(half_m + kTreeFromKerb_m);
   for (const std::uint32_t i : boxes_about(index.grid, box)) {
-    const Room room = room_beside(index.things[i], track.axis, half_m);
+    const KerbRoom room = kerb_room(index.things[i], track.axis, half_m);
     if (std::isfinite(room.left_m) || std::isfinite(room.right_m)) rooms.push_back(room);
   }
   return rooms;
 }
 
 // The room that all things leave. While it is less than least_m, the thing nearest to the axis is ignored.
-Room room_between(const std::vector<Room>& rooms, double least_m) {
+KerbRoom room_between(const std::vector<KerbRoom>& rooms, double least_m) {
   std::vector<double> left, right;
-  for (const Room& room : rooms) left.push_back(room.left_m), right.push_back(room.right_m);
+  for (const KerbRoom& room : rooms) left.push_back(room.left_m), right.push_back(room.right_m);
   std::ranges::sort(left), std::ranges::sort(right);
   std::size_t l = 0, r = 0;
   const auto at = [](const std::vector<double>& sides, std::size_t i) {
@@ -135,7 +132,7 @@ struct Fit {
   double width_m, left_m;
 };
 
-Fit fit_between(const Room& room, double left_m, double right_m, double least_m, bool may_move) {
+Fit fit_between(const KerbRoom& room, double left_m, double right_m, double least_m, bool may_move) {
   const double width_m = left_m + right_m;
   if (!may_move) {
     const double share = std::min({1.0, room.left_m / left_m, room.right_m / right_m});
@@ -150,7 +147,7 @@ Fit fit_between(const Room& room, double left_m, double right_m, double least_m,
 double narrow(map::Track& track, double taken_m, bool is_of_soft) {
   double most_m = 0;
   const auto spare_m = [&](const map::Lane& lane) {
-    const bool counts = !lane.is_raised && is_soft(lane.kind) == is_of_soft;
+    const bool counts = !lane.is_raised && map::is_soft(lane.kind) == is_of_soft;
     return counts ? std::max(0.0, lane.width_m - map::narrowest_m(lane, track.surface)) : 0;
   };
   for (const map::Lane& lane : track.section.lanes) most_m += spare_m(lane);
@@ -165,7 +162,8 @@ double narrow(map::Track& track, double taken_m, bool is_of_soft) {
 }
 
 bool can_be_fitted(const map::Track& track) {
-  const bool is_street = family_of(track.surface) == Family::kStreet && track.surface != map::LandCoverClass::kRunway;
+  const bool is_street =
+      map::family_of(track.surface) == map::Family::kStreet && track.surface != map::LandCoverClass::kRunway;
   // the whole way of a piece is longer than kLongestFitted_m
   if (track.section.axis_drift != 0 || track.is_piece) return false;
   return is_street && track.passage == map::Passage::kGround && !track.has_tagged_width &&
@@ -182,8 +180,8 @@ double narrowest_m(const map::Track& track) {
 map::Track fitted(map::Track track, const ThingIndex& index) {
   const double width_m = carriageway_width_m(track.section), left_m = track.section.axis_offset_m;
   const double right_m = width_m - left_m, least_m = narrowest_m(track);
-  const std::vector<Room> rooms = rooms_beside(track, index, std::max(left_m, right_m));
-  const Room room = room_between(rooms, least_m);
+  const std::vector<KerbRoom> rooms = rooms_beside(track, index, std::max(left_m, right_m));
+  const KerbRoom room = room_between(rooms, least_m);
   if (room.left_m >= left_m && room.right_m >= right_m) return track;
   const Fit fit = fit_between(room, left_m, right_m, least_m, !track.has_tagged_placement);
   const double rest_m = narrow(track, width_m - fit.width_m, true);
@@ -206,4 +204,4 @@ std::vector<map::Track> fit_assumed_widths(const map::FeatureView& features) {
   return tracks;
 }
 
-}  // namespace citykiln::roads
+}  // namespace citykiln::assume

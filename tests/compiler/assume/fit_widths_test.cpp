@@ -1,15 +1,19 @@
-#include "compiler/roads/fit_assumed_widths.h"
+#include "compiler/assume/fit_widths.h"
 
 #include <gtest/gtest.h>
 
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 
-namespace citykiln::roads {
+namespace citykiln::assume {
 namespace {
 
 using map::Lane;
 using map::LaneDirection;
 using map::LaneKind;
+using roads::left_m;
+using roads::right_m;
+using roads::Road;
+using roads::road_of;
 
 // A street along the x axis, two lanes of 2.75 m in its middle.
 map::Track two_lane_track(double long_m = 100) {
@@ -126,4 +130,4 @@ TEST(FitAssumedWidths, TheOrderOfThingsDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace citykiln::roads
+}  // namespace citykiln::assume

@@ -1,4 +1,4 @@
-#include "compiler/roads/plan.h"
+#include "compiler/roads/roads_on_ground.h"
 
 #include <gtest/gtest.h>
 
@@ -22,10 +22,10 @@ double reach_m(map::Track way) {
   features.tracks = {way_through_0_0(1, {{-50, 0}, {0, 0}, {50, 0}}, map::LandCoverClass::kRailway, 4), std::move(way)};
   features.tracks[0].points = {{.vertex = 1, .kind = map::TrackPointKind::kLevelCrossing}};
   Report report;
-  return plan(features, report).at(0).points.at(0).reach_quarters / 4.0;
+  return roads_on_ground(features, report).at(0).points.at(0).reach_quarters / 4.0;
 }
 
-TEST(PlanRoads, RailsAreCoveredAsWideAsTheWayThatCrossesThem) {
+TEST(RoadsOnGround, RailsAreCoveredAsWideAsTheWayThatCrossesThem) {
   using map::LandCoverClass;
   EXPECT_NEAR(reach_m(way_through_0_0(2, {{0, -9}, {0, 0}, {0, 9}}, LandCoverClass::kPavedFootPath, 2)), 1.25, 0.01);
   EXPECT_NEAR(reach_m(way_through_0_0(2, {{0, -9}, {0, 0}, {0, 9}}, LandCoverClass::kPrimaryRoad, 12)), 6.25, 0.01);
@@ -33,7 +33,7 @@ TEST(PlanRoads, RailsAreCoveredAsWideAsTheWayThatCrossesThem) {
   EXPECT_NEAR(reach_m(way_through_0_0(2, {{-9, -9}, {0, 0}, {9, 9}}, LandCoverClass::kPavedFootPath, 2)), 3, 0.01);
 }
 
-TEST(PlanRoads, ACrossingThatNoWayOnTheGroundHasIsLeftToTheUsualLength) {
+TEST(RoadsOnGround, ACrossingThatNoWayOnTheGroundHasIsLeftToTheUsualLength) {
   map::Track bridge = way_through_0_0(2, {{0, -9}, {0, 0}, {0, 9}}, map::LandCoverClass::kPrimaryRoad, 12);
   bridge.passage = map::Passage::kBridge;
   EXPECT_EQ(reach_m(bridge), 0);

@@ -12,7 +12,7 @@
 
 #include "compiler/map/features.h"
 
-namespace citykiln::roads {
+namespace citykiln::assume {
 
 /// Longer ways keep their widths, so that no object farther away than this changes a road.
 inline constexpr double kLongestFitted_m = 512;
@@ -31,4 +31,4 @@ std::vector<map::Track> fit_assumed_widths(const map::FeatureView& features);
 /// for others.
 inline constexpr double kTreeFromKerb_m = 0.5, kThingFromKerb_m = 0.25;
 
-}  // namespace citykiln::roads
+}  // namespace citykiln::assume
