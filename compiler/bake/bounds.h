@@ -1,6 +1,7 @@
 // Bounds of objects: a box in plan and an interval of heights, in plane metres.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "compiler/buildings/recipe.h"
@@ -10,6 +11,7 @@
 #include "compiler/ground/grading/road_influence.h"
 #include "compiler/map/plane/heightfield.h"
 #include "compiler/props/recipe.h"
+#include "compiler/scene/kinds.h"
 #include "compiler/structures/recipe.h"
 #include "compiler/structures/stairs.h"
 #include "compiler/wires/recipe.h"
@@ -48,6 +50,29 @@ Bounds bounds_of(const wires::WireSpan& span);
 Bounds bounds_of(const Placement& placement);
 /// The bounds of a mesh's vertices.
 Bounds bounds_of(const Mesh& mesh);
+
+/// The types of recipes that have an overload of bounds_of(): each object has a mesh of its own.
+template <typename Object>
+concept Bounded = requires(const Object& object) {
+  bounds_of(object);
+}
+|| requires(const Object& object, const map::Heightfield& terrain) { bounds_of(object, terrain); };
+/// Returns the bounds of an object of a chunk.
+template <Bounded Object>
+Bounds bounds_in(const scene::Chunk& chunk, const Object& object) {
+  if constexpr (requires { bounds_of(object); })
+    return bounds_of(object);
+  else
+    return bounds_of(object, chunk.heights);
+}
+/// Calls visit(object, bounds) for each object that has bounds: buildings, bridges, tunnels, barriers, wires.
+template <typename Visit>
+void for_each_bounded(const scene::Chunk& chunk, Visit visit) {
+  scene::for_each_element_kind(chunk, [&]<typename Object>(std::string_view, const std::vector<Object>& objects) {
+    if constexpr (Bounded<Object>)
+      for (const Object& object : objects) visit(object, bounds_in(chunk, object));
+  });
+}
 
 /// The bounds of the terrain in a box.
 Bounds bounds_of(const map::Heightfield& terrain, const Box2& box);

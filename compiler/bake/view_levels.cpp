@@ -66,11 +66,7 @@ int finest_needed(const View& view, const scene::Chunk& chunk, const Box2& box) 
   low.high_m += plants::kTallestPlant_m;
   int finest = level_for(view, low);
   const auto need = [&](const Bounds& bounds) { finest = std::min(finest, level_for(view, bounds)); };
-  for (const auto& building : chunk.buildings) need(bounds_of(building));
-  for (const auto& barrier : chunk.barriers) need(bounds_of(barrier, chunk.heights));
-  for (const auto* spans : {&chunk.bridges, &chunk.tunnels})
-    for (const structures::Span& span : *spans) need(bounds_of(span));
-  for (const wires::WireSpan& span : chunk.wire_spans) need(bounds_of(span));
+  for_each_bounded(chunk, [&](const auto&, const Bounds& bounds) { need(bounds); });
   for (const things::Thing& thing : chunk.things) {
     Bounds bounds = standing_bounds(chunk.heights, thing.at, length(Vec2{thing.form.width_m, thing.form.depth_m}) / 2,
                                     thing.form.height_m);

@@ -4,15 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string_view>
 #include <tuple>
 
 #include "compiler/contract/code_names.h"
 #include "compiler/contract/parse.h"
 #include "compiler/geometry/box.h"
 #include "compiler/map/plane/degrees.h"
+#include "compiler/scene/kinds.h"
 
 namespace citykiln::outputs {
 namespace {
@@ -25,30 +28,37 @@ std::optional<scene::TileKey> tile_at(const scene::Header& header, Vec2 at) {
                         static_cast<std::int32_t>(std::floor(at.y / header.tile_m))};
 }
 
-/// Adds the places of the objects in `ids`, each of which `place` maps to a point of the plane.
-template <typename Object, typename PlaceOf>
-void add_places(const std::vector<Object>& objects, const std::set<OsmId>& ids, PlaceOf place,
-                std::map<OsmId, Vec2>& places) {
-  for (const Object& object : objects)
-    if (ids.contains(object.id.osm)) places.emplace(object.id.osm, place(object));
+// The place of an object: the middle vertex of a line, the first vertex of a footprint. Watercourses, landforms and
+// areas have the place of their element.
+Vec2 point_of(const buildings::Building& b) { return b.footprint.outer.front(); }
+template <typename Object>
+Vec2 point_of(const Object& object) {
+  if constexpr (requires { object.at; })
+    return object.at;
+  else if constexpr (requires { object.axis; })
+    return object.axis[object.axis.size() / 2];
+  else
+    return middle_of(object);
 }
 
-/// The places of objects in a chunk: the middle vertex of a line, the first vertex of a footprint.
+// The step that decides where several recipes have one id: the first one counts. 3: none has a place.
+template <typename Object>
+constexpr int kPlaceStep =
+    std::derived_from<Object, roads::Road>                                                      ? 2
+    : std::same_as<Object, props::Barrier> || std::same_as<Object, plants::TreeRow>             ? 1
+    : std::derived_from<Object, roads::Strip> || std::same_as<Object, ground::LandCoverPolygon> ? 3
+                                                                                                : 0;
+
+// The places of objects in a chunk.
 std::map<OsmId, Vec2> places_in(const scene::Chunk& chunk, const std::set<OsmId>& ids) {
-  const auto point = [](const auto& object) { return object.at; };
-  const auto middle = [](const auto& object) { return object.axis[object.axis.size() / 2]; };
   std::map<OsmId, Vec2> places;
-  add_places(
-      chunk.buildings, ids, [](const auto& b) { return b.footprint.outer.front(); }, places);
-  add_places(chunk.trees, ids, point, places);
-  add_places(chunk.lamps, ids, point, places);
-  add_places(chunk.things, ids, point, places);
-  add_places(chunk.wire_spans, ids, wires::middle_of, places);
-  add_places(chunk.barriers, ids, middle, places);
-  add_places(chunk.tree_rows, ids, middle, places);
-  add_places(chunk.bridges, ids, middle, places);
-  add_places(chunk.tunnels, ids, middle, places);
-  add_places(chunk.roads, ids, middle, places);
+  for (const int step : {0, 1, 2})
+    scene::for_each_element_kind(chunk, [&]<typename Object>(std::string_view, const std::vector<Object>& objects) {
+      if constexpr (kPlaceStep<Object> < 3)
+        for (const Object& object : objects)
+          if (kPlaceStep<Object> == step && ids.contains(object.id.osm))
+            places.emplace(object.id.osm, point_of(object));
+    });
   return places;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "compiler/bake/feature_attributes.h"
@@ -9,6 +10,7 @@
 #include "compiler/buildings/style.h"
 #include "compiler/geometry/box.h"
 #include "compiler/map/plane/globe.h"
+#include "compiler/scene/kinds.h"
 
 namespace citykiln::outputs {
 namespace {
@@ -126,24 +128,26 @@ class RecordMaker {
   void add(const scene::Chunk& chunk) {
     chunk_ = &chunk;
     own_.clear();
-    for (const buildings::Building& b : chunk.buildings) add_object(b, (b.floor_m + b.top_m) / 2);
-    add_all(chunk.bridges), add_all(chunk.tunnels), add_all(chunk.roads), add_all(chunk.watercourses);
-    add_all(chunk.barriers), add_all(chunk.trees), add_all(chunk.tree_rows), add_all(chunk.lamps);
-    add_all(chunk.things), add_all(chunk.wire_spans);
-    // floors of buildings are not elements; they lie in tiles beside the building's, too
-    for (const ground::LandCoverPolygon& polygon : chunk.surfaces)
-      if (polygon.surface != map::LandCoverClass::kBuilding && polygon.id.part < map::kDerivedPart)
-        add_object(polygon, std::nullopt);
+    scene::for_each_element_kind(chunk, [&](std::string_view, const auto& objects) {
+      for (const auto& object : objects) add(object);
+    });
     add_attributes();
   }
 
   FeatureRecords records;
 
  private:
+  void add(const buildings::Building& b) { add_object(b, (b.floor_m + b.top_m) / 2); }
+  // dykes and cliffs have no record
+  void add(const ground::Landform&) {}
+  // floors of buildings are not elements; they lie in tiles beside the building's, too
+  void add(const ground::LandCoverPolygon& polygon) {
+    if (polygon.surface != map::LandCoverClass::kBuilding && polygon.id.part < map::kDerivedPart)
+      add_object(polygon, std::nullopt);
+  }
   template <typename Object>
-  void add_all(const std::vector<Object>& objects) {
-    for (const Object& object : objects)
-      if (object.id.part < map::kDerivedPart) add_object(object, std::nullopt);
+  void add(const Object& object) {
+    if (object.id.part < map::kDerivedPart) add_object(object, std::nullopt);
   }
 
   // @param z_m  Plane height of the middle; on the ground if empty.

@@ -9,6 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string_view>
 
 #include "compiler/bake/bake.h"
 #include "compiler/contract/program_version.h"
@@ -17,6 +18,7 @@
 #include "compiler/outputs/findings.h"
 #include "compiler/outputs/ledger_json.h"
 #include "compiler/outputs/written_tile_json.h"
+#include "compiler/scene/kinds.h"
 #include "exporters/run_files.h"
 #include "exporters/settle_folder.h"
 
@@ -61,31 +63,39 @@ OrderedJson diagnoses_of(const Report& report) {
   return diagnoses;
 }
 
-/// The number of different objects in all chunks: an object that crosses a tile border is in several.
-template <typename T>
-std::size_t different(const scene::Scene& scene, std::vector<T> scene::Chunk::*member) {
-  std::set<ObjectId> ids;
-  for (const scene::Chunk& chunk : scene.chunks) {
-    for (const T& object : chunk.*member) ids.insert(object.id);
-  }
-  return ids.size();
+/// The number of different objects of each kind in all chunks, by the kinds' names: an object that crosses a tile
+/// border is in several.
+std::map<std::string_view, std::size_t> different(const scene::Scene& scene) {
+  std::map<std::string_view, std::set<ObjectId>> ids;
+  for (const scene::Chunk& chunk : scene.chunks)
+    scene::for_each_element_kind(chunk, [&](std::string_view kind, const auto& objects) {
+      std::set<ObjectId>& of_kind = ids[kind];
+      for (const auto& object : objects) of_kind.insert(object.id);
+    });
+  std::map<std::string_view, std::size_t> counts;
+  for (const auto& [kind, of_kind] : ids) counts[kind] = of_kind.size();
+  return counts;
 }
+
+// The kinds that are counted, in the order of the report. Further kinds follow, by name.
+constexpr std::string_view kFirstKinds[] = {"roads", "surfaces", "bridges", "tunnels", "buildings",
+                                            "trees", "barriers", "lamps",   "things",  "wire_spans"};
+constexpr std::string_view kNotCounted[] = {"watercourses", "landforms", "tree_rows"};
 
 OrderedJson counts_of(const scene::Scene& scene) {
   std::size_t junctions = 0;
   for (const scene::Chunk& chunk : scene.chunks) junctions += scene::anchored_junctions(scene.header, chunk).size();
-  return {{"tiles", scene.chunks.size()},
-          {"roads", different(scene, &scene::Chunk::roads)},
-          {"junctions", junctions},
-          {"land_cover_polygons", different(scene, &scene::Chunk::surfaces)},
-          {"bridges", different(scene, &scene::Chunk::bridges)},
-          {"tunnels", different(scene, &scene::Chunk::tunnels)},
-          {"buildings", different(scene, &scene::Chunk::buildings)},
-          {"trees", different(scene, &scene::Chunk::trees)},
-          {"barriers", different(scene, &scene::Chunk::barriers)},
-          {"lamps", different(scene, &scene::Chunk::lamps)},
-          {"things", different(scene, &scene::Chunk::things)},
-          {"wire_spans", different(scene, &scene::Chunk::wire_spans)}};
+  std::map<std::string_view, std::size_t> of_kinds = different(scene);
+  OrderedJson counts = {{"tiles", scene.chunks.size()}};
+  for (const std::string_view kind : kFirstKinds) {
+    counts[kind == "surfaces" ? "land_cover_polygons" : std::string(kind)] = of_kinds[kind];
+    if (kind == "roads") counts["junctions"] = junctions;
+  }
+  for (const auto& [kind, count] : of_kinds)
+    if (std::ranges::find(kFirstKinds, kind) == std::end(kFirstKinds) &&
+        std::ranges::find(kNotCounted, kind) == std::end(kNotCounted))
+      counts[std::string(kind)] = count;
+  return counts;
 }
 
 OrderedJson levels_of(std::span<const WrittenTile> tiles, const Outputs& outputs) {

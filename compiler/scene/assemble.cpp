@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <concepts>
 #include <optional>
+#include <string_view>
 
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/ground/plan.h"
 #include "compiler/roads/trim.h"
+#include "compiler/scene/kinds.h"
 #include "compiler/scene/land_cover.h"
 
 namespace citykiln::scene {
@@ -67,9 +70,12 @@ ByTile by_touch(const TileGrid& grid, std::span<const Object> objects, BoxOf box
   return tiles;
 }
 
+// The objects of each kind by tile, under the names of the members of Chunk.
 struct Sorted {
-  ByTile surfaces, roads, junctions, fields, watercourses, landforms, near_buildings, buildings, bridges, tunnels,
-      trees, tree_rows, corridors, barriers, lamps, things, wire_spans;
+  ByTile near_buildings;
+#define ELEMENT(type, member, of_recipes) ByTile member;
+#define PART(type, member, of_recipes) ByTile member;
+#include "compiler/scene/kinds.inc"
 };
 
 Box2 box_of_road(const roads::Road& road) {
@@ -144,39 +150,73 @@ ByTile barriers_by_tile(const TileGrid& grid, std::span<const props::Barrier> ba
   return hedges;
 }
 
+// The place that decides to which tile an object belongs.
 Vec2 anchor_of(const buildings::Building& building) { return citykiln::box_of(building.footprint.outer).centre(); }
-
-Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<const ground::LandCoverPolygon> junctions) {
-  const plants::Plants& plants = recipes.plants;
-  return {.surfaces = by_touch(grid, std::span(recipes.surfaces), ground::box_of),
-          .roads = by_touch(grid, std::span(recipes.roads), box_of_road),
-          .junctions = by_touch(grid, junctions, ground::box_of),
-          .fields = by_touch(grid, std::span(recipes.fields), box_of_field),
-          .watercourses = by_touch(grid, std::span(recipes.watercourses), box_of_strip),
-          .landforms = by_touch(grid, std::span(recipes.landforms), box_of_landform),
-          .near_buildings = by_touch(grid, std::span(recipes.buildings),
-                                     [](const auto& b) { return citykiln::box_of(b.footprint.outer); }),
-          .buildings = by_anchor(grid, std::span(recipes.buildings), anchor_of),
-          .bridges = spans_by_tile(grid, recipes.structures.bridges),
-          .tunnels = spans_by_tile(grid, recipes.structures.tunnels),
-          .trees = by_touch(grid, std::span(plants.trees),
-                            [](const auto& t) {
-                              return near_tile({t.at, t.at});
-                            }),
-          .tree_rows = by_segments(grid, std::span(plants.rows), [](const auto&) { return std::optional(0.0); }),
-          .corridors = by_segments(grid, std::span(plants.corridors),
-                                   [](const auto& c) { return std::optional(c.width_m / 2); }),
-          .barriers = barriers_by_tile(grid, recipes.barriers),
-          .lamps = by_anchor(grid, std::span(recipes.lamps), [](const auto& lamp) { return lamp.at; }),
-          .things = by_anchor(grid, std::span(recipes.things), [](const auto& thing) { return thing.at; }),
-          .wire_spans = by_anchor(grid, std::span(recipes.wire_spans), wires::middle_of)};
+template <typename Object>
+Vec2 anchor_of(const Object& object) {
+  if constexpr (requires { object.at; })
+    return object.at;
+  else
+    return middle_of(object);
 }
 
+// The tiles of the objects of a kind: as a rule those of their anchors.
 template <typename Object>
-std::vector<Object> pick(std::span<const Object> objects, const std::vector<std::uint32_t>& numbers) {
-  std::vector<Object> picked;
-  for (const std::uint32_t i : numbers) picked.push_back(objects[i]);
-  return picked;
+ByTile tiles_of(const TileGrid& grid, std::span<const Object> objects) {
+  return by_anchor(grid, objects, [](const Object& object) { return anchor_of(object); });
+}
+ByTile tiles_of(const TileGrid& grid, std::span<const ground::LandCoverPolygon> surfaces) {
+  return by_touch(grid, surfaces, ground::box_of);
+}
+ByTile tiles_of(const TileGrid& grid, std::span<const roads::Road> roads) { return by_touch(grid, roads, box_of_road); }
+ByTile tiles_of(const TileGrid& grid, std::span<const roads::Strip> streams) {
+  return by_touch(grid, streams, box_of_strip);
+}
+ByTile tiles_of(const TileGrid& grid, std::span<const ground::Landform> forms) {
+  return by_touch(grid, forms, box_of_landform);
+}
+ByTile tiles_of(const TileGrid& grid, std::span<const pitches::Field> fields) {
+  return by_touch(grid, fields, box_of_field);
+}
+ByTile tiles_of(const TileGrid& grid, std::span<const structures::Span> spans) { return spans_by_tile(grid, spans); }
+ByTile tiles_of(const TileGrid& grid, std::span<const props::Barrier> barriers) {
+  return barriers_by_tile(grid, barriers);
+}
+ByTile tiles_of(const TileGrid& grid, std::span<const plants::Tree> trees) {
+  return by_touch(grid, trees, [](const auto& t) { return near_tile({t.at, t.at}); });
+}
+ByTile tiles_of(const TileGrid& grid, std::span<const plants::TreeRow> rows) {
+  return by_segments(grid, rows, [](const auto&) { return std::optional(0.0); });
+}
+ByTile tiles_of(const TileGrid& grid, std::span<const plants::PowerLineCorridor> corridors) {
+  return by_segments(grid, corridors, [](const auto& c) { return std::optional(c.width_m / 2); });
+}
+// Junctions are sorted by their polygons; woods and plantings are where their surfaces are.
+ByTile tiles_of(const TileGrid&, std::span<const roads::Junction>) { return {}; }
+ByTile tiles_of(const TileGrid&, std::span<const plants::Wood>) { return {}; }
+ByTile tiles_of(const TileGrid&, std::span<const plants::Planting>) { return {}; }
+
+Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<const ground::LandCoverPolygon> junctions) {
+  Sorted sorted;
+#define ELEMENT(type, member, of_recipes) sorted.member = tiles_of(grid, std::span<const type>(recipes.of_recipes));
+#define PART(type, member, of_recipes) sorted.member = tiles_of(grid, std::span<const type>(recipes.of_recipes));
+#include "compiler/scene/kinds.inc"
+  sorted.junctions = by_touch(grid, junctions, ground::box_of);
+  sorted.near_buildings =
+      by_touch(grid, std::span(recipes.buildings), [](const auto& b) { return citykiln::box_of(b.footprint.outer); });
+  return sorted;
+}
+
+// Kinds whose recipes are trimmed to the tile, or depend on others of the chunk: chunk_of() sets them itself.
+template <typename Object>
+constexpr bool kIsTrimmed = std::derived_from<Object, roads::Strip> || std::same_as<Object, roads::Road> ||
+                            std::same_as<Object, ground::LandCoverPolygon> || std::same_as<Object, roads::Junction> ||
+                            std::same_as<Object, plants::Wood> || std::same_as<Object, plants::Planting>;
+
+template <typename Object>
+void pick(std::span<const Object> objects, const ByTile& tiles, std::size_t t, std::vector<Object>& picked) {
+  if constexpr (!kIsTrimmed<Object>)
+    for (const std::uint32_t i : tiles[t]) picked.push_back(objects[i]);
 }
 
 bool covers_tile(const ground::LandCoverPolygon& surface, const Box2& tile) {
@@ -277,14 +317,9 @@ std::vector<Growing> growing_on(const std::vector<ground::LandCoverPolygon>& sur
 // The texts of the elements from which the chunk's recipes are made.
 std::vector<map::ElementText> texts_for(std::span<const map::ElementText> texts, const Chunk& chunk) {
   std::vector<OsmId> ids;
-  const auto add = [&](const auto&... kinds) {
-    const auto add_kind = [&](const auto& kind) {
-      for (const auto& object : kind) ids.push_back(object.id.osm);
-    };
-    (add_kind(kinds), ...);
-  };
-  add(chunk.surfaces, chunk.roads, chunk.watercourses, chunk.landforms, chunk.bridges, chunk.tunnels, chunk.buildings,
-      chunk.trees, chunk.tree_rows, chunk.barriers, chunk.lamps, chunk.things, chunk.wire_spans);
+  for_each_element_kind(chunk, [&](std::string_view, const auto& objects) {
+    for (const auto& object : objects) ids.push_back(object.id.osm);
+  });
   sort_unique(ids);
   std::vector<map::ElementText> here;
   for (const OsmId id : ids)
@@ -298,24 +333,16 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCover
   Chunk chunk;
   chunk.tile = grid.tiles[t];
   chunk.heights = map::window_of(recipes.heights, tile.widened(kHalo_m));
+#define ELEMENT(type, member, of_recipes) pick<type>(recipes.of_recipes, sorted.member, t, chunk.member);
+#define PART(type, member, of_recipes) pick<type>(recipes.of_recipes, sorted.member, t, chunk.member);
+#include "compiler/scene/kinds.inc"
   chunk.surfaces = surfaces_for(recipes, sorted, junctions, t, tile);
   chunk.roads = strips_for(recipes.roads, sorted.roads[t], tile, kRoadHalo_m);
   chunk.junctions = junctions_for(recipes, sorted, t, tile);
-  chunk.fields = pick(recipes.fields, sorted.fields[t]);
   chunk.watercourses = strips_for(recipes.watercourses, sorted.watercourses[t], tile, kHalo_m);
   chunk.landforms = landforms_for(recipes.landforms, sorted.landforms[t], tile);
-  chunk.bridges = pick<structures::Span>(recipes.structures.bridges, sorted.bridges[t]);
-  chunk.tunnels = pick<structures::Span>(recipes.structures.tunnels, sorted.tunnels[t]);
-  chunk.buildings = pick(recipes.buildings, sorted.buildings[t]);
-  chunk.trees = pick<plants::Tree>(recipes.plants.trees, sorted.trees[t]);
   chunk.woods = growing_on(chunk.surfaces, recipes.plants.woods);
   chunk.plantings = growing_on(chunk.surfaces, recipes.plants.plantings);
-  chunk.tree_rows = pick<plants::TreeRow>(recipes.plants.rows, sorted.tree_rows[t]);
-  chunk.corridors = pick<plants::PowerLineCorridor>(recipes.plants.corridors, sorted.corridors[t]);
-  chunk.barriers = pick(recipes.barriers, sorted.barriers[t]);
-  chunk.lamps = pick(recipes.lamps, sorted.lamps[t]);
-  chunk.things = pick(recipes.things, sorted.things[t]);
-  chunk.wire_spans = pick(recipes.wire_spans, sorted.wire_spans[t]);
   chunk.texts = texts_for(recipes.texts, chunk);
   return chunk;
 }

@@ -28,7 +28,9 @@ std::size_t cell_at(const Box2& tile, Vec2 place) {
 
 // The objects that one cell bakes at one level, as indices among the chunk's objects.
 struct CellObjects {
-  std::vector<std::uint32_t> buildings, barriers, bridges, tunnels, wire_spans;
+#define ELEMENT(type, member, of_recipes) std::vector<std::uint32_t> member{};
+#define PART(type, member, of_recipes)
+#include "compiler/scene/kinds.inc"
   std::shared_ptr<SharedByLevels> placed{};  // graded terrain, and the cell's own plants, lamps, pits and stairs
 };
 
@@ -78,11 +80,9 @@ class Sorter {
 
   void sort() {
     const scene::Chunk& chunk = tile_.chunk;
-    number(chunk.buildings, &CellObjects::buildings, [](const auto& b) { return bounds_of(b); });
-    number(chunk.barriers, &CellObjects::barriers, [&](const auto& b) { return bounds_of(b, chunk.heights); });
-    number(chunk.bridges, &CellObjects::bridges, [](const auto& b) { return bounds_of(b); });
-    number(chunk.tunnels, &CellObjects::tunnels, [](const auto& b) { return bounds_of(b); });
-    number(chunk.wire_spans, &CellObjects::wire_spans, [](const auto& s) { return bounds_of(s); });
+#define ELEMENT(type, member, of_recipes) number(chunk.member, &CellObjects::member);
+#define PART(type, member, of_recipes)
+#include "compiler/scene/kinds.inc"
     // levels with and without road surfaces have one each
     for (std::size_t part = 0; part < shared_.size(); ++part)
       if (part == 0 || shared_[part] != shared_[part - 1]) sort_placed(*shared_[part]);
@@ -92,10 +92,12 @@ class Sorter {
  private:
   std::size_t part_of(const Bounds& bounds) const { return part_at(tile_.parts, level_for(tile_.view.view, bounds)); }
 
-  template <typename Object, typename BoundsOf>
-  void number(const std::vector<Object>& all, std::vector<std::uint32_t> CellObjects::*list, BoundsOf bounds_of_one) {
+  template <typename Object>
+  void number(const std::vector<Object>&, std::vector<std::uint32_t> CellObjects::*) {}
+  template <Bounded Object>
+  void number(const std::vector<Object>& all, std::vector<std::uint32_t> CellObjects::*list) {
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const Bounds bounds = bounds_of_one(all[i]);
+      const Bounds bounds = bounds_in(tile_.chunk, all[i]);
       CellObjects& objects = tile_.objects[cell_at(tile_.box, bounds.plan.centre())][part_of(bounds)];
       (objects.*list).push_back(static_cast<std::uint32_t>(i));
     }
@@ -178,11 +180,9 @@ std::vector<Object> chosen(const std::vector<Object>& all, const std::vector<std
 scene::Chunk chunk_of(const scene::Chunk& all, const CellObjects& objects) {
   scene::Chunk chunk;
   chunk.tile = all.tile, chunk.heights = all.heights;
-  chunk.buildings = chosen(all.buildings, objects.buildings);
-  chunk.barriers = chosen(all.barriers, objects.barriers);
-  chunk.bridges = chosen(all.bridges, objects.bridges);
-  chunk.tunnels = chosen(all.tunnels, objects.tunnels);
-  chunk.wire_spans = chosen(all.wire_spans, objects.wire_spans);
+#define ELEMENT(type, member, of_recipes) chunk.member = chosen(all.member, objects.member);
+#define PART(type, member, of_recipes)
+#include "compiler/scene/kinds.inc"
   return chunk;
 }
 

@@ -1,6 +1,7 @@
 // cell_bounds() of bake_cell.h.
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 
 #include "compiler/bake/cells/bake_cell.h"
 #include "compiler/bake/ground/ground_beyond.h"
@@ -39,11 +40,9 @@ class CellBoxes {
     for (const ViewCell& cell : cells) bounds_.push_back(ground_of(cell));
     for (const Box2& outside : ground_beyond(header_, chunk_))
       grow(bounds_[cell_beside(cells, outside)], ground_at(outside));
-    for (const auto& building : chunk_.buildings) add(bounds_of(building));
-    for (const auto& barrier : chunk_.barriers) add(widened_bounds(bounds_of(barrier, chunk_.heights), kGraded_m));
-    for (const auto* spans : {&chunk_.bridges, &chunk_.tunnels})
-      for (const structures::Span& span : *spans) add(bounds_of(span));
-    for (const wires::WireSpan& span : chunk_.wire_spans) add(bounds_of(span));
+    for_each_bounded(chunk_, [&]<typename Object>(const Object&, const Bounds& bounds) {
+      add(std::same_as<Object, props::Barrier> ? widened_bounds(bounds, kGraded_m) : bounds);
+    });
     for (const things::Thing& thing : chunk_.things) add_thing(thing);
     for (const roads::Road& road : chunk_.roads)
       if (road.surface == map::LandCoverClass::kSteps) add_steps(road);
