@@ -10,15 +10,16 @@
 #include <limits>
 
 #include "compiler/assume/beside.h"
+#include "compiler/map/cross_section.h"
 
 namespace citykiln::assume {
 
 /// If a way meets the stretch at a node, it does not limit the room within this distance of the node: there is a
 /// junction.
 inline constexpr double kJunctionReach_m = 24;
-/// If a wall is nearer to the kerb than this at any place, the room is 0. The value is what roads/width_limits keeps of
-/// a pavement, with its rounding. In bends, between corners of the axis less than 8 m apart, it is 2 m.
-inline constexpr double kLeastBeforeWalls_m = 0.75;
+/// If a wall is nearer to the kerb than this at any place, the room is 0: what roads/width_limits keeps of a pavement,
+/// and its rounding to quarter metres. In bends, between corners of the axis less than 8 m apart, it is 2 m.
+inline constexpr double kLeastBeforeWalls_m = map::kMinPavement_m + 0.25;
 /// The widest strip for which the room is measured. A greater room is infinite.
 inline constexpr double kWidestStrip_m = 8;
 

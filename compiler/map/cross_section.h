@@ -58,6 +58,10 @@ struct CrossSection {
   bool operator==(const CrossSection&) const = default;
 };
 
+/// The width that a pavement keeps between buildings while the carriageway can narrow: a kerb stone and a foot beside
+/// it. Its width elsewhere is tagged, or kSidewalk_m of map/lanes/lane_rules.inc.
+inline constexpr double kMinPavement_m = 0.5;
+
 /// The greatest slope of an axis within its carriageway.
 inline constexpr double kMostDrift = 0.5;
 

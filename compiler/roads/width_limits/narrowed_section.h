@@ -19,10 +19,6 @@ namespace citykiln::roads {
 /// without visible steps.
 inline constexpr double kTaper = 0.125;
 
-/// The width that a pavement keeps between buildings while the carriageway can narrow: a kerb stone and a foot beside
-/// it. Its width elsewhere is tagged, or kSidewalk_m of map/lanes/lane_rules.inc.
-inline constexpr double kMinPavement_m = 0.5;
-
 /// The width that a carriageway for cars keeps: a vehicle of 2.5 m, the widest without a permit.
 inline constexpr double kMinCarriageway_m = 2.5;
 
@@ -30,6 +26,7 @@ inline constexpr double kMinCarriageway_m = 2.5;
 inline constexpr double kMinPath_m = 1;
 
 using map::is_soft;
+using map::kMinPavement_m;
 
 /// The minimum distance from the carriageway's middle to either kerb.
 double min_half_width_m(const Road& road);
