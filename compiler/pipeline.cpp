@@ -33,14 +33,6 @@
 namespace citykiln {
 namespace {
 
-// The class of climate of places in the plane.
-lots::ClimateAt climate_of_places(const map::Plane& plane) {
-  return [&plane](Vec2 at) {
-    const map::LonLat place = plane.backward(at);
-    return climate::climate_at(place.lon_deg, place.lat_deg);
-  };
-}
-
 // The things and species that the map is read with: those of citykiln, and those of the folders that the spec names.
 struct Tables {
   things::Catalogue catalogue;
@@ -87,18 +79,29 @@ Result<Located> locate(const CompileSpec& spec, const std::string& extract, cons
   return Located{std::move(*osm), std::move(plane), std::move(map), std::move(*heights)};
 }
 
-// Calls a function of the inputs of lots.
-template <typename Plan>
-auto with_lot_inputs(const CompileSpec& spec, const source::OsmData& osm, const map::Plane& plane,
-                     const roads::RoadPlan& roads, Plan plan) {
-  const lots::ClimateAt climate_at = climate_of_places(plane);
-  const std::vector<OsmId> private_ways = map::private_ways(osm);
-  return plan(lots::LotInputs{.roads = roads.roads,
-                              .junctions = roads.junctions,
-                              .private_ways = private_ways,
-                              .climate_at = climate_at,
-                              .seed = spec.seed,
-                              .threads = spec.threads});
+// What lots need of the map besides its features and roads.
+struct LotFacts {
+  lots::ClimateAt climate_at;         // of places in the plane
+  std::vector<OsmId> private_ways{};  // sorted
+};
+
+// Returns the facts if houses or yards are wanted. plane must outlive them. O(ways).
+LotFacts lot_facts_of(const CompileSpec& spec, const source::OsmData& osm, const map::Plane& plane) {
+  LotFacts facts{.climate_at = [&plane](Vec2 at) {
+    const map::LonLat place = plane.backward(at);
+    return climate::climate_at(place.lon_deg, place.lat_deg);
+  }};
+  if (spec.fill_lots || has(spec.assume, Assumption::kYards)) facts.private_ways = map::private_ways(osm);
+  return facts;
+}
+
+lots::LotInputs lot_inputs(const CompileSpec& spec, const LotFacts& facts, const roads::RoadPlan& roads) {
+  return {.roads = roads.roads,
+          .junctions = roads.junctions,
+          .private_ways = facts.private_ways,
+          .climate_at = facts.climate_at,
+          .seed = spec.seed,
+          .threads = spec.threads};
 }
 
 // The assumptions about streets that count the houses beside them.
@@ -107,9 +110,8 @@ constexpr Assumptions kOfStreets =
 
 // The footprints with the houses that fill lots, beside the streets as they would be without them; nothing without
 // spec.fill_lots. Later stages count them as mapped ones.
-Result<std::optional<std::vector<map::Footprint>>> filled_lots(const CompileSpec& spec, const source::OsmData& osm,
-                                                               const map::Plane& plane, const map::FeatureView& mapped,
-                                                               Report& report) {
+Result<std::optional<std::vector<map::Footprint>>> filled_lots(const CompileSpec& spec, const LotFacts& facts,
+                                                               const map::FeatureView& mapped, Report& report) {
   if (!spec.fill_lots) return std::optional<std::vector<map::Footprint>>{};
   const Result<lots::HouseRules> rules = house_rules_for(spec);
   if (!rules) return rules.error();
@@ -117,9 +119,7 @@ Result<std::optional<std::vector<map::Footprint>>> filled_lots(const CompileSpec
   const assume::Assumed streets =
       assume::assume(mapped, {Assumptions(spec.assume & kOfStreets), spec.seed}, without_houses);
   const roads::RoadPlan roads = roads::plan(seen_with(mapped, streets), without_houses);
-  return with_lot_inputs(spec, osm, plane, roads, [&](const lots::LotInputs& inputs) {
-    return std::optional(lots::with_houses(mapped, inputs, *rules, report));
-  });
+  return std::optional(lots::with_houses(mapped, lot_inputs(spec, facts, roads), *rules, report));
 }
 
 map::FeatureView seen_with(map::FeatureView features, const std::optional<std::vector<map::Footprint>>& filled) {
@@ -128,12 +128,10 @@ map::FeatureView seen_with(map::FeatureView features, const std::optional<std::v
 }
 
 // The yards; nothing where they are not assumed.
-std::optional<lots::Yards> yards_of(const CompileSpec& spec, const source::OsmData& osm, const map::Plane& plane,
-                                    const map::FeatureView& features, const roads::RoadPlan& roads, Report& report) {
+std::optional<lots::Yards> yards_of(const CompileSpec& spec, const LotFacts& facts, const map::FeatureView& features,
+                                    const roads::RoadPlan& roads, Report& report) {
   if (!has(spec.assume, Assumption::kYards)) return std::nullopt;
-  return with_lot_inputs(spec, osm, plane, roads, [&](const lots::LotInputs& inputs) {
-    return std::optional(lots::with_yards(features, inputs, report));
-  });
+  return lots::with_yards(features, lot_inputs(spec, facts, roads), report);
 }
 
 // The land cover of a whole map, and its heights.
@@ -269,7 +267,8 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
 
   // assume what it does not say
   timer.enter("roads");
-  const Result<std::optional<std::vector<map::Footprint>>> filled = filled_lots(spec, osm, plane, map, report);
+  const LotFacts lot_facts = lot_facts_of(spec, osm, plane);
+  const Result<std::optional<std::vector<map::Footprint>>> filled = filled_lots(spec, lot_facts, map, report);
   if (!filled) return filled.error();
   const map::FeatureView mapped = seen_with(map, *filled);
   const assume::Assumed assumed = assume::assume(mapped, {spec.assume, spec.seed}, report);
@@ -278,7 +277,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   // roads, and the lots between them
   const roads::RoadPlan planned = roads::plan(streets, report);
   if (has(spec.assume, Assumption::kYards)) timer.enter("lots");
-  const std::optional<lots::Yards> yards = yards_of(spec, osm, plane, streets, planned, report);
+  const std::optional<lots::Yards> yards = yards_of(spec, lot_facts, streets, planned, report);
   const map::FeatureView features = yards ? seen_with(streets, *yards) : streets;
 
   // the ground: land cover and all heights
