@@ -10,7 +10,6 @@
 #include "compiler/lots/fill_lots.h"
 #include "compiler/map/plane/plane.h"
 #include "compiler/plants/species_folder.h"
-#include "compiler/scene/assemble.h"
 #include "compiler/scene/scene.h"
 #include "compiler/spec.h"
 #include "compiler/things/catalogue.h"

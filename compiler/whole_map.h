@@ -13,9 +13,10 @@
 #include "compiler/map/features.h"
 #include "compiler/map/plane/heightfield.h"
 #include "compiler/map/plane/plane.h"
-#include "compiler/scene/assemble.h"
+#include "compiler/scene/scene.h"
 #include "compiler/source/osm_data.h"
 #include "compiler/spec.h"
+#include "compiler/structures/plan.h"
 
 namespace citykiln {
 

@@ -97,8 +97,12 @@ std::vector<FeatureAttributes> attributes_of(const scene::Chunk& chunk, std::spa
                                              const ThingClasses& classes, const plants::SpeciesTable& species) {
   Table table{features, std::vector<FeatureAttributes>(features.size())};
   Describer describer{table, classes, species};
-  scene::for_each_element_kind(chunk, [&](std::string_view, const auto& objects) {
-    for (const auto& object : objects) describer.add(object);
+  scene::for_each_element_kind(chunk, [&]<typename Object>(std::string_view kind, const std::vector<Object>& objects) {
+    for (const Object& object : objects)
+      if constexpr (requires { describer.add(object); })
+        describer.add(object);
+      else
+        table.add(object.id.osm, kind);  // a kind that says no more of its elements
   });
   add_texts(table, chunk.texts);
   return std::move(table.rows);

@@ -165,7 +165,7 @@ class RecordMaker {
     found->second.size_m = std::sqrt(box.width() * box.width() + box.height() * box.height());
     if constexpr (requires { object.species_mix; })
       found->second.recipe = plant_recipe(species_, object.species_mix, object.height_m);
-    else
+    else if constexpr (requires { recipe_of(object); })
       found->second.recipe = recipe_of(object);
   }
 

@@ -73,8 +73,8 @@ ByTile by_touch(const TileGrid& grid, std::span<const Object> objects, BoxOf box
 // The objects of each kind by tile, under the names of the members of Chunk.
 struct Sorted {
   ByTile near_buildings;
-#define ELEMENT(type, member, of_recipes) ByTile member;
-#define PART(type, member, of_recipes) ByTile member;
+#define ELEMENT(type, member) ByTile member;
+#define PART(type, member) ByTile member;
 #include "compiler/scene/kinds.inc"
 };
 
@@ -198,8 +198,8 @@ ByTile tiles_of(const TileGrid&, std::span<const plants::Planting>) { return {};
 
 Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<const ground::LandCoverPolygon> junctions) {
   Sorted sorted;
-#define ELEMENT(type, member, of_recipes) sorted.member = tiles_of(grid, std::span<const type>(recipes.of_recipes));
-#define PART(type, member, of_recipes) sorted.member = tiles_of(grid, std::span<const type>(recipes.of_recipes));
+#define ELEMENT(type, member) sorted.member = tiles_of(grid, std::span<const type>(recipes.member));
+#define PART(type, member) sorted.member = tiles_of(grid, std::span<const type>(recipes.member));
 #include "compiler/scene/kinds.inc"
   sorted.junctions = by_touch(grid, junctions, ground::box_of);
   sorted.near_buildings =
@@ -303,8 +303,7 @@ JunctionCovers junction_covers(const Recipes& recipes, int threads) {
 
 // The woods or plantings of these surfaces, which are sorted by id.
 template <typename Growing>
-std::vector<Growing> growing_on(const std::vector<ground::LandCoverPolygon>& surfaces,
-                                const std::vector<Growing>& all) {
+std::vector<Growing> growing_on(const std::vector<ground::LandCoverPolygon>& surfaces, std::span<const Growing> all) {
   std::vector<Growing> here;
   for (const Growing& growing : all) {
     const auto found = std::lower_bound(surfaces.begin(), surfaces.end(), growing.surface,
@@ -333,16 +332,16 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCover
   Chunk chunk;
   chunk.tile = grid.tiles[t];
   chunk.heights = map::window_of(recipes.heights, tile.widened(kHalo_m));
-#define ELEMENT(type, member, of_recipes) pick<type>(recipes.of_recipes, sorted.member, t, chunk.member);
-#define PART(type, member, of_recipes) pick<type>(recipes.of_recipes, sorted.member, t, chunk.member);
+#define ELEMENT(type, member) pick<type>(recipes.member, sorted.member, t, chunk.member);
+#define PART(type, member) pick<type>(recipes.member, sorted.member, t, chunk.member);
 #include "compiler/scene/kinds.inc"
   chunk.surfaces = surfaces_for(recipes, sorted, junctions, t, tile);
   chunk.roads = strips_for(recipes.roads, sorted.roads[t], tile, kRoadHalo_m);
   chunk.junctions = junctions_for(recipes, sorted, t, tile);
   chunk.watercourses = strips_for(recipes.watercourses, sorted.watercourses[t], tile, kHalo_m);
   chunk.landforms = landforms_for(recipes.landforms, sorted.landforms[t], tile);
-  chunk.woods = growing_on(chunk.surfaces, recipes.plants.woods);
-  chunk.plantings = growing_on(chunk.surfaces, recipes.plants.plantings);
+  chunk.woods = growing_on(chunk.surfaces, recipes.woods);
+  chunk.plantings = growing_on(chunk.surfaces, recipes.plantings);
   chunk.texts = texts_for(recipes.texts, chunk);
   return chunk;
 }

@@ -3,32 +3,17 @@
 
 #include <span>
 
-#include "compiler/pitches/recipe.h"
-#include "compiler/plants/plan.h"
-#include "compiler/props/plan.h"
 #include "compiler/scene/scene.h"
-#include "compiler/structures/plan.h"
-#include "compiler/things/recipe.h"
-#include "compiler/wires/recipe.h"
 
 namespace citykiln::scene {
 
 /// The recipes of the whole extent, made by the stages before this one. Refers to their products.
 struct Recipes {
   const map::Heightfield& heights;
-  std::span<const ground::LandCoverPolygon> surfaces;
-  std::span<const roads::Road> roads;
-  std::span<const roads::Strip> watercourses;
-  std::span<const ground::Landform> landforms;
-  std::span<const roads::Junction> junctions;
-  std::span<const pitches::Field> fields;
-  const structures::Structures& structures;
-  std::span<const buildings::Building> buildings;
-  const plants::Plants& plants;
-  std::span<const props::Barrier> barriers;
-  std::span<const props::Lamp> lamps;
-  std::span<const things::Thing> things;
-  std::span<const wires::WireSpan> wire_spans;
+  // the recipes of each kind: std::span<const buildings::Building> buildings and so on
+#define ELEMENT(type, member) std::span<const type> member;
+#define PART(type, member) std::span<const type> member;
+#include "compiler/scene/kinds.inc"
   std::span<const map::ElementText> texts;  ///< Sorted by id.
 };
 

@@ -11,8 +11,8 @@ namespace citykiln::scene {
 /// An element of several recipes is described by the first.
 template <typename Visit>
 void for_each_element_kind(const Chunk& chunk, Visit visit) {
-#define ELEMENT(type, member, of_recipes) visit(std::string_view(#member), chunk.member);
-#define PART(type, member, of_recipes)
+#define ELEMENT(type, member) visit(std::string_view(#member), chunk.member);
+#define PART(type, member)
 #include "compiler/scene/kinds.inc"
 }
 

@@ -80,28 +80,11 @@ struct Header {
 struct Chunk {
   TileKey tile;
   map::Heightfield heights;
-  /// The polygons of areas, of buildings that are anchored in other tiles, and of junctions that are not in
-  /// `junctions`.
-  std::vector<ground::LandCoverPolygon> surfaces;
-  std::vector<roads::Road> roads;
-  std::vector<roads::Strip> watercourses;
-  std::vector<pitches::Field> fields{};     ///< Sports fields.
-  std::vector<ground::Landform> landforms;  ///< Lines are trimmed like watercourses; areas are whole.
-  /// Sorted by first arm. A junction is in this list if all its arms are in `roads`, which is so within
-  /// roads::kJunctionHalo_m of the tile.
-  std::vector<roads::Junction> junctions;
-  std::vector<structures::Span> bridges, tunnels;
-  std::vector<buildings::Building> buildings;  ///< Their footprints are not in `surfaces`.
-  std::vector<plants::Tree> trees;
-  std::vector<plants::Wood> woods;
-  std::vector<plants::Planting> plantings;
-  std::vector<plants::TreeRow> tree_rows;
-  std::vector<plants::PowerLineCorridor> corridors;
-  std::vector<props::Barrier> barriers;
-  std::vector<props::Lamp> lamps;
-  std::vector<things::Thing> things{};
-  std::vector<wires::WireSpan> wire_spans{};  ///< Whole; the ends may be up to wires::kSpanRadius_m away from the tile.
-  std::vector<map::ElementText> texts{};      ///< Texts of the elements of these recipes; sorted by id.
+  // the recipes of each kind: std::vector<buildings::Building> buildings and so on
+#define ELEMENT(type, member) std::vector<type> member{};
+#define PART(type, member) std::vector<type> member{};
+#include "compiler/scene/kinds.inc"
+  std::vector<map::ElementText> texts{};  ///< Texts of the elements of these recipes; sorted by id.
   bool operator==(const Chunk&) const = default;
 };
 

@@ -28,8 +28,8 @@ std::size_t cell_at(const Box2& tile, Vec2 place) {
 
 // The objects that one cell bakes at one level, as indices among the chunk's objects.
 struct CellObjects {
-#define ELEMENT(type, member, of_recipes) std::vector<std::uint32_t> member{};
-#define PART(type, member, of_recipes)
+#define ELEMENT(type, member) std::vector<std::uint32_t> member{};
+#define PART(type, member)
 #include "compiler/scene/kinds.inc"
   std::shared_ptr<SharedByLevels> placed{};  // graded terrain, and the cell's own plants, lamps, pits and stairs
 };
@@ -80,8 +80,8 @@ class Sorter {
 
   void sort() {
     const scene::Chunk& chunk = tile_.chunk;
-#define ELEMENT(type, member, of_recipes) number(chunk.member, &CellObjects::member);
-#define PART(type, member, of_recipes)
+#define ELEMENT(type, member) number(chunk.member, &CellObjects::member);
+#define PART(type, member)
 #include "compiler/scene/kinds.inc"
     // levels with and without road surfaces have one each
     for (std::size_t part = 0; part < shared_.size(); ++part)
@@ -180,8 +180,8 @@ std::vector<Object> chosen(const std::vector<Object>& all, const std::vector<std
 scene::Chunk chunk_of(const scene::Chunk& all, const CellObjects& objects) {
   scene::Chunk chunk;
   chunk.tile = all.tile, chunk.heights = all.heights;
-#define ELEMENT(type, member, of_recipes) chunk.member = chosen(all.member, objects.member);
-#define PART(type, member, of_recipes)
+#define ELEMENT(type, member) chunk.member = chosen(all.member, objects.member);
+#define PART(type, member)
 #include "compiler/scene/kinds.inc"
   return chunk;
 }
