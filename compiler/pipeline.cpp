@@ -79,7 +79,7 @@ Result<Located> locate(const CompileSpec& spec, const std::string& extract, cons
   return Located{std::move(*osm), std::move(plane), std::move(map), std::move(*heights)};
 }
 
-// What lots need of the map besides its features and roads.
+// The facts of the map that lots need besides its features and roads.
 struct LotFacts {
   lots::ClimateAt climate_at;         // of places in the plane
   std::vector<OsmId> private_ways{};  // sorted
