@@ -36,8 +36,8 @@ namespace citykiln::regions {
 // | pieces of roads        | roads::kJunctionHalo_m         |     32 | junctions that end a stretch                   |
 // | running water          | ground::kMaxInfluence_m        |   1008 | the axis that gives a bank its height          |
 // | transitions of lanes   | map::kLongestTransition_m      |    512 | the ways before and after                      |
-// | assumed widths         | assume::kLongestFitted_m        |    512 | objects that are mapped beside the way | |
-// assumed pavements      | assume::kPavementRadius_m      |    576 | houses beside the other end of the way         |
+// | assumed widths         | assume::kLongestFitted_m       |    512 | objects that are mapped beside the way         |
+// | assumed pavements      | assume::kPavementRadius_m      |    576 | houses beside the other end of the way         |
 // | verges, parking        | assume::kPavementRadius_m      |    576 | the same, beside the same stretch              |
 // | assumed surfaces       | assume::kPavementRadius_m      |    576 | land use along the way                         |
 // | pavements on bridges   | assume::kLongestBridge_m       |    128 | streets at the other end                       |

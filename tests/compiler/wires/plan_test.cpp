@@ -61,7 +61,8 @@ struct Line {
   std::vector<WireSpan> planned(Report& report, double ridge_m = 0) const {
     const ground::GradedTerrain ground{plain(ridge_m)};
     return plan(features,
-                {.things = things,
+                {.mapped = features.things,
+                 .things = things,
                  .beyond = {},
                  .kinds = shipped_kinds(),
                  .roads = roads,
