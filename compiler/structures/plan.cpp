@@ -29,7 +29,7 @@ void count_spans(Report& report, const char* kind, std::span<const Span> spans) 
 }
 
 // Diagnoses areas that are bridges and became no plate.
-void diagnose_missing_plates(const map::Features& features, std::span<const Span> bridges, Report& report) {
+void diagnose_missing_plates(const map::FeatureView& features, std::span<const Span> bridges, Report& report) {
   for (const map::BridgeArea& area : features.bridge_areas) {
     const auto is_plate_of_area = [&](const Plate& plate) { return plate.id == area.id.osm; };
     if (std::ranges::none_of(bridges, [&](const Span& b) { return std::ranges::any_of(b.plates, is_plate_of_area); }))
