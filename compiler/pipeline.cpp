@@ -136,8 +136,8 @@ std::optional<lots::Yards> yards_of(const CompileSpec& spec, const LotFacts& fac
 
 // The land cover of a whole map, and its heights.
 struct PlannedGround {
-  ground::Waters waters;
-  std::vector<ground::LandCoverPolygon> surfaces;  // those of waters, with the rims of pools
+  std::vector<ground::LandCoverPolygon> surfaces;  // with the rims of pools
+  std::vector<roads::Strip> streams;
   std::vector<ground::Landform> landforms;
   ground::Profiles profiles;
   ground::ProfileMeasures measured;
@@ -147,14 +147,15 @@ PlannedGround plan_ground(const map::FeatureView& features, const roads::RoadPla
                           const map::Heightfield& heights, const Survey* survey, StageTimer& timer, Report& report) {
   PlannedGround ground;
   timer.enter("land cover and water");
-  ground.waters = survey ? surveyed_waters(features, *survey, report) : plan_waters(features, heights, report);
-  const auto& [surfaces, streams] = ground.waters;
+  ground::Waters waters = survey ? surveyed_waters(features, *survey, report) : plan_waters(features, heights, report);
+  const auto& [surfaces, streams] = waters;
   ground.landforms = ground::plan_landforms(features, surfaces, streams, heights, report);
   timer.enter("road heights");
   ground.profiles = ground::plan_profiles(features, planned.roads, planned.junctions, streams, surfaces, heights,
                                           report, 1, ground.landforms);
   ground.measured = ground::measure_profiles(features, ground.profiles);
-  ground.surfaces = ground::with_pool_rims(surfaces);
+  ground.surfaces = ground::with_pool_rims(std::move(waters.surfaces));
+  ground.streams = std::move(waters.streams);
   return ground;
 }
 
@@ -281,13 +282,13 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   const map::FeatureView features = yards ? seen_with(streets, *yards) : streets;
 
   // the ground: land cover and all heights
-  const auto [waters, surfaces, landforms, profiles, measured] =
+  const auto [surfaces, streams, landforms, profiles, measured] =
       plan_ground(features, planned, heights, survey, timer, report);
   const WholeGround ground{.heights = heights,
                            .surfaces = surfaces,
                            .roads = profiles.roads,
                            .junctions = planned.junctions,
-                           .streams = waters.streams,
+                           .streams = streams,
                            .landforms = landforms};
 
   // bridges, tunnels and stairs, which meet the graded terrain
@@ -319,7 +320,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
                                         .bridges = structures.bridges,
                                         .tunnels = structures.tunnels,
                                         .roads = roads,
-                                        .watercourses = waters.streams,
+                                        .watercourses = streams,
                                         .landforms = landforms,
                                         .barriers = barriers,
                                         .trees = plants.trees,

@@ -43,8 +43,7 @@ LandCoverPolygon rim_of(const LandCoverPolygon& pool) {
 
 }  // namespace
 
-std::vector<LandCoverPolygon> with_pool_rims(std::span<const LandCoverPolygon> without) {
-  std::vector<LandCoverPolygon> surfaces(without.begin(), without.end());
+std::vector<LandCoverPolygon> with_pool_rims(std::vector<LandCoverPolygon> surfaces) {
   std::vector<LandCoverPolygon> rims;
   for (LandCoverPolygon& surface : surfaces) {
     if (surface.surface != map::LandCoverClass::kPool || surface.rings.empty()) continue;

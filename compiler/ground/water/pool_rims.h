@@ -18,8 +18,8 @@ inline constexpr double kPoolRim_m = 0.3, kPoolRimRise_m = 0.125;
 /// Adds a polygon for the rim of each pool, with the pool's id and a part of its own; pools lie on top of rims. A pool
 /// without a level, on a map without heights, gets the level 0.
 ///
-/// @param without  The polygons, with the levels of standing water.
+/// @param surfaces  The polygons, with the levels of standing water.
 /// Guarantees: sorted by id if the given ones are. O(n log n) in vertices of pools.
-std::vector<LandCoverPolygon> with_pool_rims(std::span<const LandCoverPolygon> without);
+std::vector<LandCoverPolygon> with_pool_rims(std::vector<LandCoverPolygon> surfaces);
 
 }  // namespace citykiln::ground
