@@ -114,10 +114,7 @@ Result<Done> fits_into(const map::Cylinder& cylinder, const Box2& extent, const 
 }
 
 climate::ClimateField climate_of(const map::Plane& plane, const Box2& extent) {
-  return climate::make_climate_field(extent, [&](Vec2 at) {
-    const map::LonLat place = plane.backward(at);
-    return climate::LonLatDegrees{place.lon_deg, place.lat_deg};
-  });
+  return climate::make_climate_field(extent, [&](Vec2 at) { return plane.backward(at); });
 }
 
 // The snow line where all land is under snow.

@@ -88,7 +88,7 @@ struct LotFacts {
 // Returns the facts if houses or yards are wanted. plane must outlive them. O(ways).
 LotFacts lot_facts_of(const CompileSpec& spec, const source::OsmData& osm, const map::Plane& plane) {
   LotFacts facts{.climate_at = [&plane](Vec2 at) {
-    const map::LonLat place = plane.backward(at);
+    const LonLat place = plane.backward(at);
     return climate::climate_at(place.lon_deg, place.lat_deg);
   }};
   if (spec.fill_lots || has(spec.assume, Assumption::kYards)) facts.private_ways = map::private_ways(osm);

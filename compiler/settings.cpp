@@ -87,7 +87,7 @@ Result<Done> set_origin(CompileSpec& spec, std::string_view text) {
   if (!n) return n.error();
   if (std::abs((*n)[0]) > 180 || std::abs((*n)[1]) > 89)
     return expected("longitude,latitude in degrees, such as 7.42,43.73", text);
-  spec.map.origin = map::LonLat{(*n)[0], (*n)[1]};
+  spec.map.origin = LonLat{(*n)[0], (*n)[1]};
   return Done{};
 }
 

@@ -29,7 +29,7 @@ struct Place {
   std::string name;  ///< The name of the file, without endings.
   source::OsmData osm;
   source::LonLatBox box;
-  map::LonLat origin;
+  LonLat origin;
   map::Features mapped;  ///< The features by their tags, without assumptions.
 };
 

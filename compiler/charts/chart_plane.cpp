@@ -20,7 +20,7 @@ constexpr double kDegree_rad = std::numbers::pi / 180;
 /// Equatorial radius of WGS84.
 constexpr double kRadius_m = 6378137;
 
-using Project = std::function<Vec2(map::LonLat)>;
+using Project = std::function<Vec2(LonLat)>;
 
 struct Projection {
   std::string name;
@@ -28,26 +28,26 @@ struct Projection {
 };
 
 /// Spherical Mercator as in web maps, scaled to true size at the origin (first order).
-Vec2 web_mercator(map::LonLat place, double scale) {
+Vec2 web_mercator(LonLat place, double scale) {
   const double y = std::log(std::tan(std::numbers::pi / 4 + place.lat_deg * kDegree_rad / 2));
   return {kRadius_m * place.lon_deg * kDegree_rad * scale, kRadius_m * y * scale};
 }
 
-Vec2 equirectangular(map::LonLat place, map::LonLat origin) {
+Vec2 equirectangular(LonLat place, LonLat origin) {
   const double x = (place.lon_deg - origin.lon_deg) * std::cos(origin.lat_deg * kDegree_rad);
   return Vec2{x, place.lat_deg - origin.lat_deg} * (kDegree_rad * kRadius_m);
 }
 
 std::vector<Projection> projections_of(const map::Plane& plane) {
-  const map::LonLat origin = plane.origin();
+  const LonLat origin = plane.origin();
   const double scale = std::cos(origin.lat_deg * kDegree_rad);
-  return {{"citykiln's plane (transverse Mercator)", [&plane](map::LonLat p) { return plane.forward(p); }},
-          {"Web Mercator, scaled at the origin", [scale](map::LonLat p) { return web_mercator(p, scale); }},
-          {"equirectangular", [origin](map::LonLat p) { return equirectangular(p, origin); }}};
+  return {{"citykiln's plane (transverse Mercator)", [&plane](LonLat p) { return plane.forward(p); }},
+          {"Web Mercator, scaled at the origin", [scale](LonLat p) { return web_mercator(p, scale); }},
+          {"equirectangular", [origin](LonLat p) { return equirectangular(p, origin); }}};
 }
 
-map::LonLat walked(map::LonLat from, double azimuth_deg, double distance_m) {
-  map::LonLat to;
+LonLat walked(LonLat from, double azimuth_deg, double distance_m) {
+  LonLat to;
   GeographicLib::Geodesic::WGS84().Direct(from.lat_deg, from.lon_deg, azimuth_deg, distance_m, to.lat_deg, to.lon_deg);
   return to;
 }
@@ -57,7 +57,7 @@ struct Distortion {
   double length = 0, angle_deg = 0;
 };
 
-Distortion distortion_at(map::LonLat place, const Project& project) {
+Distortion distortion_at(LonLat place, const Project& project) {
   Distortion worst;
   const Vec2 here = project(place);
   for (int azimuth_deg = 0; azimuth_deg < 180; azimuth_deg += 15) {
@@ -70,7 +70,7 @@ Distortion distortion_at(map::LonLat place, const Project& project) {
   return worst;
 }
 
-Distortion distortion_at_distance(map::LonLat origin, double distance_m, const Project& project) {
+Distortion distortion_at_distance(LonLat origin, double distance_m, const Project& project) {
   Distortion worst;
   for (int azimuth_deg = 0; azimuth_deg < 360; azimuth_deg += 45) {
     const Distortion here = distortion_at(walked(origin, azimuth_deg, distance_m), project);
@@ -81,7 +81,7 @@ Distortion distortion_at_distance(map::LonLat origin, double distance_m, const P
 }
 
 /// Microseconds per point, over a grid about the origin.
-double time_us(map::LonLat origin, const Project& project) {
+double time_us(LonLat origin, const Project& project) {
   constexpr int kPoints = 200'000;
   double sum = 0;
   const Stopwatch watch;

@@ -29,7 +29,7 @@ constexpr ReferenceMesher kPeersOnN42E001[] = {{"hmm, N42E001 at 5 m", 1'319'159
                                                {"delatin, N42E001 at 5 m", 1'291'720, 4.2, 5}};
 
 /// The western and northern edge of a column and row of Web Mercator tiles.
-map::LonLat corner_of_tile(int z, double x, double y) {
+LonLat corner_of_tile(int z, double x, double y) {
   const double n = std::exp2(z);
   const double lat_rad = std::atan(std::sinh(std::numbers::pi * (1 - 2 * y / n)));
   return {x / n * 360 - 180, lat_rad * 180 / std::numbers::pi};
@@ -42,7 +42,7 @@ Result<source::LonLatBox> box_of(const ChartRequest& request, const source::Rast
   if (spec.bounds) return *spec.bounds;
   if (spec.tile_zxy) {
     const auto [z, x, y] = *spec.tile_zxy;
-    const map::LonLat north_west = corner_of_tile(z, x, y), south_east = corner_of_tile(z, x + 1, y + 1);
+    const LonLat north_west = corner_of_tile(z, x, y), south_east = corner_of_tile(z, x + 1, y + 1);
     return source::LonLatBox{north_west.lon_deg, south_east.lat_deg, south_east.lon_deg, north_west.lat_deg};
   }
   if (!raster.system_wkt.empty())

@@ -44,18 +44,18 @@ Along along_nodes(double v, std::int32_t first, std::int32_t count) {
 
 }  // namespace
 
-ClimateField make_climate_field(const Box2& extent, const std::function<LonLatDegrees(Vec2)>& degrees_of) {
+ClimateField make_climate_field(const Box2& extent, const std::function<LonLat(Vec2)>& degrees_of) {
   const Box2 wide = extent.widened(kMargin_m);
-  const LonLatDegrees origin = degrees_of({0, 0});
-  ClimateField field{.origin_class = climate_at(origin.lon, origin.lat),
+  const LonLat origin = degrees_of({0, 0});
+  ClimateField field{.origin_class = climate_at(origin.lon_deg, origin.lat_deg),
                      .first_column = index_below(wide.min.x),
                      .first_row = index_below(wide.min.y),
                      .columns = index_below(wide.max.x) + 2 - index_below(wide.min.x),
                      .nodes = {}};
   for (std::int32_t row = field.first_row; row <= index_below(wide.max.y) + 1; ++row)
     for (std::int32_t column = field.first_column; column < field.first_column + field.columns; ++column) {
-      const LonLatDegrees at = degrees_of({column * kNodeSpacing_m, row * kNodeSpacing_m});
-      field.nodes.push_back(node_of(climate_mix_at(at.lon, at.lat)));
+      const LonLat at = degrees_of({column * kNodeSpacing_m, row * kNodeSpacing_m});
+      field.nodes.push_back(node_of(climate_mix_at(at.lon_deg, at.lat_deg)));
     }
   return field;
 }

@@ -9,6 +9,7 @@
 
 #include "compiler/climate/climate_mix.h"
 #include "compiler/geometry/box.h"
+#include "compiler/geometry/lonlat.h"
 
 namespace citykiln::climate {
 
@@ -32,14 +33,9 @@ struct ClimateField {
   bool operator==(const ClimateField&) const = default;
 };
 
-/// A place on Earth.
-struct LonLatDegrees {
-  double lon = 0, lat = 0;
-};
-
 /// Returns the climate of an extent widened by 1024 m, in metres of the plane. Cost: one climate_mix_at() a node.
 /// @param degrees_of  The longitude and latitude of a point of the plane.
-ClimateField make_climate_field(const Box2& extent, const std::function<LonLatDegrees(Vec2)>& degrees_of);
+ClimateField make_climate_field(const Box2& extent, const std::function<LonLat(Vec2)>& degrees_of);
 
 /// Returns a field that is one class everywhere.
 ClimateField uniform_climate(ClimateClass climate);

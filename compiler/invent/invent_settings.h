@@ -31,7 +31,7 @@ struct InventSettings {
   WorldKind kind = WorldKind::kTown;
   std::uint64_t seed = 1;
   double side_m = 1024;  ///< The mapped square: a multiple of kSideStep_m.
-  LonLatDegrees place{12.3, 48.7};
+  LonLat place{12.3, 48.7};
   TerrainSettings terrain;
   CountrySettings country;
   TileSettings tiles;
@@ -66,7 +66,7 @@ struct AskedSettings {
   std::optional<WorldKind> kind;
   std::optional<std::uint64_t> seed;
   std::optional<double> side_m;
-  std::optional<LonLatDegrees> place;
+  std::optional<LonLat> place;
 };
 
 /// Reads the text of invent.json: an object with "kind", "seed", "size", "place" and sections. Settings that are left

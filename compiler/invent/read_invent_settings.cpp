@@ -88,9 +88,9 @@ Result<WorldKind> kind_in(const Json& document) {
   return *kind;
 }
 
-Result<Done> put_place(const Json& value, LonLatDegrees& place) {
+Result<Done> put_place(const Json& value, LonLat& place) {
   const bool is_pair = value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number();
-  const LonLatDegrees given = is_pair ? LonLatDegrees{value[0].get<double>(), value[1].get<double>()} : LonLatDegrees{};
+  const LonLat given = is_pair ? LonLat{value[0].get<double>(), value[1].get<double>()} : LonLat{};
   if (!is_pair || !(std::abs(given.lon_deg) <= 179 && std::abs(given.lat_deg) <= 80))
     return expected_value("place", "[longitude, latitude] in degrees, up to 179 and 80", value);
   place = given;

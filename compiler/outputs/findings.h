@@ -18,7 +18,7 @@ namespace citykiln::outputs {
 /// A diagnosis with its place.
 struct Finding {
   Diagnosis diagnosis;
-  std::optional<map::LonLat> at;  ///< Empty: it is about the whole map (heightmaps), or the extract lacks the element.
+  std::optional<LonLat> at;  ///< Empty: it is about the whole map (heightmaps), or the extract lacks the element.
   std::optional<scene::TileKey> tile;  ///< The tile at the place; empty outside the compiled extent.
   std::optional<std::size_t> level{};  ///< The level, if it was diagnosed while a tile was baked.
   std::string tags{};  ///< The tag concerned; for two ways, the tags that decide which one is above; else empty.

@@ -184,7 +184,7 @@ Vec2 Cutter::in_plane(osmium::Location place) const {
 Box2 Cutter::in_degrees(const Box2& box) const {
   Box2 degrees;
   for (const Vec2 corner : {box.min, box.max}) {
-    const map::LonLat place = plane_.backward(corner);
+    const LonLat place = plane_.backward(corner);
     degrees.grow({place.lon_deg, place.lat_deg});
   }
   return degrees;

@@ -20,7 +20,7 @@ double refraction_deg(double height_deg) {
 
 }  // namespace
 
-Vec3 at_horizon(Vec3 v, map::LonLat place, double sidereal_deg) {
+Vec3 at_horizon(Vec3 v, LonLat place, double sidereal_deg) {
   const Vec2 meridian = direction_of((sidereal_deg + place.lon_deg) / 360);
   const Vec2 latitude = direction_of(place.lat_deg / 360);
   // equatorial plane: towards the meridian, and to the east
@@ -28,7 +28,7 @@ Vec3 at_horizon(Vec3 v, map::LonLat place, double sidereal_deg) {
   return {east, latitude.x * v.z - latitude.y * south, latitude.y * v.z + latitude.x * south};
 }
 
-Vec3 place_radii(map::LonLat place, double sidereal_deg) {
+Vec3 place_radii(LonLat place, double sidereal_deg) {
   const Vec2 meridian = direction_of((sidereal_deg + place.lon_deg) / 360);
   const Vec2 latitude = direction_of(place.lat_deg / 360);
   constexpr double kSquashed = (1 - kFlattening) * (1 - kFlattening);

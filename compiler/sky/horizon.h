@@ -6,10 +6,10 @@
 namespace citykiln::sky {
 
 /// Converts a direction from the frame of the equator of date to {east, north, up} at a place.
-Vec3 at_horizon(Vec3 equatorial, map::LonLat place, double sidereal_deg);
+Vec3 at_horizon(Vec3 equatorial, LonLat place, double sidereal_deg);
 
 /// Returns the position of a place on the ellipsoid, in equatorial radii, in the frame of the equator of date.
-Vec3 place_radii(map::LonLat place, double sidereal_deg);
+Vec3 place_radii(LonLat place, double sidereal_deg);
 
 /// Returns a direction {east, north, up} lifted by refraction, for 10 °C and 1010 hPa.
 ///

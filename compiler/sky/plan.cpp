@@ -14,7 +14,7 @@ namespace {
 constexpr double kDefaultSolarHour = 15;
 
 // Midsummer day, at the UTC of mean solar time kDefaultSolarHour at the place.
-std::string default_time(map::LonLat place) {
+std::string default_time(LonLat place) {
   const int minutes = static_cast<int>(std::floor((kDefaultSolarHour - place.lon_deg / 15) * 60 + 0.5));
   const int of_day = (minutes % 1440 + 1440) % 1440;
   char text[32];
@@ -31,7 +31,7 @@ double lit_share(Vec3 to_sun, Vec3 to_moon) { return (1 - dot(to_sun, to_moon)) 
 
 }  // namespace
 
-Result<Sky> plan(map::LonLat place, const std::string& time) {
+Result<Sky> plan(LonLat place, const std::string& time) {
   const Result<Moment> moment = parse_time(time.empty() ? default_time(place) : time);
   if (!moment) return moment.error();
   const double days = moment->days, sidereal = sidereal_deg(days);

@@ -14,6 +14,6 @@ namespace citykiln::sky {
 /// @param time  A time for parse_time(). "" is 15:00 solar time on midsummer day of the place's hemisphere.
 /// Guarantees between 1950 and 2050: the apparent directions are exact within 0.02° for the sun, 0.05° for the moon,
 /// and 0.02° for stars without proper motion. Gives equal bits on every CPU. Error: a time that does not parse.
-Result<Sky> plan(map::LonLat place, const std::string& time);
+Result<Sky> plan(LonLat place, const std::string& time);
 
 }  // namespace citykiln::sky

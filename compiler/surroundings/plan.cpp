@@ -133,7 +133,7 @@ struct Errors {
 };
 
 // True if an earlier heightmap covers the place.
-bool is_hidden(std::span<const RasterSampler> earlier, map::LonLat at) {
+bool is_hidden(std::span<const RasterSampler> earlier, LonLat at) {
   return std::ranges::any_of(earlier, [&](const RasterSampler& sampler) {
     return sampler.height_m<double>(at.lon_deg, at.lat_deg).has_value();
   });
@@ -146,7 +146,7 @@ void measure(const source::Raster& raster, std::span<const RasterSampler> earlie
   for (int r = 0; r < raster.rows; ++r)
     for (int c = 0; c < raster.columns; ++c) {
       const auto& g = raster.from_grid;
-      const map::LonLat at{g[0] + g[1] * c + g[2] * r, g[3] + g[4] * c + g[5] * r};
+      const LonLat at{g[0] + g[1] * c + g[2] * r, g[3] + g[4] * c + g[5] * r};
       const Vec2 p = plane.forward(at);
       const float height_m = raster.at(c, r);
       if (!box.contains(p) || place.extent.contains(p) || !map::is_height(height_m) || is_hidden(earlier, at)) continue;

@@ -117,7 +117,7 @@ class Unbend {
   /// Returns plane metres, with the height above the ellipsoid as z, or that above the cylinder's ground.
   Vec3 operator()(Vec3 p) const {
     if (cylinder_) return map::flattened(*cylinder_, p, near_y_m_);
-    map::LonLat place;
+    LonLat place;
     double height_m = 0;
     local_.Reverse(p.x, p.y, p.z, place.lat_deg, place.lon_deg, height_m);
     return at_height(plane_.forward(place), height_m);
@@ -139,7 +139,7 @@ double off_identity(const std::vector<double>& transform) {
 }
 
 // The largest distance between the root's transform and the local frame at the origin, at the ends of axes of 100 km.
-double transform_error_m(map::LonLat origin, const std::vector<double>& transform) {
+double transform_error_m(LonLat origin, const std::vector<double>& transform) {
   if (transform.size() != 16) return HUGE_VAL;
   const GeographicLib::LocalCartesian local(origin.lat_deg, origin.lon_deg, 0);
   double farthest_m = 0;

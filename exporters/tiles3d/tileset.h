@@ -27,7 +27,7 @@ bool is_external(const TilesetTile& tile);
 /// Facts about a whole tileset.
 struct TilesetFacts {
   std::array<double, 16> to_earth{};  ///< The root's transform, column-major (map::Globe::to_earth()).
-  map::LonLat origin;
+  LonLat origin;
   std::string geoid{};        ///< The source of the geoid's heights; empty: none was given.
   double geoid_height_m = 0;  ///< Height of the geoid above the ellipsoid at the origin.
   /// Radius of the cylinder that the world is in, which has no place on Earth; 0: on the ellipsoid.

@@ -19,7 +19,7 @@ struct Writer {
   const map::Plane& plane;
 
   void position(Vec3 p, bool has_z) {
-    const map::LonLat place = plane.backward({p.x, p.y});
+    const LonLat place = plane.backward({p.x, p.y});
     out += '[' + map::degrees_text(place.lon_deg, map::kFineDegreeDecimals) + ',' +
            map::degrees_text(place.lat_deg, map::kFineDegreeDecimals);
     if (has_z) fmt::format_to(std::back_inserter(out), ",{:.2f}", p.z);

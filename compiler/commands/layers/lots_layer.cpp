@@ -18,7 +18,7 @@ Layer lots_layer(const map::FeatureView& mapped, std::span<const OsmId> private_
   const map::FeatureView features = seen_with(mapped, assumed);
   const auto [roads, junctions, passageways] = roads::plan(features, ignored);
   const lots::ClimateAt climate_at = [&](Vec2 at) {
-    const map::LonLat place = plane.backward(at);
+    const LonLat place = plane.backward(at);
     return climate::climate_at(place.lon_deg, place.lat_deg);
   };
   Layer layer;

@@ -56,7 +56,7 @@ OrderedJson region_status_json(const RegionStatus& region) {
 OrderedJson outline_of(const Box2& box, const map::Plane& plane) {
   OrderedJson ring = OrderedJson::array();
   for (const Vec2 corner : {box.min, Vec2{box.max.x, box.min.y}, box.max, Vec2{box.min.x, box.max.y}, box.min}) {
-    const map::LonLat place = plane.backward(corner);
+    const LonLat place = plane.backward(corner);
     ring.push_back({map::rounded_degrees(place.lon_deg), map::rounded_degrees(place.lat_deg)});
   }
   return {{"type", "Polygon"}, {"coordinates", {ring}}};

@@ -9,7 +9,7 @@ Result<sky::Sky> sky_of(const LoadRequest& request, const std::optional<scene::H
   sky::Sky sky;
   if (header) sky = header->sky;
   if (!header || !request.time.empty()) {
-    Result<sky::Sky> planned = sky::plan(header ? header->origin : map::LonLat{0, 45}, request.time);
+    Result<sky::Sky> planned = sky::plan(header ? header->origin : LonLat{0, 45}, request.time);
     if (!planned) return planned.error();
     planned->turbidity = sky.turbidity, planned->visibility_km = sky.visibility_km;
     planned->ground_albedo = sky.ground_albedo, planned->ground_m = sky.ground_m;

@@ -97,7 +97,7 @@ void Page::add(const verify::PlacesOfKind& kind, const verify::WorstPlace& place
   for (const OsmId id : place.ids)
     if (id.type != OsmType::kNone) html += "<br>" + element_html(run.scene, id);
   if (place.at) {
-    const map::LonLat at = plane.backward(*place.at);
+    const LonLat at = plane.backward(*place.at);
     html += fmt::format("<br>{}, {} (lat, lon) · {:.1f}, {:.1f} m in the plane", map::degrees_text(at.lat_deg),
                         map::degrees_text(at.lon_deg), place.at->x, place.at->y);
   }

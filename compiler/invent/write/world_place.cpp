@@ -56,9 +56,9 @@ double wrapped(double lon_deg) { return lon_deg > 180 ? lon_deg - 360 : lon_deg 
 
 }  // namespace
 
-WorldPlace::WorldPlace(LonLatDegrees middle) : middle_(middle), northing_(northing_of(middle.lat_deg)) {}
+WorldPlace::WorldPlace(LonLat middle) : middle_(middle), northing_(northing_of(middle.lat_deg)) {}
 
-LonLatDegrees WorldPlace::degrees_of(Vec2 p) const {
+LonLat WorldPlace::degrees_of(Vec2 p) const {
   const double xi = northing_ + p.y / kRectifying_m, eta = p.x / kRectifying_m;
   double xi_sphere = xi, eta_sphere = eta;
   for (std::size_t j = 0; j < kBeta.size(); ++j) {
@@ -72,7 +72,7 @@ LonLatDegrees WorldPlace::degrees_of(Vec2 p) const {
 }
 
 MapPlace WorldPlace::map_place_of(Vec2 p) const {
-  const LonLatDegrees place = degrees_of(p);
+  const LonLat place = degrees_of(p);
   return {static_cast<std::int32_t>(std::floor(place.lon_deg * 1e7 + 0.5)),
           static_cast<std::int32_t>(std::floor(place.lat_deg * 1e7 + 0.5))};
 }

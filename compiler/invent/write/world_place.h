@@ -4,14 +4,10 @@
 #include <array>
 #include <cstdint>
 
+#include "compiler/geometry/lonlat.h"
 #include "compiler/geometry/vec.h"
 
 namespace citykiln::invent {
-
-/// A place on WGS84, in degrees.
-struct LonLatDegrees {
-  double lon_deg = 0, lat_deg = 0;
-};
 
 /// A place in whole 1e-7 degrees, as maps have it: about 11 mm.
 struct MapPlace {
@@ -25,16 +21,16 @@ struct MapPlace {
 class WorldPlace {
  public:
   /// @param middle  The middle of the world; latitudes from -80 to 80.
-  explicit WorldPlace(LonLatDegrees middle);
-  LonLatDegrees middle() const { return middle_; }
+  explicit WorldPlace(LonLat middle);
+  LonLat middle() const { return middle_; }
   /// Returns the place of a point of the plane.
-  LonLatDegrees degrees_of(Vec2 p) const;
+  LonLat degrees_of(Vec2 p) const;
   MapPlace map_place_of(Vec2 p) const;
   /// Returns the south-west and north-east corners of the largest box in degrees inside a square about the middle.
   std::array<MapPlace, 2> box_inside(double side_m) const;
 
  private:
-  LonLatDegrees middle_;
+  LonLat middle_;
   double northing_ = 0;  // of the middle, in rectifying radii
 };
 

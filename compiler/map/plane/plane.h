@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "compiler/geometry/lonlat.h"
 #include "compiler/geometry/vec.h"
 #include "compiler/source/osm_data.h"
 
@@ -11,12 +12,6 @@ namespace citykiln::map {
 /// The grid step of map positions. It is finer than OSM's own grid of 1e-7 degrees or 11 mm; more digits would be
 /// noise.
 inline constexpr double kMapStep_m = 0x1p-7;
-
-/// A place in degrees on WGS84. In a map across 180° longitudes go on to 200° (source/across_180.h).
-struct LonLat {
-  double lon_deg = 0, lat_deg = 0;
-  bool operator==(const LonLat&) const = default;
-};
 
 /// The projection of a run. Method: GeographicLib's series (Karney 2011), 0.28 µs a point, error under 5 nm. The scale
 /// error at distance x from the origin's meridian is x²/2R², under 8 ppm within 25 km. Longitudes more than 80° from

@@ -10,14 +10,14 @@ namespace citykiln::climate {
 namespace {
 
 // A plane about a place; a degree has 111.2 km.
-auto degrees_about(LonLatDegrees origin) {
+auto degrees_about(LonLat origin) {
   return [origin](Vec2 at) {
-    return LonLatDegrees{origin.lon + at.x / 111200 / std::cos(origin.lat * 3.14159265 / 180),
-                         origin.lat + at.y / 111200};
+    return LonLat{origin.lon_deg + at.x / 111200 / std::cos(origin.lat_deg * 3.14159265 / 180),
+                         origin.lat_deg + at.y / 111200};
   };
 }
 
-constexpr LonLatDegrees kRome{12.5, 41.9}, kLagos{3.39, 7.9};
+constexpr LonLat kRome{12.5, 41.9}, kLagos{3.39, 7.9};
 
 double share_of(const ClimateMix& mix, ClimateClass climate) {
   return mix.mean([&](ClimateClass each) { return each == climate ? 1.0 : 0.0; });
@@ -45,8 +45,8 @@ TEST(ClimateField, FollowsTheTableWithinTheSpacingOfItsNodes) {
   double largest = 0;
   for (double y = 0; y < 500000; y += 3000)
     for (const double x : {100.0, 40000.0, 79000.0}) {
-      const LonLatDegrees at = degrees_of({x, y});
-      const ClimateMix mix = climate_mix_at(field, {x, y}), exact = climate_mix_at(at.lon, at.lat);
+      const LonLat at = degrees_of({x, y});
+      const ClimateMix mix = climate_mix_at(field, {x, y}), exact = climate_mix_at(at.lon_deg, at.lat_deg);
       for (const ClimateShare& each : exact.shares())
         largest = std::max(largest, std::abs(each.share - share_of(mix, each.climate)));
     }

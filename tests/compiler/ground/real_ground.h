@@ -24,7 +24,7 @@ struct RealGround {
 inline source::LonLatBox degrees_of(const Box2& extent, const map::Plane& plane) {
   source::LonLatBox box{180, 90, -180, -90};
   for (const Vec2 p : {extent.min, extent.max, Vec2{extent.min.x, extent.max.y}, Vec2{extent.max.x, extent.min.y}}) {
-    const map::LonLat place = plane.backward(p);
+    const LonLat place = plane.backward(p);
     box = {std::min(box.west, place.lon_deg), std::min(box.south, place.lat_deg), std::max(box.east, place.lon_deg),
            std::max(box.north, place.lat_deg)};
   }

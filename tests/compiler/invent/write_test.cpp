@@ -17,11 +17,11 @@ namespace citykiln::invent {
 namespace {
 
 TEST(WorldPlace, IsTheInverseOfTheMapsPlane) {
-  for (const LonLatDegrees middle : {LonLatDegrees{12.3, 48.7}, {-70, -33}, {0, 0}, {179, 75}}) {
+  for (const LonLat middle : {LonLat{12.3, 48.7}, {-70, -33}, {0, 0}, {179, 75}}) {
     const WorldPlace place(middle);
     const map::Plane plane({middle.lon_deg, middle.lat_deg});
     for (const Vec2 p : {Vec2{0, 0}, {512, -512}, {-10000, 30000}, {40000, 20000}}) {
-      const LonLatDegrees degrees = place.degrees_of(p);
+      const LonLat degrees = place.degrees_of(p);
       EXPECT_LT(distance(plane.forward({degrees.lon_deg, degrees.lat_deg}), p), 1e-6) << middle.lon_deg << " " << p.x;
     }
   }

@@ -28,7 +28,7 @@ TEST(Zones, StateTheirScaleError) {
 }
 
 // Metres on the ground between two places that are near each other.
-double apart_m(map::LonLat a, map::LonLat b) {
+double apart_m(LonLat a, LonLat b) {
   const double north_m = (a.lat_deg - b.lat_deg) * 111200,
                east_m = (a.lon_deg - b.lon_deg) * 111300 * std::cos(a.lat_deg * 0.0174533);
   return std::hypot(north_m, east_m);

@@ -9,7 +9,7 @@
 namespace citykiln::roads {
 
 struct RealMap {
-  map::LonLat origin;  ///< Origin of the plane.
+  LonLat origin;  ///< Origin of the plane.
   map::Features features;
 };
 
@@ -17,7 +17,7 @@ inline Result<RealMap> read_real_map(const std::string& path, Report& report) {
   const auto osm = source::read_osm(path, 0, report);
   if (!osm) return osm.error();
   const source::LonLatBox box = map::choose_box(*osm, {});
-  const map::LonLat origin = map::default_origin(box);
+  const LonLat origin = map::default_origin(box);
   return RealMap{origin, map::locate(*osm, map::Plane(origin), box, {}, report)};
 }
 

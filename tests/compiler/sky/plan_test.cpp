@@ -36,8 +36,8 @@ TEST(Plan, StandsOverTheEquatorAtTheEquinox) {
 }
 
 TEST(Plan, DefaultsToAnAfternoonOfSummerEverywhere) {
-  for (const map::LonLat place :
-       {map::LonLat{1.5, 42.5}, {-87.6, 41.9}, {-51.2, -30}, {174.9, -41.3}, {179.9, 10}, {-179.9, 10}}) {
+  for (const LonLat place :
+       {LonLat{1.5, 42.5}, {-87.6, 41.9}, {-51.2, -30}, {174.9, -41.3}, {179.9, 10}, {-179.9, 10}}) {
     const auto sky = plan(place, "");
     ASSERT_TRUE(sky);
     EXPECT_GT(elevation_deg(*sky), 40) << sky->time;
@@ -56,7 +56,7 @@ TEST(Plan, QuantisesAUnitVector) {
 
 // A row of almanac.inc: directions are east, north, up.
 struct AlmanacRow {
-  map::LonLat place;
+  LonLat place;
   const char* time;
   double moon_lit;
   Vec3 sun, moon, sirius, vega, polaris, acrux;

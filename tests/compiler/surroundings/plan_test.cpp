@@ -16,7 +16,7 @@
 namespace citykiln::surroundings {
 namespace {
 
-const map::LonLat kOrigin{1.52, 42.51};
+const LonLat kOrigin{1.52, 42.51};
 const Place kPlace{.extent = {{-1664, -1664}, {2048, 896}}, .tile_m = 1024};
 
 // A raster in degrees that reaches some 80 km to all sides, or less.

@@ -10,7 +10,7 @@ namespace {
 const map::Plane kPlane({7, 43});
 
 outputs::Finding finding(Code code, std::int64_t way, double size) {
-  return {{code, {OsmType::kWay, way}, size}, map::LonLat{7.001, 43.001}, {}};
+  return {{code, {OsmType::kWay, way}, size}, LonLat{7.001, 43.001}, {}};
 }
 
 TEST(WorstPlaces, AreTheLargestOfEachKindAndOneOfEachObject) {

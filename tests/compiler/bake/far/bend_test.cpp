@@ -13,7 +13,7 @@
 namespace citykiln::bake {
 namespace {
 
-const map::LonLat kOrigin{1.52, 42.5};
+const LonLat kOrigin{1.52, 42.5};
 
 /// A quadrilateral of two triangles with heights, in a tile.
 Primitive quad(float x0, float x1, float y0, float y1, Layer layer = Layer::kGround) {
@@ -38,7 +38,7 @@ BakedTile tile_with(Vec3 origin, std::vector<Primitive> primitives, double toler
 
 /// By GeographicLib: a place of the plane at a height above the ellipsoid, in the frame of the run.
 Vec3 expected_at(Vec3 p) {
-  const map::LonLat place = map::Plane(kOrigin).backward(in_plan(p));
+  const LonLat place = map::Plane(kOrigin).backward(in_plan(p));
   Vec3 at;
   GeographicLib::LocalCartesian(kOrigin.lat_deg, kOrigin.lon_deg, 0)
       .Forward(place.lat_deg, place.lon_deg, p.z, at.x, at.y, at.z);

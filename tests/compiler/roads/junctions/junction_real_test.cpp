@@ -170,7 +170,7 @@ void print_worst(const char* kind, std::vector<Difference> all, std::span<const 
   std::ranges::sort(all, std::greater{}, &Difference::all_m2);
   for (std::size_t i = 0; i < std::min<std::size_t>(10, all.size()); ++i) {
     const std::size_t j = all[i].junction;
-    const map::LonLat at = plane.backward(box_of(junctions[j].nodes).centre());
+    const LonLat at = plane.backward(box_of(junctions[j].nodes).centre());
     std::printf("  %s at %.6f,%.6f: %.1f m2 beyond strips, %.1f m2 left to them; %zu places, %zu arms, %s\n", kind,
                 at.lon_deg, at.lat_deg, all[i].beyond_m2, all[i].left_m2, junctions[j].nodes.size(), arms[j].size(),
                 to_string(main_road(roads, arms[j]).id.osm).c_str());
