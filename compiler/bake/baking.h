@@ -10,6 +10,7 @@
 #include "compiler/bake/baked_tile.h"
 #include "compiler/bake/bounds.h"
 #include "compiler/bake/view_levels.h"
+#include "compiler/contract/derived_id.h"
 #include "compiler/contract/report.h"
 #include "compiler/materials/material_mesh.h"
 #include "compiler/scene/scene.h"
@@ -76,7 +77,7 @@ void bake_each(Baking& baking, Layer layer, const std::vector<Object>& objects, 
     auto generated = generate(object);
     baking.certify(generated.error_m, bounds);
     if (generated.meshes.empty()) {
-      if (object.id.part >= map::kDerivedPart)
+      if (is_derived(object.id))
         ++account.dropped[Code::kBelowTolerance];
       else
         report.drop(account, Code::kBelowTolerance, object.id.osm, generated.error_m);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/land_cover_class.h"
 #include "compiler/scene/kinds.h"
@@ -25,8 +26,6 @@ struct Table {
     row.assumed |= assumed;
   }
 };
-
-bool is_derived(ObjectId id) { return id.part >= map::kDerivedPart; }
 
 std::string_view class_of_thing(const ThingClasses& classes, const std::string& kind) {
   const auto found = classes.find(kind);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/geometry/centroid.h"
 #include "compiler/lots/border_yards.h"
@@ -92,43 +93,42 @@ struct YardAdder {
 
   void add(const Lot& lot, const Yard& yard) {
     const ObjectId building = yards.footprints[lot.main].id;
-    const std::uint32_t first = map::kDerivedPart + kPartsOfBuilding * building.part;
-    std::uint32_t part = first;
+    const auto id_of = [&](std::uint32_t n) { return derived_id(building, kPartsOfBuilding, n); };
+    std::uint32_t part = 0;
     for (const YardArea& area : yard.ground.areas) {
-      const ObjectId id{building.osm, part++};
+      const ObjectId id = id_of(part++);
       yards.areas.push_back(
           {.id = id, .polygon = area.polygon, .surface = area.surface, .area_m2 = area_m2(area.polygon)});
       if (area.has_bays) yards.sports_areas.push_back({id, kBays});
     }
-    part = first;
+    part = 0;
     for (std::size_t i = 0; i < yard.barriers.size() && i < kPartsOfBuilding / kPartsOfBarrier; ++i) {
       const YardBarrier& barrier = yard.barriers[i];
-      yards.barriers.push_back({.id = {building.osm, part},
+      yards.barriers.push_back({.id = id_of(part),
                                 .axis = barrier.axis,
                                 .kind = barrier.kind,
                                 .height_m = barrier.height_m,
                                 .width_m = width_of(barrier.kind)});
       part += kPartsOfBarrier;
     }
-    part = first;
+    part = 0;
     for (const YardPlant& plant : yard.plants) {
       const map::PlantKind kind = plant.is_shrub ? map::PlantKind::kBush : map::PlantKind::kUnknown;
-      yards.points.push_back({.id = {building.osm, part++},
+      yards.points.push_back({.id = id_of(part++),
                               .at = plant.at,
                               .kind = map::PointKind::kTree,
                               .height_m = plant.height_m,
                               .plant_tags = {.kind = kind}});
     }
     if (wants_entrance(lot, yards.footprints[lot.main]))
-      yards.points.push_back(
-          {.id = {building.osm, first + kEntrancePart}, .at = lot.door->at, .kind = map::PointKind::kEntrance});
+      yards.points.push_back({.id = id_of(kEntrancePart), .at = lot.door->at, .kind = map::PointKind::kEntrance});
   }
 };
 
 // Car parks without mapped lanes have bays.
 void add_bays(const MappedThings& mapped, Yards& yards, Report& report) {
   for (const map::AreaFeature& area : yards.areas) {
-    if (area.surface != map::LandCoverClass::kParking || area.id.part >= map::kDerivedPart) continue;
+    if (area.surface != map::LandCoverClass::kParking || is_derived(area.id)) continue;
     if (axis_enters(mapped.roads, area.polygon) || axis_enters(mapped.drives, area.polygon)) continue;
     yards.sports_areas.push_back({area.id, kBays});
     report.count_assumed(Assumption::kYards, area.id.osm);

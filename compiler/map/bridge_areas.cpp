@@ -8,6 +8,7 @@
 #include <span>
 #include <tuple>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/segment.h"
@@ -126,7 +127,7 @@ LandCoverClass axis_class(std::span<const JoinPlace> places) {
 Track axis_track(const BridgeArea& area, std::uint32_t number, LandCoverClass surface, double width_m,
                  std::span<const JoinPlace> along) {
   Track track;
-  track.id = {area.id.osm, kDerivedPart + area.id.part % 8 * 1024 + number};
+  track.id = derived_id({area.id.osm, area.id.part % 8}, 1024, number);
   for (const JoinPlace& place : along) track.axis.push_back(place.at), track.node_ids.push_back(place.node_id);
   track.surface = surface;
   track.layer = area.layer;

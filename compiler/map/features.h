@@ -251,12 +251,6 @@ struct ThingWay {
   bool is_nearer_to_end = false;  ///< True if the end of the way is nearer to the node than its start.
 };
 
-/// Parts of ids from this one on belong to objects that are derived from a feature of another kind: goals of a sports
-/// field, cars in a parking lane, the areas, barriers and trees of a building's yard. Properties of the id are those of
-/// this feature. Parts of footprints are another count: those of 2^16 and more are pieces and treads (kPieceStride in
-/// buildings/uncovered_pieces.h).
-inline constexpr std::uint32_t kDerivedPart = 0x4000;
-
 /// A thing, by a row of the table of things (things/thing_table.h): a point, or a part of a line or an area.
 struct ThingFeature {
   ObjectId id;

@@ -1,6 +1,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/driving_side.h"
 #include "compiler/map/for_each_line.h"
@@ -180,7 +181,7 @@ bool has_street_rails(const ReadContext& context, const source::Way& way, const 
 // The rails of a way that is both a road and a railway: a track of its own, in the middle of the road.
 Track street_rails_of(const ReadContext& context, const source::Way& way, const Track& road) {
   Track rails = as_street_rails(road);
-  rails.id.part = kDerivedPart;
+  rails.id = derived_id({road.id.osm, 0}, 0);
   rails.is_rail = true;
   rails.is_lit = rails.is_link = rails.is_roundabout = rails.is_transition = false;
   rails.has_tagged_width = rails.has_tagged_surface = rails.has_tagged_lighting = true;

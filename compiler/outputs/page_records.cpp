@@ -8,6 +8,7 @@
 #include "compiler/bake/feature_attributes.h"
 #include "compiler/bake/prototype_cache.h"
 #include "compiler/buildings/style.h"
+#include "compiler/contract/derived_id.h"
 #include "compiler/geometry/box.h"
 #include "compiler/map/plane/globe.h"
 #include "compiler/scene/kinds.h"
@@ -142,12 +143,11 @@ class RecordMaker {
   void add(const ground::Landform&) {}
   // floors of buildings are not elements; they lie in tiles beside the building's, too
   void add(const ground::LandCoverPolygon& polygon) {
-    if (polygon.surface != map::LandCoverClass::kBuilding && polygon.id.part < map::kDerivedPart)
-      add_object(polygon, std::nullopt);
+    if (polygon.surface != map::LandCoverClass::kBuilding && !is_derived(polygon.id)) add_object(polygon, std::nullopt);
   }
   template <typename Object>
   void add(const Object& object) {
-    if (object.id.part < map::kDerivedPart) add_object(object, std::nullopt);
+    if (!is_derived(object.id)) add_object(object, std::nullopt);
   }
 
   // @param z_m  Plane height of the middle; on the ground if empty.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/contract/parse.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/pitches/field_lines.h"
@@ -150,7 +151,7 @@ std::vector<map::ThingFeature> things_of(const std::vector<Field>& fields, const
     last = field.id;
     for (const Equipment& equipment : equipment_of(field)) {
       const map::ThingRow* row = row_named(table, equipment.thing);
-      const ObjectId id{field.id.osm, field.id.part + map::kDerivedPart + number++};
+      const ObjectId id = derived_id(field.id, number++);
       if (row && features.extent.contains(equipment.at) && !is_mapped(features, row->name, equipment.at))
         things.push_back(thing_of(id, equipment, *row));
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/plants/placing/row_heading.h"
 #include "compiler/plants/plant_size.h"
@@ -60,8 +61,7 @@ std::vector<Tree> plan_trees(const map::FeatureView& features, const SpeciesTabl
     if (point.kind != map::PointKind::kTree) continue;
     account.in += report.counts(point.id.osm), account.out += report.counts(point.id.osm);
     // trees of yards are derived from buildings
-    const PlantCommunity usual =
-        point.id.part >= map::kDerivedPart ? PlantCommunity::kGardenTrees : PlantCommunity::kTownTrees;
+    const PlantCommunity usual = is_derived(point.id) ? PlantCommunity::kGardenTrees : PlantCommunity::kTownTrees;
     const SpeciesMix species_mix = species_mix_for(point.plant_tags, species_mix_of(usual));
     trees.push_back({.id = point.id,
                      .at = point.at,

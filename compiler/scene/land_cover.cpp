@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "compiler/buildings/passageways.h"
+#include "compiler/contract/derived_id.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/ground/plan.h"
 #include "compiler/pitches/panels.h"
@@ -38,9 +39,7 @@ void add(LandCoverPolygon surface, std::vector<LandCoverPolygon>& surfaces) {
 }
 
 LandCoverPolygon island_surface(const roads::TrafficIsland& island) {
-  // differs from the numbers of a way's parts, and from its junctions
-  constexpr std::uint32_t kIslandPart = 0x40000000u;
-  return {{island.id.osm, island.id.part | kIslandPart}, island.surface, ground::kStripArea_m2, {island.ring}};
+  return {island_id(island.id), island.surface, ground::kStripArea_m2, {island.ring}};
 }
 
 std::vector<LandCoverPolygon> surfaces_without_roads(const CoverRecipes& recipes) {
@@ -124,12 +123,6 @@ std::uint32_t add_panels(const pitches::Field& field, const LandCoverPolygon& ar
   return first_run + static_cast<std::uint32_t>(cover.layouts.size()) - first_layout;
 }
 
-ObjectId id_of_junction(const roads::Road& main) {
-  // differs from the numbers of a way's parts
-  constexpr std::uint32_t kJunctionPart = 0x80000000u;
-  return {main.id.osm, main.id.part | kJunctionPart};
-}
-
 // The class of the least of the roads that meet, below whose strips the others' lie.
 map::LandCoverClass least_surface(std::span<const roads::Road> roads, std::span<const roads::Arm> arms) {
   const auto priority = [&](const roads::Arm& arm) { return roads::priority_of(roads[arm.road]); };
@@ -144,7 +137,7 @@ ground::LandCoverPolygon junction_surface(const roads::Junction& junction, std::
   const roads::Road& main = roads::main_road(roads, arms);
   const bool is_change = roads::is_lane_change(junction, roads, arms);
   const bool is_passed = is_change || roads::has_through_road(junction, roads, arms);
-  ground::LandCoverPolygon surface{id_of_junction(main), is_change ? least_surface(roads, arms) : main.surface,
+  ground::LandCoverPolygon surface{junction_id(main.id), is_change ? least_surface(roads, arms) : main.surface,
                                    is_passed ? ground::kPassedJunctionArea_m2 : ground::kJunctionArea_m2,
                                    roads::stroke(junction, roads, arms)};
   surface.is_graded =
@@ -155,7 +148,7 @@ ground::LandCoverPolygon junction_surface(const roads::Junction& junction, std::
 ground::LandCoverPolygon corner_pavement_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
                                                  std::span<const roads::Arm> arms) {
   assert(!arms.empty() && arms.size() == junction.cuts.size());
-  return {id_of_junction(roads::main_road(roads, arms)), map::LandCoverClass::kPavement, ground::kStripArea_m2,
+  return {junction_id(roads::main_road(roads, arms).id), map::LandCoverClass::kPavement, ground::kStripArea_m2,
           roads::stroke_corner_pavements(junction, roads, arms)};
 }
 

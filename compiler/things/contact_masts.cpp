@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/plane/plane.h"
@@ -323,7 +324,7 @@ ContactSupport support_of(const ContactTrack& track, std::uint32_t number, const
 // The parts of ids number masts by their place, so that they do not depend on masts far away.
 ObjectId mast_id(const TrackIndex& index, const Station& station, std::size_t number) {
   const auto metre = static_cast<std::uint32_t>(station.along_m);
-  return {index.tracks[station.track].id.osm, map::kDerivedPart + metre * 16 + static_cast<std::uint32_t>(number % 16)};
+  return derived_id({index.tracks[station.track].id.osm, 0}, metre * 16 + static_cast<std::uint32_t>(number % 16));
 }
 
 void add_structure(const TrackIndex& index, const Station& station, Structure structure, MastPlanner& planner,

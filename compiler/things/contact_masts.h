@@ -80,7 +80,7 @@ struct ContactSurroundings {
 
 /// Plans the contact lines of a map. None is in a tunnel or below a cover. On bridges wires pass without masts; below a
 /// bridge they are lowered, and end where less than kLeastWire_m is left. A station without a place for its masts has
-/// none, kNoPlaceForThing. Ids of masts are those of the track with the part map::kDerivedPart and more. Counted as
+/// none, kNoPlaceForThing. Ids of masts are those of the track with the part kFirstDerivedPart and more. Counted as
 /// Assumption::kMasts, once for each way. Ledger "things/contact mast". O(stations · tracks near).
 ContactLines plan_contact_lines(const map::FeatureView& features, const ContactSurroundings& around, Report& report);
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/line_part.h"
 #include "compiler/geometry/snap.h"
@@ -102,8 +103,7 @@ void add_along_lane(const roads::Road& road, const map::Lane& lane, std::uint32_
     const Vec2 ahead = unit(point_at(road.axis, along, at_m + 0.5) - point_at(road.axis, along, at_m - 0.5));
     const Vec2 left = left_of(ahead);
     const double off_m = left_m + roads::drift_m(road, at_m);
-    const std::uint32_t part = map::kDerivedPart + (road.id.part * 4 + number) * kPlaces + k % kPlaces;
-    const ObjectId id{road.id.osm, part};
+    const ObjectId id = derived_id(road.id, 4 * kPlaces, number * kPlaces + k % kPlaces);
     const Vec2 looks = is_across ? left * (off_m > 0 ? 1.0 : -1.0) : ahead * sign;
     cars.add({id, on_axis + left * off_m, looks}, LandCoverClass::kParkingLane, is_across);
   }
@@ -134,8 +134,7 @@ void add_on_car_park(const map::AreaFeature& area, Cars& cars) {
         -wide_m / 2 + (row / 2) * (2 * kRow_m + kLane_m) + (is_second ? kRow_m + kLane_m : 0) + kRow_m / 2;
     for (std::uint32_t column = 0; column < columns; ++column) {
       const double x_m = (column + 0.5) * kPlaceAcross_m - columns * kPlaceAcross_m / 2;
-      const std::uint32_t part = map::kDerivedPart + area.id.part * kPlaces + row * columns + column;
-      const ObjectId id{area.id.osm, part};
+      const ObjectId id = derived_id(area.id, kPlaces, row * columns + column);
       cars.add({id, box.middle + along * x_m + across * y_m, across * (is_second ? 1.0 : -1.0)},
                LandCoverClass::kParking, true);
     }

@@ -6,6 +6,7 @@
 #include <compare>
 #include <set>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/plane/plane.h"
@@ -192,7 +193,7 @@ void add_run(const EdgePlanner& planner, std::span<const EdgePlace> run, ObjectI
   Polyline axis;
   const auto end = [&] {
     if (length_m(axis) >= kEdgeStep_m / 2)
-      railings.push_back({.id = {id.osm, map::kDerivedPart},
+      railings.push_back({.id = derived_id({id.osm, 0}, 0),
                           .axis = axis,
                           .kind = map::BarrierKind::kRailing,
                           .height_m = kAssumedRailing_m,

@@ -48,7 +48,7 @@ struct RailingSurroundings {
 /// - at walls of buildings, pools, and edges of platforms beside a track;
 /// - where a way leads across the edge.
 ///
-/// The ids are those of the element that is walked on, with the part map::kDerivedPart. Each railing lies in one square
+/// The ids are those of the element that is walked on, with the part kFirstDerivedPart. Each railing lies in one square
 /// of kRailingSquare_m. Sorted by id, then axis. Counted as Assumption::kRailings, once for each element. Ledger
 /// "things/railing". O(length of edges · land cover near).
 std::vector<props::Barrier> assumed_railings(const map::FeatureView& features, const RailingSurroundings& around,

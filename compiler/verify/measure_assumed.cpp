@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/centroid.h"
 #include "compiler/geometry/segment.h"
@@ -285,7 +286,7 @@ void test_railing(const props::Barrier& railing, const RailingObstacles& obstacl
 
 // The places where an assumed mast stands on the ground; none for other things.
 std::vector<Vec2> feet_of(const things::Thing& thing) {
-  if (thing.id.part < map::kDerivedPart || !things::is_contact_kind(thing.form.kind)) return {};
+  if (!is_derived(thing.id) || !things::is_contact_kind(thing.form.kind)) return {};
   if (thing.form.kind == things::kContactHanger) return {};
   if (thing.form.kind != things::kContactPortal) return {thing.at};
   const Vec2 half = left_of(things::unit_vector(thing.direction)) * (thing.form.width_m / 2);
@@ -461,7 +462,7 @@ AssumedPlaces measure_assumed_yards(const scene::Chunk& chunk, const ground::Lan
   AssumedPlaces found;
   if (std::ranges::none_of(chunk.surfaces, ground::is_yard)) return found;
   for (const plants::Tree& tree : chunk.trees) {
-    if (tree.id.part < map::kDerivedPart || !box.contains_half_open(tree.at)) continue;
+    if (!is_derived(tree.id) || !box.contains_half_open(tree.at)) continue;
     ++found.places;
     const OsmId on = no_place_for_tree(chunk, land_cover, tree.at);
     if (on.type != OsmType::kNone && found.misplaced++ == 0)

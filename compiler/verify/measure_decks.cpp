@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/geometry/box_grid.h"
 #include "compiler/map/features.h"
 #include "compiler/structures/plates.h"
@@ -38,7 +39,7 @@ PlateIndex index_plates(const scene::Scene& scene) {
 
 // True for a bridge that an area has because no way of the map runs over it. Rails of a street are derived, too.
 bool is_axis_of_area(const structures::Span& bridge) {
-  return bridge.id.part >= map::kDerivedPart && map::values_of(bridge.surface).group != map::LandCoverGroup::kRail;
+  return is_derived(bridge.id) && map::values_of(bridge.surface).group != map::LandCoverGroup::kRail;
 }
 
 bool has_own_plate(const PlateIndex& index, const structures::Span& bridge) {

@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/geometry/snap.h"
 
 namespace citykiln::wires {
@@ -166,7 +167,7 @@ std::optional<std::size_t> support_beyond(const ContactLines& lines, const ByNod
 // Parts number spans by their place along the way.
 ObjectId span_id(const ContactLines& lines, const ContactSupport& from) {
   const auto metre = static_cast<std::uint32_t>(from.along_m);
-  return {lines.index.tracks[from.track].id.osm, map::kDerivedPart + metre};
+  return derived_id({lines.index.tracks[from.track].id.osm, 0}, metre);
 }
 
 // The pairs of supports that wires join, each once, the lower one first.

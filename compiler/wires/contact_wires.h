@@ -28,7 +28,7 @@ inline constexpr double kLeastOverTrack_m = 4.6;
 /// Returns the wires of contact lines, sorted by id: one span for each two supports that follow each other on a track,
 /// at most things::kLongestContactSpan_m apart. At the end of a way, wires go on to the first support of the way that
 /// continues it most straightly, also where that one passes the node. Ids are those of the way, with the part
-/// map::kDerivedPart and more. A span whose contact wire is somewhere lower than kLeastOverTrack_m above the
+/// kFirstDerivedPart and more. A span whose contact wire is somewhere lower than kLeastOverTrack_m above the
 /// land, as where a street beside a sunken track is higher than it, is dropped, kWireTooLow. Ledger
 /// "wires/contact span". O(supports · log).
 std::vector<WireSpan> contact_spans(const things::ContactLines& lines, const ground::GradedTerrain& ground,

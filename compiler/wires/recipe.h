@@ -28,8 +28,8 @@ struct Wire {
 /// All wires between two supports.
 struct WireSpan {
   /// The way and, as its part, the index along it of the node at the span's end. The part of wires along an electrified
-  /// track is map::kDerivedPart plus the metres along the way; that of wires across it (things/contact_masts.h) is
-  /// map::kDerivedPart plus 16 times the metres and a number below 16. Several spans may share an id.
+  /// track is kFirstDerivedPart plus the metres along the way; that of wires across it (things/contact_masts.h) is
+  /// kFirstDerivedPart plus 16 times the metres and a number below 16. Several spans may share an id.
   ObjectId id;
   double above_m = 0;       ///< Upper bound of the wires' heights above the ground, in whole metres.
   std::vector<Wire> wires;  ///< At least one.

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/geometry/offset_polygon.h"
 #include "compiler/geometry/snap.h"
 
 namespace citykiln::ground {
 namespace {
-
-// Differs from the numbers of polygons of a multipolygon.
-constexpr std::uint32_t kRimPart = 0x1000;
 
 Polygon polygon_of(const LandCoverPolygon& pool) {
   Polygon polygon{pool.rings.front(), {}};
@@ -33,7 +31,7 @@ std::vector<Ring> rim_rings(const LandCoverPolygon& pool) {
 }
 
 LandCoverPolygon rim_of(const LandCoverPolygon& pool) {
-  return {.id = {pool.id.osm, pool.id.part + kRimPart},
+  return {.id = rim_id(pool.id),
           .surface = map::LandCoverClass::kPoolRim,
           .area_m2 = pool.area_m2,
           .rings = rim_rings(pool),

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/geometry/centroid.h"
 #include "compiler/geometry/overlay.h"
 #include "compiler/geometry/snap.h"
@@ -88,7 +89,7 @@ std::vector<Footprint> treads_of(const Footprint& steps, const Footprint* outlin
                              strip(flight, about, to_m, flight.bottom_at_m + reach_m, reach_m)};
     for (Polygon& polygon : difference(steps.polygon, outside)) {
       Footprint tread = steps;
-      tread.id.part += kPieceStride * static_cast<std::uint32_t>(treads.size() + 1);
+      tread.id = piece_id(steps.id, static_cast<std::uint32_t>(treads.size()));
       tread.polygon = std::move(polygon);
       tread.height_m = snapped(flight.high_m - rise_m * (i / count));
       tread.has_roof_in_height = tread.has_roof_shape = true, tread.roof = {};

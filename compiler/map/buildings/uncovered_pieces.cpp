@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/geometry/offset_polygon.h"
 #include "compiler/geometry/overlay.h"
 #include "compiler/map/buildings/part_outlines.h"
@@ -70,7 +71,7 @@ Footprint piece_of(const Footprint& outline, Polygon polygon, std::size_t number
   Footprint piece = outline;
   piece.has_parts = false;
   piece.outline = outline.id;
-  piece.id.part += kPieceStride * static_cast<std::uint32_t>(number + 1);
+  piece.id = piece_id(outline.id, static_cast<std::uint32_t>(number));
   piece.polygon = std::move(polygon);
   return piece;
 }

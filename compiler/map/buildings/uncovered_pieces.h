@@ -32,7 +32,4 @@ std::vector<Footprint> with_uncovered_pieces(std::vector<Footprint> footprints, 
 /// The least area of a piece, and the least width of its strips.
 inline constexpr double kLeastPiece_m2 = 2, kSliver_m = 0.3;
 
-/// The step of ObjectId::part from an outline to its first piece, and from each piece to the next.
-inline constexpr std::uint32_t kPieceStride = 1u << 16;
-
 }  // namespace citykiln::map

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/lots/add_yards.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/roads/junctions/junction.h"
@@ -101,7 +102,7 @@ inline std::vector<Lot> lots_of_town(const map::Features& features) {
 }
 
 /// True for objects that yards add.
-inline bool is_of_yard(ObjectId id) { return id.part >= map::kDerivedPart; }
+inline bool is_of_yard(ObjectId id) { return is_derived(id); }
 
 /// The areas of yards with a class.
 inline std::vector<Polygon> yard_areas(const map::Features& features, map::LandCoverClass surface) {

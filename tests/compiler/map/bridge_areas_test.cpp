@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "compiler/contract/derived_id.h"
 #include "tests/compiler/map/map_text.h"
 
 namespace citykiln::map {
@@ -29,7 +30,7 @@ TEST(BridgeAreas, APedestrianAreaOnABridgeIsADeckAndNoGround) {
 
 TEST(BridgeAreas, ItsAxisJoinsTheNodesWherePathsMeetTheOutline) {
   const Features features = features_of(kSquare + "w1 -60:0 -20:0 highway=footway\nw2 20:0 60:0 highway=footway\n");
-  const Track& axis = track_with(features, {{OsmType::kWay, 9}, kDerivedPart});
+  const Track& axis = track_with(features, {{OsmType::kWay, 9}, kFirstDerivedPart});
   EXPECT_EQ(axis.passage, Passage::kBridge);
   ASSERT_EQ(axis.axis.size(), 2u);
   EXPECT_NEAR(length_m(axis.axis), 40, 0.1);

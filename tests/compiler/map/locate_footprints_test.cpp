@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/buildings/uncovered_pieces.h"
 #include "tests/compiler/map/map_text.h"
@@ -171,7 +172,7 @@ TEST(LocateFootprints, WhatNoPartCoversKeepsTheOutlinesHeightAndRoof) {
     a3 28:0 40:0 40:12 28:12 building:part=yes building:levels=5)",
                        report);
   ASSERT_EQ(f.size(), 3u);
-  EXPECT_EQ(f[0].id, (ObjectId{{OsmType::kWay, 1}, kPieceStride}));
+  EXPECT_EQ(f[0].id, piece_id({{OsmType::kWay, 1}, 0}, 0));
   EXPECT_EQ(f[0].height_m, 18);
   EXPECT_EQ(f[0].roof.form, roofs::RoofForm::kHipped);
   EXPECT_EQ(f[0].outline, (ObjectId{{OsmType::kWay, 1}, 0}));

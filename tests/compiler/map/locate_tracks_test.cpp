@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "compiler/contract/derived_id.h"
 #include "tests/compiler/map/map_text.h"
 
 namespace citykiln::map {
@@ -230,7 +231,7 @@ TEST(LocateTracks, AWayThatIsRoadAndTramwayHasRailsInItsMiddle) {
   const Track &road = features.tracks[0], &rails = features.tracks[1];
   EXPECT_EQ(road.surface, LandCoverClass::kSecondaryRoad);
   EXPECT_EQ(rails.surface, LandCoverClass::kStreetRails);
-  EXPECT_EQ(rails.id, (ObjectId{{OsmType::kWay, 1}, kDerivedPart}));
+  EXPECT_EQ(rails.id, (ObjectId{{OsmType::kWay, 1}, kFirstDerivedPart}));
   EXPECT_TRUE(rails.is_rail);
   EXPECT_EQ(rails.axis, road.axis);
   EXPECT_NEAR(left_kerb_m(rails.section) - right_kerb_m(rails.section),

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/things/contact_masts.h"
 
 namespace citykiln::verify {
@@ -148,7 +149,7 @@ TEST(MeasureAssumed, FindsFrontsOnWallsThatAreNotFree) {
 
 scene::Chunk chunk_with_railing(Polyline axis) {
   scene::Chunk chunk;
-  chunk.barriers = {{{kMappedWay, map::kDerivedPart}, std::move(axis), map::BarrierKind::kRailing, 1.1, 0.06}};
+  chunk.barriers = {{{kMappedWay, kFirstDerivedPart}, std::move(axis), map::BarrierKind::kRailing, 1.1, 0.06}};
   return chunk;
 }
 
@@ -182,7 +183,7 @@ TEST(MeasureAssumed, FindsRailingsAcrossWaysBeforeDoorsAndOnCarriageways) {
 TEST(MeasureAssumed, FindsMastsInTheClearSpaceOfATrack) {
   scene::Chunk chunk;
   chunk.roads = {way_along(kMainStreet, {{0, 50}, {120, 50}}, LandCoverClass::kRailway, 3)};
-  chunk.things = {{.id = {kMainStreet, map::kDerivedPart + 1},
+  chunk.things = {{.id = {kMainStreet, kFirstDerivedPart + 1},
                    .at = {40, 53},
                    .form = {.kind = std::string(things::kContactMast), .width_m = 0.5, .depth_m = 0.5}}};
   const std::vector<ground::LandCoverPolygon> none;
@@ -207,8 +208,8 @@ TEST(MeasureAssumed, FindsMastsInTheClearSpaceOfATrack) {
 scene::Chunk yard_with_tree(Vec2 at) {
   scene::Chunk chunk;
   chunk.surfaces = {
-      {{kMainStreet, map::kDerivedPart}, LandCoverClass::kLawn, 6400, {{{20, 20}, {100, 20}, {100, 100}, {20, 100}}}}};
-  chunk.trees = {{.id = {kMainStreet, map::kDerivedPart}, .at = at}};
+      {{kMainStreet, kFirstDerivedPart}, LandCoverClass::kLawn, 6400, {{{20, 20}, {100, 20}, {100, 100}, {20, 100}}}}};
+  chunk.trees = {{.id = {kMainStreet, kFirstDerivedPart}, .at = at}};
   return chunk;
 }
 
