@@ -10,6 +10,7 @@
 #include "compiler/assume/assume.h"
 #include "compiler/buildings/plan.h"
 #include "compiler/climate/climate_at.h"
+#include "compiler/contract/joined.h"
 #include "compiler/ground/landforms/plan_landforms.h"
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/water/pool_rims.h"
@@ -211,7 +212,8 @@ std::vector<wires::WireSpan> wires_of(const CompileSpec& spec, const map::Featur
                                                           .ground = land.graded,
                                                           .seed = spec.seed},
                                                          report);
-  return wires::with_more(std::move(power_lines), wires::contact_spans(things.contact_lines, land.graded, report));
+  return joined(std::move(power_lines), wires::contact_spans(things.contact_lines, land.graded, report),
+                wires::order_of);
 }
 
 // Plans the objects that stand on the ground, and the wires.
@@ -234,7 +236,7 @@ Result<Standing> plan_standing(const CompileSpec& spec, const map::FeatureView& 
   standing.things = std::move(*things);
   standing.barriers = standing.props.barriers;
   if (has(spec.assume, Assumption::kRailings))
-    standing.barriers = props::with_more(std::move(standing.barriers), standing.things.railings);
+    standing.barriers = joined(std::move(standing.barriers), standing.things.railings, props::order_of);
   timer.enter("wires");
   standing.wire_spans = wires_of(spec, features, land, standing.things, report);
   return standing;

@@ -162,12 +162,10 @@ double narrow(map::Track& track, double taken_m, bool is_of_soft) {
 }
 
 bool can_be_fitted(const map::Track& track) {
-  const bool is_street =
-      map::family_of(track.surface) == map::Family::kStreet && track.surface != map::LandCoverClass::kRunway;
   // the whole way of a piece is longer than kLongestFitted_m
   if (track.section.axis_drift != 0 || track.is_piece) return false;
-  return is_street && track.passage == map::Passage::kGround && !track.has_tagged_width &&
-         length_m(track.axis) <= kLongestFitted_m;
+  return map::family_of(track.surface) == map::Family::kStreet && track.passage == map::Passage::kGround &&
+         !track.has_tagged_width && length_m(track.axis) <= kLongestFitted_m;
 }
 
 double narrowest_m(const map::Track& track) {

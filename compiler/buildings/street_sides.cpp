@@ -16,7 +16,8 @@ constexpr double kMaxStreet_m = 24;
 constexpr double kMinEdge_m = 1.5;
 constexpr double kCos45 = 0.7071;
 
-bool is_street(const map::Track& track) {
+// A runway counts, too.
+bool has_fronts(const map::Track& track) {
   return map::values_of(track.surface).group == map::LandCoverGroup::kRoad && !track.is_rail &&
          track.passage == map::Passage::kGround;
 }
@@ -33,7 +34,7 @@ Streets index_streets(std::span<const map::Track> tracks) {
   Streets streets;
   std::vector<Box2> boxes;
   for (const map::Track& track : tracks) {
-    if (!is_street(track)) continue;
+    if (!has_fronts(track)) continue;
     const double half_m = std::min(kMaxStreet_m, map::carriageway_width_m(track.section)) / 2;
     for (std::size_t i = 0; i + 1 < track.axis.size(); ++i) {
       streets.segments.push_back({track.axis[i], track.axis[i + 1], half_m});

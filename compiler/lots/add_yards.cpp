@@ -35,7 +35,7 @@ double width_of(BarrierKind kind) {
 // The yard of one lot.
 struct Yard {
   YardGround ground;
-  std::vector<YardBarrier> barriers{};
+  std::vector<map::Barrier> barriers{};
   std::vector<YardPlant> plants{};
 };
 
@@ -103,7 +103,7 @@ struct YardAdder {
     }
     part = 0;
     for (std::size_t i = 0; i < yard.barriers.size() && i < kPartsOfBuilding / kPartsOfBarrier; ++i) {
-      const YardBarrier& barrier = yard.barriers[i];
+      const map::Barrier& barrier = yard.barriers[i];
       yards.barriers.push_back({.id = id_of(part),
                                 .axis = barrier.axis,
                                 .kind = barrier.kind,

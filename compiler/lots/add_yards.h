@@ -31,8 +31,9 @@ struct Yards {
 map::FeatureView seen_with(map::FeatureView features, const Yards& yards);
 
 /// Returns the features with yards. All that is added has the id of the lot's main building and a part from
-/// kFirstDerivedPart on (contract/derived_id.h); this building is marked with Assumption::kYards and counted. Only lots whose main building has
-/// its centroid in the extent get a yard. Mapped car parks without lanes get bays, with the id of the car park.
+/// kFirstDerivedPart on (contract/derived_id.h); this building is marked with Assumption::kYards and counted. Only lots
+/// whose main building has its centroid in the extent get a yard. Mapped car parks without lanes get bays, with the id
+/// of the car park.
 ///
 /// Nothing is added over mapped land that is finer than land use, since such land is in no lot; surfaces have lower
 /// priorities than it. Nothing that is mapped is changed. The result does not depend on the order of features.

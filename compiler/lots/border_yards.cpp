@@ -143,11 +143,12 @@ struct BorderDrawer {
 
   // Adds the free runs of a line.
   void add_runs(const Polyline& line, BorderPart part, const BorderRule& border,
-                std::vector<YardBarrier>& barriers) const {
+                std::vector<map::Barrier>& barriers) const {
     Polyline run;
     const auto end_run = [&] {
       if (run.size() >= 2 && length_m(run) >= kShortestBorder_m)
-        barriers.push_back({.axis = without_equal_points(run), .kind = *border.kind, .height_m = border.height_m});
+        barriers.push_back(
+            {.id = {}, .axis = without_equal_points(run), .kind = *border.kind, .height_m = border.height_m});
       run.clear();
     };
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -191,10 +192,10 @@ SharedEdges index_edges(std::span<const Lot> lots) {
   return edges;
 }
 
-std::vector<YardBarrier> barriers_of(std::uint32_t lot, std::span<const Lot> lots,
-                                     std::span<const std::optional<YardRule>> rules, const SharedEdges& edges,
-                                     const BorderObstacles& obstacles) {
-  std::vector<YardBarrier> barriers;
+std::vector<map::Barrier> barriers_of(std::uint32_t lot, std::span<const Lot> lots,
+                                      std::span<const std::optional<YardRule>> rules, const SharedEdges& edges,
+                                      const BorderObstacles& obstacles) {
+  std::vector<map::Barrier> barriers;
   if (!rules[lot]) return barriers;
   const BorderDrawer drawer{lot, lots, rules, edges, obstacles};
   const std::vector<BorderPiece> pieces = drawer.pieces();

@@ -15,13 +15,6 @@
 
 namespace citykiln::lots {
 
-/// A line of a border.
-struct YardBarrier {
-  Polyline axis;  ///< Snapped, at least two points.
-  map::BarrierKind kind{};
-  double height_m = 0;
-};
-
 /// The edges of all lots, so that each finds its neighbour.
 struct SharedEdges {
   struct Entry {
@@ -41,7 +34,7 @@ struct BorderObstacles {
   Capsules street_fronts;  ///< Strips of streets. A place with clearance 0 lies on the edge of one.
 };
 
-/// Returns the barriers of one lot; none if rules[lot] is empty.
+/// Returns the barriers of one lot, without ids and widths; none if rules[lot] is empty.
 ///
 /// The rule's `street` applies along streets and at the sides of the front yard, `sides` everywhere else. Barriers
 /// along a street stand 0.625 m inside the lot, the others on its border. The common edge of two neighbours with rules
@@ -51,8 +44,8 @@ struct BorderObstacles {
 /// - under the rule `street`, at junctions (MappedThings::junction_zones), or if a barrier is mapped in the lot.
 /// @param lot    An index of lots.
 /// @param rules  One for each lot.
-std::vector<YardBarrier> barriers_of(std::uint32_t lot, std::span<const Lot> lots,
-                                     std::span<const std::optional<YardRule>> rules, const SharedEdges& edges,
-                                     const BorderObstacles& obstacles);
+std::vector<map::Barrier> barriers_of(std::uint32_t lot, std::span<const Lot> lots,
+                                      std::span<const std::optional<YardRule>> rules, const SharedEdges& edges,
+                                      const BorderObstacles& obstacles);
 
 }  // namespace citykiln::lots

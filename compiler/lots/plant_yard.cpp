@@ -20,7 +20,7 @@ constexpr std::uint32_t kDraws = 4, kFirstDraw = 16;
 struct Planter {
   const Lot& lot;
   const YardRule& rule;
-  std::span<const YardBarrier> barriers;
+  std::span<const map::Barrier> barriers;
   const BorderObstacles& obstacles;
 
   map::LandCoverClass surface_at(Vec2 p) const {
@@ -37,7 +37,7 @@ struct Planter {
 
   bool is_off_barriers(Vec2 p) const {
     return clearance_m(obstacles.mapped.barriers, p, kToBorder_m) >= kToBorder_m &&
-           std::ranges::none_of(barriers, [&](const YardBarrier& barrier) {
+           std::ranges::none_of(barriers, [&](const map::Barrier& barrier) {
              return distance_to_polyline(barrier.axis, p) < kToBorder_m;
            });
   }
@@ -45,7 +45,7 @@ struct Planter {
   bool is_place(Vec2 p, bool is_shrub) const {
     const MappedThings& mapped = obstacles.mapped;
     const double to_wall_m = is_shrub ? kShrubToWall_m : kTreeToWall_m;
-    return contains(lot.parcel.polygon, p) && is_soft(surface_at(p)) &&
+    return contains(lot.parcel.polygon, p) && is_planted(surface_at(p)) &&
            distance_to_ring(lot.parcel.polygon.outer, p) >= kToBorder_m &&
            clearance_m(mapped.walls, p, to_wall_m) >= to_wall_m && !is_inside_any(mapped.buildings, p) &&
            !is_inside_any(mapped.pools, p) && is_off_ways(p) && is_off_barriers(p) &&
@@ -70,7 +70,7 @@ std::uint32_t draw_index(std::int64_t column, std::int64_t row) {
 
 }  // namespace
 
-std::vector<YardPlant> plants_of(const Lot& lot, const YardRule& rule, std::span<const YardBarrier> barriers,
+std::vector<YardPlant> plants_of(const Lot& lot, const YardRule& rule, std::span<const map::Barrier> barriers,
                                  const BorderObstacles& obstacles, const RandomSequence& draw) {
   std::vector<YardPlant> plants;
   const double per_square = (rule.trees + rule.shrubs) * kSquare_m * kSquare_m / 100;

@@ -31,7 +31,7 @@ inline constexpr std::size_t kMostPlants = 48;
 /// No trees stand where one is mapped in the lot.
 /// @param barriers  The barriers of the lot (barriers_of()).
 /// @param draw      The random numbers of the lot; indices from 16 on are used.
-std::vector<YardPlant> plants_of(const Lot& lot, const YardRule& rule, std::span<const YardBarrier> barriers,
+std::vector<YardPlant> plants_of(const Lot& lot, const YardRule& rule, std::span<const map::Barrier> barriers,
                                  const BorderObstacles& obstacles, const RandomSequence& draw);
 
 }  // namespace citykiln::lots

@@ -6,7 +6,11 @@ namespace {
 using map::CountryGroup;
 using map::LandCoverClass;
 
-enum class YardBorder : std::uint8_t { kNone, kHedge, kFence, kWall };
+// The words for borders in yards.inc.
+namespace borders {
+using enum map::BarrierKind;
+constexpr std::optional<map::BarrierKind> kNone;
+}  // namespace borders
 
 // The group of rows for all groups without rows of their own.
 constexpr auto kAnywhere = CountryGroup::kCount;
@@ -17,10 +21,8 @@ struct YardRow {
   std::uint32_t weight;
   LandCoverClass front, rear, path, drive;
   double drive_percent;
-  YardBorder street;
-  double street_m;
-  YardBorder sides;
-  double sides_m, trees, shrubs;
+  BorderRule street, sides;
+  double trees, shrubs;
 };
 
 #define YARD_ROW(group, kind, weight, front, rear, path, drive, percent, street, street_m, sides, sides_m, trees, \
@@ -33,10 +35,8 @@ struct YardRow {
    LandCoverClass::path,                                                                                          \
    LandCoverClass::drive,                                                                                         \
    percent,                                                                                                       \
-   YardBorder::street,                                                                                            \
-   street_m,                                                                                                      \
-   YardBorder::sides,                                                                                             \
-   sides_m,                                                                                                       \
+   {borders::street, street_m},                                                                                   \
+   {borders::sides, sides_m},                                                                                     \
    trees,                                                                                                         \
    shrubs},
 #define YARD(group, ...) YARD_ROW(CountryGroup::group, __VA_ARGS__)
@@ -45,19 +45,6 @@ constexpr YardRow kYardRows[] = {
 #include "compiler/lots/yards.inc"
 };
 #undef YARD_ROW
-
-BorderRule border_rule(YardBorder border, double height_m) {
-  switch (border) {
-    case YardBorder::kHedge:
-      return {map::BarrierKind::kHedge, height_m};
-    case YardBorder::kFence:
-      return {map::BarrierKind::kFence, height_m};
-    case YardBorder::kWall:
-      return {map::BarrierKind::kWall, height_m};
-    default:
-      return {};
-  }
-}
 
 std::uint32_t weight_of(CountryGroup group, LotKind kind) {
   std::uint32_t sum = 0;
@@ -82,7 +69,7 @@ bool is_arid(climate::ClimateClass climate) {
 
 }  // namespace
 
-bool is_soft(LandCoverClass surface) {
+bool is_planted(LandCoverClass surface) {
   return surface == LandCoverClass::kLawn || surface == LandCoverClass::kGravelYard ||
          surface == LandCoverClass::kEarthYard;
 }
@@ -98,8 +85,8 @@ std::optional<YardRule> rule_for(const Lot& lot, const RandomSequence& draw) {
                 .path = row.path,
                 .drive = row.drive,
                 .has_drive = draw.unit(1) * 100 < row.drive_percent,
-                .street = border_rule(row.street, row.street_m),
-                .sides = border_rule(row.sides, row.sides_m),
+                .street = row.street,
+                .sides = row.sides,
                 .trees = row.trees,
                 .shrubs = row.shrubs};
   if (!is_arid(lot.climate)) return rule;

@@ -29,6 +29,6 @@ struct YardRule {
 std::optional<YardRule> rule_for(const Lot& lot, const RandomSequence& draw);
 
 /// True for lawn, gravel and earth, on which plants grow.
-bool is_soft(map::LandCoverClass surface);
+bool is_planted(map::LandCoverClass surface);
 
 }  // namespace citykiln::lots

@@ -194,9 +194,10 @@ constexpr std::string_view name_of(BarrierKind kind) {
 /// A wall, fence, hedge or similar as a line.
 struct Barrier {
   ObjectId id;
-  Polyline axis;
+  Polyline axis;  ///< Plane metres, snapped.
   BarrierKind kind{};
   double height_m = 0, width_m = 0;
+  bool operator==(const Barrier&) const = default;
 };
 
 /// The form of the land that an object makes.

@@ -31,4 +31,8 @@ Family family_of(LandCoverClass surface) {
                                           : Family::kOther;
 }
 
+bool is_street(LandCoverClass surface) {
+  return values_of(surface).group == LandCoverGroup::kRoad && surface != LandCoverClass::kRunway;
+}
+
 }  // namespace citykiln::map

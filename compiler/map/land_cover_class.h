@@ -55,4 +55,7 @@ const LandCoverValues& values_of(LandCoverClass surface);
 enum class Family : std::uint8_t { kStreet, kPath, kOther };
 Family family_of(LandCoverClass surface);
 
+/// True for roads of cars and lorries: all of LandCoverGroup::kRoad but runways.
+bool is_street(LandCoverClass surface);
+
 }  // namespace citykiln::map

@@ -58,12 +58,6 @@ Props plan(const map::FeatureView& features, Report& report) {
   return props;
 }
 
-std::vector<Barrier> with_more(std::vector<Barrier> barriers, std::vector<Barrier> more) {
-  std::ranges::move(more, std::back_inserter(barriers));
-  std::ranges::sort(barriers, {}, [](const Barrier& barrier) { return std::tie(barrier.id, barrier.axis); });
-  return barriers;
-}
-
 bool has_hedges(const Props& props) {
   return std::ranges::any_of(props.barriers, [](const Barrier& b) { return b.kind == map::BarrierKind::kHedge; });
 }

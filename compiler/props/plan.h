@@ -1,6 +1,7 @@
 // Plans props: barriers and mapped lamps.
 #pragma once
 
+#include <tuple>
 #include <vector>
 
 #include "compiler/contract/report.h"
@@ -17,8 +18,8 @@ struct Props {
 /// True if a barrier is a hedge.
 bool has_hedges(const Props& props);
 
-/// Returns two lists of barriers as one, sorted by id, then by axis.
-std::vector<Barrier> with_more(std::vector<Barrier> barriers, std::vector<Barrier> more);
+/// The order of barriers: by id, then by axis.
+inline auto order_of(const Barrier& barrier) { return std::tie(barrier.id, barrier.axis); }
 
 /// Returns the props of a map. Barriers are cut 4 m outside of the extent; their parts are numbered. Ledger
 /// "props/barrier", "props/point". Dropped: kOutsideBounds. Cannot fail.

@@ -7,14 +7,8 @@
 
 namespace citykiln::props {
 
-/// A wall, fence or hedge along a line.
-struct Barrier {
-  ObjectId id;
-  Polyline axis;  ///< Plane metres, snapped.
-  map::BarrierKind kind{};
-  double height_m = 0, width_m = 0;
-  bool operator==(const Barrier&) const = default;
-};
+/// A barrier that is built. Its axis is cut 4 m outside of the extent.
+using Barrier = map::Barrier;
 
 /// A mapped street lamp.
 struct Lamp {

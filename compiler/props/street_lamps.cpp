@@ -24,9 +24,7 @@ constexpr Lighting kWithoutRoad = {.spacing_m = 0, .height_m = 6, .kind = LampKi
 
 LandCoverGroup group_of(LandCoverClass surface) { return map::values_of(surface).group; }
 bool is_path(const Road& road) { return group_of(road.surface) == LandCoverGroup::kPath; }
-bool is_street(const Road& road) {
-  return group_of(road.surface) == LandCoverGroup::kRoad && road.surface != LandCoverClass::kRunway;
-}
+bool is_street(const Road& road) { return map::is_street(road.surface); }
 
 enum class Side : std::uint8_t { kLeft, kRight };
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <tuple>
 
+#include "compiler/contract/joined.h"
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/things/facing.h"
@@ -180,12 +181,6 @@ std::vector<Thing> plan_mapped(const map::FeatureView& features, std::span<const
   return things;
 }
 
-std::vector<Thing> with_more(std::vector<Thing> things, const std::vector<Thing>& more) {
-  things.insert(things.end(), more.begin(), more.end());
-  std::ranges::sort(things, {}, [](const Thing& thing) { return std::tie(thing.id, thing.at); });
-  return things;
-}
-
 std::vector<Thing> plan_supports_beyond(const map::FeatureView& features, const Kinds& kinds, std::uint64_t seed) {
   const Axes no_axes = axes_of({});
   std::vector<Thing> supports;
@@ -224,8 +219,8 @@ Result<ThingPlan> plan(const map::FeatureView& features, const ThingInputs& inpu
     Result<Kinds> kinds = kinds_of(catalogue, names);
     if (!kinds) return kinds.error();
     plan.kinds = std::move(*kinds);
-    plan.things = with_more(plan_mapped(seen, roads, junctions, cover, buildings, plan.kinds, seed, report),
-                            plan.contact_lines.masts);
+    plan.things = joined(plan_mapped(seen, roads, junctions, cover, buildings, plan.kinds, seed, report),
+                         plan.contact_lines.masts, [](const Thing& thing) { return std::tie(thing.id, thing.at); });
   }
   plan.beyond = plan_supports_beyond(seen, plan.kinds, seed);
   return plan;

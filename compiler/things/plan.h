@@ -61,9 +61,6 @@ std::vector<Thing> plan_mapped(const map::FeatureView& features, std::span<const
                                std::span<const buildings::Building> buildings, const Kinds& kinds, std::uint64_t seed,
                                Report& report);
 
-/// Returns two lists of things as one, sorted by id.
-std::vector<Thing> with_more(std::vector<Thing> things, const std::vector<Thing>& more);
-
 /// Returns the supports of power lines outside of the extent, where they are mapped. Sorted by id. They are not built.
 /// @param kinds  The kinds of the map's things.
 std::vector<Thing> plan_supports_beyond(const map::FeatureView& features, const Kinds& kinds, std::uint64_t seed);

@@ -187,8 +187,6 @@ std::set<std::pair<std::size_t, std::size_t>> joined_supports(const ContactLines
   return joined;
 }
 
-auto order_of(const WireSpan& span) { return std::tuple(span.id, span.wires.front().from, span.wires.front().to); }
-
 }  // namespace
 
 std::vector<WireSpan> contact_spans(const ContactLines& lines, const ground::GradedTerrain& ground, Report& report) {
@@ -219,12 +217,6 @@ std::vector<WireSpan> contact_spans(const ContactLines& lines, const ground::Gra
   }
   std::ranges::sort(spans, {}, order_of);
   report.account("wires", "contact span") = account;
-  return spans;
-}
-
-std::vector<WireSpan> with_more(std::vector<WireSpan> spans, std::vector<WireSpan> more) {
-  std::ranges::move(more, std::back_inserter(spans));
-  std::ranges::sort(spans, {}, order_of);
   return spans;
 }
 

@@ -5,6 +5,7 @@
 //     x----------------x    contact wire
 #pragma once
 
+#include <tuple>
 #include <vector>
 
 #include "compiler/contract/report.h"
@@ -34,7 +35,7 @@ inline constexpr double kLeastOverTrack_m = 4.6;
 std::vector<WireSpan> contact_spans(const things::ContactLines& lines, const ground::GradedTerrain& ground,
                                     Report& report);
 
-/// Returns two lists of spans as one, sorted by id.
-std::vector<WireSpan> with_more(std::vector<WireSpan> spans, std::vector<WireSpan> more);
+/// The order of spans: by id, then by the ends of the first wire.
+inline auto order_of(const WireSpan& span) { return std::tie(span.id, span.wires.front().from, span.wires.front().to); }
 
 }  // namespace citykiln::wires
