@@ -71,7 +71,6 @@ double tallest_of(const Baking& baking, props::LampKind kind, const std::vector<
 
 // Adds the lamps of one kind; returns false where the tolerance drops them.
 bool bake_lamp_kind(Baking& baking, const Lamps& lamps, const ground::GradedTerrain& graded, props::LampKind kind) {
-  constexpr const char* kNames[] = {"PostTopLamp", "ArmLamp"};
   std::vector<Placement> placements;
   for (const props::StreetLamp& lamp : lamps.standing)
     if (lamp.kind == kind) placements.push_back(props::place(lamp, graded));
@@ -82,7 +81,7 @@ bool bake_lamp_kind(Baking& baking, const Lamps& lamps, const ground::GradedTerr
     for (Vec3& p : part.mesh.positions) p = p * height_m;
   for (const Placement& p : placements) baking.certify(lamp.error_m, bounds_of(p));
   if (lamp.meshes.empty()) return false;
-  InstancedMesh instanced = instances_of(baking, kNames[static_cast<std::size_t>(kind)], placements, height_m);
+  InstancedMesh instanced = instances_of(baking, std::string(props::name_of(kind)), placements, height_m);
   instanced.primitives = instanced_primitives(lamp.meshes, Layer::kProps);
   baking.tile.instanced.push_back(std::move(instanced));
   return true;

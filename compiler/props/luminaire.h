@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 #include "compiler/geometry/placement.h"
 #include "compiler/map/lamp_tags.h"
@@ -14,6 +16,16 @@ enum class LampKind : std::uint8_t {
   kArm,      ///< A head on an arm over the road.
   kCount
 };
+
+/// The name of a kind in output files.
+constexpr std::string_view name_of(LampKind kind) { return kind == LampKind::kArm ? "ArmLamp" : "PostTopLamp"; }
+
+/// Returns the kind of lamps that instances of an output file are; nothing for other instances.
+constexpr std::optional<LampKind> lamp_named(std::string_view name) {
+  for (const LampKind kind : {LampKind::kPostTop, LampKind::kArm})
+    if (name == name_of(kind)) return kind;
+  return std::nullopt;
+}
 
 /// The directions in which a luminaire shines.
 enum class Beam : std::uint8_t {

@@ -10,6 +10,7 @@
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/centroid.h"
 #include "compiler/geometry/segment.h"
+#include "compiler/props/luminaire.h"
 #include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/width_limits/narrowed_section.h"
 #include "compiler/scene/land_cover.h"
@@ -186,8 +187,6 @@ bool is_on_free_wall(const buildings::Building& building, const buildings::Front
          std::ranges::none_of(building.fronts, is_taken_by_front) &&
          !is_across_opening(building, front, a, unit(b - a));
 }
-
-bool is_lamp(std::string_view name) { return name == "PostTopLamp" || name == "ArmLamp"; }
 
 std::set<OsmId> ways_with_assumed_lamps(const scene::Chunk& chunk) {
   std::set<OsmId> ways;
@@ -416,7 +415,7 @@ AssumedPlaces measure_assumed_lamps(const bake::BakedTile& tile, const scene::Ch
   const std::set<OsmId> ways = ways_with_assumed_lamps(chunk);
   if (ways.empty()) return found;
   for (const bake::InstancedMesh& instanced : tile.instanced) {
-    if (!is_lamp(instanced.name)) continue;
+    if (!props::lamp_named(instanced.name)) continue;
     for (std::size_t i = 0; i < instanced.translations.size(); ++i) {
       const OsmId way = tile.features[instanced.features[i]];
       if (!ways.contains(way)) continue;

@@ -38,7 +38,7 @@ double luminance_of(const props::Luminaire& light) {
 
 UsdDictionary data_of(const bake::PlacedLamp& lamp) {
   const OsmId id = lamp.placement.feature;
-  return {{"class", std::string(lamp.kind == props::LampKind::kArm ? "ArmLamp" : "PostTopLamp")},
+  return {{"class", std::string(props::name_of(lamp.kind))},
           {"lumen", static_cast<double>(lamp.light.lumen)},
           {"temperature_k", static_cast<double>(lamp.light.temperature_k)},
           {"osm_id", fmt::format("{}", id.id)},

@@ -52,9 +52,7 @@ std::vector<StreetLamp> lamps_of(std::span<const bake::BakedTile> tiles) {
   std::vector<StreetLamp> lamps;
   for (const bake::BakedTile& tile : tiles)
     for (const bake::InstancedMesh& mesh : tile.instanced)
-      if (mesh.name == "PostTopLamp" || mesh.name == "ArmLamp")
-        add_instances(lamps, tile.origin, mesh,
-                      mesh.name == "ArmLamp" ? props::LampKind::kArm : props::LampKind::kPostTop);
+      if (const auto kind = props::lamp_named(mesh.name)) add_instances(lamps, tile.origin, mesh, *kind);
   return lamps;
 }
 

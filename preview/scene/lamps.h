@@ -24,7 +24,7 @@ struct StreetLamp {
 /// computed, in parallel, since lamps stand on it.
 std::vector<StreetLamp> lamps_of(const scene::Scene& scene, int threads);
 
-/// Returns the lamps of baked tiles: their instances named "PostTopLamp" and "ArmLamp", in the order of the tiles. The
+/// Returns the lamps of baked tiles: their instances that lamp_named() knows, in the order of the tiles. The
 /// light of a lamp follows from its kind and height, since tiles do not hold OSM tags. Tiles at tolerances at which
 /// lamps are left out give no lamps. O(instances).
 std::vector<StreetLamp> lamps_of(std::span<const bake::BakedTile> tiles);

@@ -21,13 +21,11 @@ double candela_of(const props::Luminaire& light) {
   return light.beam == props::Beam::kDown ? 3 * light.lumen / (2 * kPi) : light.lumen / props::beam_sr(light.beam);
 }
 
-const char* lamp_name(props::LampKind kind) { return kind == props::LampKind::kArm ? "ArmLamp" : "PostTopLamp"; }
-
 Json light_of(const bake::PlacedLamp& lamp) {
   const auto colour = props::black_body_colour(lamp.light.temperature_k);
   const double largest = *std::ranges::max_element(colour), candela = candela_of(lamp.light);
   // the colour's luminance is 1 / largest
-  Json light = {{"name", lamp_name(lamp.kind)}, {"type", "point"}, {"intensity", candela * largest}};
+  Json light = {{"name", props::name_of(lamp.kind)}, {"type", "point"}, {"intensity", candela * largest}};
   for (const float c : colour) light["color"].push_back(c / largest);
   if (candela > 0) light["range"] = std::sqrt(candela / kLeast_lx);
   if (lamp.light.beam == props::Beam::kDown)
@@ -47,7 +45,7 @@ std::size_t light_number(GlbBuilder& f, std::vector<props::Luminaire>& known, co
 // All numbers are written with a fraction.
 Json extras_of_lamp(const bake::PlacedLamp& lamp) {
   const OsmId id = lamp.placement.feature;
-  return {{"class", lamp_name(lamp.kind)},
+  return {{"class", props::name_of(lamp.kind)},
           {"lumen", lamp.light.lumen},
           {"temperature_k", lamp.light.temperature_k},
           {"osm_id", static_cast<double>(id.id)},
@@ -66,7 +64,7 @@ Json shining_down(Vec3 up) {
 
 Json node_of(const GlbBuilder& f, const bake::PlacedLamp& lamp, std::size_t light) {
   const Vec3 glass = props::glass_of(lamp.placement, lamp.kind) - f.tile.origin;
-  Json node = {{"name", lamp_name(lamp.kind)},
+  Json node = {{"name", props::name_of(lamp.kind)},
                {"translation", to_gltf(bake::narrowed(glass))},
                {"extensions", {{kExtension, {{"light", light}}}}},
                {"extras", extras_of_lamp(lamp)}};
