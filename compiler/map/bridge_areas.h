@@ -32,11 +32,11 @@ struct CarriedTracks {
 /// Decides which bridges each area carries: those that lie on it for a third of their length, or run over half of it.
 /// An area without such gets axes of its own, which are bridges of the class of the ways that meet its outline at map
 /// nodes: from one such node to the farthest other one, and from every other one to the nearest place on it; the widest
-/// way across the area where fewer than two ways meet it. Ids of axes are the area's, with parts from kFirstDerivedPart on.
-/// An area with bridge=yes that lies in an outline belongs to it. An outline without bridges that ways on the ground
-/// run through is left out (kBridgeOutlineOnGround), and so is one too short for an axis (kBridgeAreaWithoutDeck).
-/// Bridges of another layer count only where none of the area's layer lies on it. O(n log n) in tracks and O(areas ·
-/// tracks near).
+/// way across the area where fewer than two ways meet it. Ids of axes are the area's, with parts from kFirstDerivedPart
+/// on. An area with bridge=yes that lies in an outline belongs to it. An outline without bridges that ways on the
+/// ground run through is left out (kBridgeOutlineOnGround), and so is one too short for an axis
+/// (kBridgeAreaWithoutDeck). Bridges of another layer count only where none of the area's layer lies on it. O(n log n)
+/// in tracks and O(areas · tracks near).
 CarriedTracks with_bridge_areas(std::vector<Track> tracks, std::vector<BridgeArea> areas, Report& report);
 
 }  // namespace citykiln::map

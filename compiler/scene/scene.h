@@ -47,7 +47,7 @@ inline constexpr double kRoadHalo_m = 56;
 
 /// The properties of the whole scene.
 struct Header {
-  LonLat origin;                   ///< The origin of the plane.
+  LonLat origin;                        ///< The origin of the plane.
   Box2 extent;                          ///< The compiled part of the plane: whole cells of map::kCell_m.
   double tile_m = map::kDefaultTile_m;  ///< A whole multiple of map::kCell_m.
   std::uint64_t seed = 0;

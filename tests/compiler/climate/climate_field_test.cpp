@@ -13,7 +13,7 @@ namespace {
 auto degrees_about(LonLat origin) {
   return [origin](Vec2 at) {
     return LonLat{origin.lon_deg + at.x / 111200 / std::cos(origin.lat_deg * 3.14159265 / 180),
-                         origin.lat_deg + at.y / 111200};
+                  origin.lat_deg + at.y / 111200};
   };
 }
 
