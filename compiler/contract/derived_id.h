@@ -1,4 +1,4 @@
-// The parts of ids: objects that are made from an element of another kind have parts of their own.
+// The part numbers of ids. An object that is made from an element has the element's id and a part from these ranges.
 //
 //     part          objects
 //     from 0        polygons of a multipolygon, pieces of a way
@@ -18,13 +18,16 @@ namespace citykiln {
 /// The first part of derived objects. Their properties are those of the element that they are derived from.
 inline constexpr std::uint32_t kFirstDerivedPart = 0x4000;
 
-/// True for the id of a derived object. Ids of buildings and of land cover are not asked: their other parts are large.
+/// True for the id of a derived object. It is true for pieces, treads, islands and junctions too, since their parts are
+/// larger. A caller that asks ids of buildings or of land cover must tell these apart first.
 constexpr bool is_derived(ObjectId id) { return id.part >= kFirstDerivedPart; }
 
-/// Returns the id of the n-th object that is derived from an object. Parts must have few of these.
+/// Returns the id of the n-th object that is derived from an object. The n-th of part p has the id of the first of part
+/// p + n, so elements of several parts use the form with `most`.
 constexpr ObjectId derived_id(ObjectId from, std::uint32_t n) { return {from.osm, kFirstDerivedPart + from.part + n}; }
 
-/// Returns the id of the n-th of at most `most` objects that are derived from each part of an element.
+/// Returns the id of the n-th object, from 0 to most - 1, that is derived from a part of an element. Ids of different
+/// parts differ.
 constexpr ObjectId derived_id(ObjectId from, std::uint32_t most, std::uint32_t n) {
   return {from.osm, kFirstDerivedPart + from.part * most + n};
 }

@@ -1,4 +1,4 @@
-// Two lists of recipes as one.
+// Joins two lists into one that is sorted.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 namespace citykiln {
 
-/// Returns two lists as one, sorted by a key: a function of an object.
+/// Returns the objects of both lists, sorted by key(object). Objects with equal keys have no fixed order. O(n log n).
 template <typename Object, typename Key>
 std::vector<Object> joined(std::vector<Object> first, const std::vector<Object>& second, Key key) {
   first.insert(first.end(), second.begin(), second.end());
