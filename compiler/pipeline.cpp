@@ -153,7 +153,7 @@ PlannedGround plan_ground(const map::FeatureView& features, const roads::RoadPla
   ground.landforms = ground::plan_landforms(features, surfaces, streams, heights, report);
   timer.enter("road heights");
   ground.profiles = ground::plan_profiles(features, planned.roads, planned.junctions, streams, surfaces, heights,
-                                          report, 1, ground.landforms);
+                                          report, ground.landforms);
   ground.measured = ground::measure_profiles(features, ground.profiles);
   ground.surfaces = ground::with_pool_rims(std::move(waters.surfaces));
   ground.streams = std::move(waters.streams);

@@ -90,9 +90,10 @@ void add_grades(const roads::Road& road, double scale, ProfileMeasure& measure) 
 
 ProfileMeasure measure_at(const ProfileInputs& inputs, double scale) {
   Report ignored;
-  const ground::Profiles profiles =
-      ground::plan_profiles(inputs.features, inputs.roads, inputs.junctions, inputs.waters.streams,
-                            inputs.waters.surfaces, inputs.heights, ignored, scale);
+  ground::ProfileGraph graph = ground::graph_of(inputs.features, inputs.roads, inputs.junctions);
+  graph.limit_scale = scale;
+  const ground::Profiles profiles = ground::plan_profiles_on(
+      graph, inputs.features, inputs.roads, inputs.waters.streams, inputs.waters.surfaces, inputs.heights, ignored);
   ProfileMeasure measure;
   for (const roads::Road& road : profiles.roads) {
     if (road.profile.empty() || !ground::has_profile(road.surface)) continue;

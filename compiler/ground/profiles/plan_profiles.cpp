@@ -97,10 +97,16 @@ double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m) {
 Profiles plan_profiles(const map::FeatureView& features, std::span<const roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
                        std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,
-                       double limit_scale, std::span<const Landform> landforms) {
-  assert(limit_scale > 0);
-  ProfileGraph graph = graph_of(features, roads, junctions);
-  graph.limit_scale = limit_scale;
+                       std::span<const Landform> landforms) {
+  return plan_profiles_on(graph_of(features, roads, junctions), features, roads, streams, waters, heights, report,
+                          landforms);
+}
+
+Profiles plan_profiles_on(const ProfileGraph& graph, const map::FeatureView& features,
+                          std::span<const roads::Road> roads, std::span<const roads::Strip> streams,
+                          std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,
+                          std::span<const Landform> landforms) {
+  assert(graph.limit_scale > 0);
   const std::vector<Crossing> crossings =
       find_crossings(graph, features, {streams, waters, [&](Vec2 p) { return height_m_at(heights, p); }});
   const std::vector<double> lines_m = initial_heights(graph, heights, index_landforms(landforms));

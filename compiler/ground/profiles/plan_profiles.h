@@ -57,11 +57,10 @@ const Profile& profile_of(const Profiles& profiles, const GraphWay& way);
 double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m);
 
 /// Plans all profiles.
-/// @param streams      Watercourses with their profiles; a stream without one lies on the terrain.
-/// @param waters       Water polygons; polygons without a level are ignored.
-/// @param heights      The terrain.
-/// @param landforms    Retaining walls, dykes, piers and others; roads have the height of their side.
-/// @param limit_scale  Factor on all grade limits, for charts.
+/// @param streams    Watercourses with their profiles; a stream without one lies on the terrain.
+/// @param waters     Water polygons; polygons without a level are ignored.
+/// @param heights    The terrain.
+/// @param landforms  Retaining walls, dykes, piers and others; roads have the height of their side.
 ///
 /// Guarantees: ways have equal heights at a common node, and roads where they cross on the ground off junctions, within
 /// kKnotError_m; nodes of one junction lie on one plane; a bridge with enough clearance lies on the smooth line between
@@ -73,6 +72,13 @@ double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m);
 Profiles plan_profiles(const map::FeatureView& features, std::span<const roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
                        std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,
-                       double limit_scale = 1, std::span<const Landform> landforms = {});
+                       std::span<const Landform> landforms = {});
+
+/// Plans all profiles as plan_profiles() does, on a graph that was made before: that of the features, roads and
+/// junctions. The graph's limit_scale may differ from 1.
+Profiles plan_profiles_on(const ProfileGraph& graph, const map::FeatureView& features,
+                          std::span<const roads::Road> roads, std::span<const roads::Strip> streams,
+                          std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,
+                          std::span<const Landform> landforms = {});
 
 }  // namespace citykiln::ground
