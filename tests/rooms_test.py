@@ -37,7 +37,6 @@ ROWS = [
     ["exporters"],
     ["compiler/outputs"],
     ["preview", "compiler/verify"],
-    ["compiler/charts"],
     ["compiler/commands"],
     ["main"],  # compiler/main.cpp
 ]
@@ -65,7 +64,7 @@ STEPS = {"exporters/gltf": [["", "pictures"], ["pack"], ["write", "read"]]}
 NOT_REPRODUCIBLE = re.compile(r"<random>|std::hash\b|std::(a?sinh?|a?cosh?|a?tanh?|atan2|exp2?|expm1|pow|log(2|10|1p)?|cbrt|hypot)\(")
 REPRODUCIBLE_ROOMS = ["grammars", "lsystems", "compiler/parcels", "compiler/invent", "compiler/simplify", "compiler/climate"] + [room for row in ROWS[4:18] for room in row]
 # sky light, which is only in rendered pictures
-EXEMPT = [Path("compiler/sky") / name for name in ("generate.cpp", "preetham.cpp", "spectrum.cpp", "stars.cpp", "atmosphere")]
+EXEMPT = [Path("compiler/sky") / name for name in ("generate.cpp", "spectrum.cpp", "stars.cpp", "atmosphere")]
 
 
 def sources():

@@ -130,6 +130,7 @@ std::string meant_verb(const std::string& word) {
   if (is_map_name(word)) return fmt::format("; did you mean citykiln compile {} -o out?", word);
   if (word.ends_with(".kiln") || word.ends_with(".glb"))
     return fmt::format("; did you mean citykiln preview {} -o picture.png?", word);
+  if (word == "chart") return "; charts are made by citykiln-chart, which the build of the tests makes";
   if (word == "help") return "; did you mean citykiln --help?";
   if (word.ends_with(".json")) return fmt::format("; did you mean citykiln compile --spec {}?", word);
   if (std::filesystem::is_directory(word, none)) return fmt::format("; did you mean citykiln view {}?", word);

@@ -54,7 +54,6 @@ Verb bake_verb();
 Verb preview_verb();
 Verb inspect_verb();
 Verb check_verb();
-Verb chart_verb();
 Verb plan_verb();
 Verb gather_verb();
 /// @param verbs  The verbs that the manual page, or the completion, describes.

@@ -14,7 +14,7 @@ from pathlib import Path
 from citykiln_program import PROGRAM, ROOT, ProgramTest, long_test, run
 
 BUILD = Path(PROGRAM).parent
-VERBS = ["compile", "bake", "preview", "view", "inspect", "check", "chart", "plan", "gather", "addon"]
+VERBS = ["compile", "bake", "preview", "view", "inspect", "check", "plan", "gather", "addon"]
 
 
 def call(*words, **options):

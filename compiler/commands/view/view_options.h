@@ -1,4 +1,4 @@
-// Parsers of the viewer options that preview, bake and chart share.
+// Parsers of the viewer options that preview and bake share.
 #pragma once
 
 #include <functional>

@@ -19,7 +19,7 @@ using materials::Material;
 using materials::MaterialMesh;
 
 // Brightness of hulls and boxes, which do not shadow themselves: the factors that make woods as bright as those of
-// leaves in `chart plant`. Twigs shadow less.
+// leaves in `citykiln-chart plant`. Twigs shadow less.
 constexpr double kHullShade = 0.25, kBoxShade = 0.6, kTwigsHullShade = 0.42;
 
 void scale(PrototypeMesh& plant, double by) {
@@ -115,7 +115,7 @@ constexpr double kOutlineBend = 0.5;
 
 // Width of leaf clusters in tolerances; finer than at kEvenShare of the height they grow only with the tolerance's
 // root, since a plant has no more leaves to lose: so triangles fall evenly from level to level. The picture error of
-// `chart plant` stays that of the noise there.
+// `citykiln-chart plant` stays that of the noise there.
 constexpr double kClusterWidth = 2.8, kWidestCluster = 6, kEvenShare = 1.0 / 64;
 
 double cluster_width(double share) {
