@@ -11,40 +11,30 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
-# A room may include rooms of earlier rows only, not those of its own row. ARCHITECTURE.md describes the rooms.
-ROWS = [
-    ["compiler/contract"],
-    ["compiler/geometry"],
-    ["compiler/parcels", "compiler/source", "compiler/materials", "compiler/climate", "compiler/simplify", "grammars", "lsystems"],
-    ["compiler/impostor", "compiler/invent"],
-    ["compiler/map"],
-    ["compiler/assume"],
-    ["compiler/roads"],
-    ["compiler/lots"],
-    ["compiler/ground"],
-    ["compiler/structures"],
-    ["compiler/buildings"],
-    ["compiler/plants"],
-    ["compiler/props"],
-    ["compiler/pitches"],
-    ["compiler/things"],
-    ["compiler/wires"],
-    ["compiler/sky"],
-    ["compiler/surroundings"],
-    ["compiler/scene"],
-    ["compiler/bake", "compiler/regions"],
-    ["compiler"],  # spec, pipeline, survey
-    ["exporters"],
-    ["compiler/outputs"],
-    ["preview", "compiler/verify"],
-    ["compiler/commands"],
-    ["main"],  # compiler/main.cpp
-]
-ROW_OF = {room: i for i, row in enumerate(ROWS) for room in row}
+CMAKE = (ROOT / "CMakeLists.txt").read_text()
 
-# Headers that a room may not include although they are in an earlier row: patterns of the included path.
+
+def linked_rooms():
+    """For each room the rooms that CMakeLists.txt links it to: citykiln_room(sky compiler/sky citykiln_map). The library
+    pipeline is the sources at the top of compiler."""
+    linked = {name: set(re.findall(r"citykiln_(\w+)", libraries)) for name, libraries in
+              re.findall(r"^citykiln_room\((\w+) \S+ ([^)]*)\)", CMAKE, re.M)}
+    pipeline = re.search(r"^target_link_libraries\(citykiln_pipeline PUBLIC (.*?) PRIVATE", CMAKE, re.M)[1]
+    return {**linked, "pipeline": set(re.findall(r"citykiln_(\w+)", pipeline)), "main": {"commands"}}
+
+
+LINKED = linked_rooms()
+
+
+def all_linked(room):
+    """The rooms that a room is linked to, directly or through others. A room may include these."""
+    return set().union(*({other} | all_linked(other) for other in LINKED[room]))
+
+
+ALLOWED = {room: all_linked(room) for room in LINKED}
+
+# Headers that a room may not include although they are linked: patterns of the included path.
 FORBIDDEN = {
-    "compiler/invent": r"compiler/(?!contract/|geometry/|parcels/)|grammars/|lsystems/",
     "exporters": r"compiler/source/|grammars/|lsystems/|compiler/[^/]+\.h$|.*/(plan|generate)\.h$",
     "preview": r"grammars/|lsystems/|compiler/source/read_|compiler/[^/]+\.h$|.*/plan\.h$",
     "main": r"(?!compiler/commands/)",
@@ -62,7 +52,9 @@ STEPS = {"exporters/gltf": [["", "pictures"], ["pack"], ["write", "read"]]}
 
 # Functions whose last bits differ between CPUs and C libraries.
 NOT_REPRODUCIBLE = re.compile(r"<random>|std::hash\b|std::(a?sinh?|a?cosh?|a?tanh?|atan2|exp2?|expm1|pow|log(2|10|1p)?|cbrt|hypot)\(")
-REPRODUCIBLE_ROOMS = ["grammars", "lsystems", "compiler/parcels", "compiler/invent", "compiler/simplify", "compiler/climate"] + [room for row in ROWS[4:18] for room in row]
+REPRODUCIBLE_ROOMS = ["grammars", "lsystems", "compiler/parcels", "compiler/invent", "compiler/simplify", "compiler/climate"] + ["compiler/" + room for room in
+                      ("map", "assume", "roads", "lots", "ground", "structures", "buildings", "plants", "props", "pitches", "things", "wires", "sky",
+                       "surroundings")]
 # sky light, which is only in rendered pictures
 EXEMPT = [Path("compiler/sky") / name for name in ("generate.cpp", "spectrum.cpp", "stars.cpp", "atmosphere")]
 
@@ -79,6 +71,14 @@ def room_of(path):
         return "main"
     parts = path.parts
     return "/".join(parts[:2]) if parts[0] == "compiler" and len(parts) > 2 else parts[0]
+
+
+def library_of(path):
+    """The name of the room's library in CMakeLists.txt; roofs are one of their own."""
+    if path.parts[:2] == ("grammars", "roofs"):
+        return "roofs"
+    room = room_of(path)
+    return "pipeline" if room == "compiler" else room.split("/")[-1]
 
 
 def node_of(path):
@@ -103,14 +103,12 @@ def quoted_includes(path):
 
 
 def violation_of_include(path, included):
-    own, other = room_of(path), room_of(Path(included))
-    if other not in ROW_OF:
-        return f"{included} is in no room of ROWS"
-    if own == other:
-        return None
-    if ROW_OF[other] >= ROW_OF[own]:
-        return f"{own} may not include {included}: {other} is in the same or a later row"
-    if own in FORBIDDEN and re.match(FORBIDDEN[own], included):
+    own, other = library_of(path), library_of(Path(included))
+    if other not in ALLOWED:
+        return f"{included} is in no room of CMakeLists.txt"
+    if own != other and other not in ALLOWED[own]:
+        return f"{own} may not include {included}: CMakeLists.txt does not link it to {other}"
+    if room_of(path) != room_of(Path(included)) and re.match(FORBIDDEN.get(room_of(path), r"$^"), included):
         return f"{own} may not include {included}"
     return None
 
@@ -244,9 +242,9 @@ class Rooms(unittest.TestCase):
 
     def test_sources_are_found(self):
         self.assertGreater(len(list(sources())), 500)
-        self.assertEqual({room_of(path) for path in sources()}, set(ROW_OF))
+        self.assertEqual({library_of(path) for path in sources()}, set(ALLOWED))
 
-    def test_rooms_include_earlier_rows_only(self):
+    def test_rooms_include_linked_rooms_only(self):
         violations = []
         for path in sources():
             for number, included in quoted_includes(path):
@@ -254,6 +252,21 @@ class Rooms(unittest.TestCase):
                 if violation:
                     violations.append(f"{path}:{number}: {violation}")
         self.assertNone(violations)
+
+    def test_an_include_of_another_room_is_found(self):
+        self.assertIn("does not link it to wires", violation_of_include(Path("compiler/sky/plan.cpp"), "compiler/wires/recipe.h"))
+        self.assertIn("does not link it to map", violation_of_include(Path("compiler/invent/a.cpp"), "compiler/map/features.h"))
+        self.assertIsNone(violation_of_include(Path("compiler/sky/plan.cpp"), "compiler/map/features.h"))
+
+    def test_rooms_link_what_they_include_and_no_more(self):
+        used = {}
+        for path in sources():
+            for _, included in quoted_includes(path):
+                used.setdefault(library_of(path), set()).add(library_of(Path(included)))
+        self.assertNone([f"{room} is linked to {other}, but does not include it" for room, others in LINKED.items()
+                         for other in sorted(others - used.get(room, set()))])
+        self.assertNone([f"{room} is linked to {other}, which {via} brings" for room, others in LINKED.items()
+                         for other in sorted(others) for via in sorted(others) if other in ALLOWED[via]])
 
     def test_folders_of_a_room_do_not_include_each_other_in_a_cycle(self):
         graph = includes_inside_rooms()

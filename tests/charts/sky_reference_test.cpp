@@ -11,18 +11,18 @@
 namespace citykiln::charts {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kSunDegree = std::numbers::pi / 180;
 
-sky::Sky sky_at(double height_deg) {
+sky::Sky clear_sky_at(double height_deg) {
   sky::Sky sky;
-  sky.to_sun = {std::cos(height_deg * kDegree), 0, std::sin(height_deg * kDegree)};
+  sky.to_sun = {std::cos(height_deg * kSunDegree), 0, std::sin(height_deg * kSunDegree)};
   return sky;
 }
 
 // Chart `sky` measures the same over more directions and paths. The limits have room for the reference's noise.
 TEST(SkyModel, IsNearASpectralIntegrationByDay) {
   for (const double height_deg : {60.0, 20.0, 5.0}) {
-    const std::vector<double> errors = sky_errors(sky_at(height_deg), 4, 3000, 0);
+    const std::vector<double> errors = sky_errors(clear_sky_at(height_deg), 4, 3000, 0);
     ASSERT_EQ(errors.size(), 24u);
     EXPECT_LT(errors[12], 0.05) << height_deg;
     EXPECT_LT(errors[22], 0.15) << height_deg;
@@ -30,14 +30,14 @@ TEST(SkyModel, IsNearASpectralIntegrationByDay) {
 }
 
 TEST(SkyModel, IsNearASpectralIntegrationInTwilight) {
-  const std::vector<double> errors = sky_errors(sky_at(-3), 4, 3000, 0);
+  const std::vector<double> errors = sky_errors(clear_sky_at(-3), 4, 3000, 0);
   EXPECT_LT(errors[12], 0.12);
   EXPECT_LT(errors[21], 0.40);
 }
 
 TEST(SkyModel, PassesLightThroughFiftyKilometresOfAirWithinTwoPercent) {
   for (const double visibility_km : {20.0, 100.0}) {
-    sky::Sky sky = sky_at(30);
+    sky::Sky sky = clear_sky_at(30);
     sky.visibility_km = visibility_km;
     for (const double height_m : {10.0, 1000.0}) {
       const sky::SkyModel model = sky::generate(sky, height_m);
