@@ -24,8 +24,7 @@ constexpr double kBesideKerb_m = 10, kLookEvery_m = 10, kLeastParallel = 0.87;
 constexpr double kPathBucket_m = 32;
 
 bool is_street(const Track& track) {
-  return map::values_of(track.surface).group == LandCoverGroup::kRoad && track.surface != LandCoverClass::kRunway &&
-         track.passage == map::Passage::kGround && !track.is_indoor;
+  return map::is_street(track.surface) && track.passage == map::Passage::kGround && !track.is_indoor;
 }
 
 Sample sample_of(const Track& track, int side, double tagged) {
