@@ -1,5 +1,6 @@
 #include "compiler/assume/assume.h"
 
+#include <span>
 #include <utility>
 
 #include "compiler/assume/bridge_pavements.h"
@@ -10,11 +11,26 @@
 #include "compiler/assume/parking.h"
 #include "compiler/assume/pavements.h"
 #include "compiler/assume/roofs.h"
-#include "compiler/assume/styles.h"
 #include "compiler/assume/surfaces.h"
 #include "compiler/assume/verges.h"
 
 namespace citykiln::assume {
+namespace {
+
+// Returns the footprints with Assumption::kStyles in Footprint::assumed of every one. The planning of buildings
+// then takes the style, and the materials and colours that are not tagged, from Footprint::country: it chooses one of
+// the styles of the group by storeys and party walls (buildings/style.h). The radius is 0: no mark depends on another
+// footprint.
+std::vector<map::Footprint> assume_styles(std::span<const map::Footprint> footprints, Report& report) {
+  std::vector<map::Footprint> styled(footprints.begin(), footprints.end());
+  for (map::Footprint& footprint : styled) {
+    footprint.assumed |= bit_of(Assumption::kStyles);
+    if (!footprint.has_parts) report.count_assumed(Assumption::kStyles, footprint.id.osm);
+  }
+  return styled;
+}
+
+}  // namespace
 
 map::FeatureView seen_with(map::FeatureView features, const Assumed& assumed) {
   features.tracks = assumed.tracks, features.footprints = assumed.footprints, features.fronts = assumed.fronts;
