@@ -1,19 +1,42 @@
 #include "compiler/invent/tiles/tile_city.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
 
+#include "compiler/contract/random_sequence.h"
 #include "compiler/invent/land/noise.h"
 #include "compiler/invent/tags.h"
 #include "compiler/invent/tiles/address_buildings.h"
 #include "compiler/invent/tiles/join_covers.h"
 #include "compiler/invent/tiles/join_lines.h"
-#include "compiler/invent/tiles/street_names.h"
 
 namespace citykiln::invent {
 namespace {
+
+constexpr std::array kStems = {
+    "Ahorn",  "Birken",   "Buchen", "Eichen",    "Erlen",   "Eschen",  "Linden",  "Ulmen",   "Wiesen",  "Garten",
+    "Mühl",   "Berg",     "Tal",    "Brunnen",   "Kirsch",  "Apfel",   "Rosen",   "Feld",    "Wald",    "Bach",
+    "Stein",  "Sand",     "Weiden", "Kastanien", "Amsel",   "Drossel", "Finken",  "Lerchen", "Meisen",  "Schwalben",
+    "Falken", "Storchen", "Hasel",  "Holunder",  "Ginster", "Tannen",  "Fichten", "Kiefern", "Lärchen", "Pappel"};
+
+constexpr std::array kSmall = {"weg", "gasse", "steig", "winkel", "ring"};
+constexpr std::array kMain = {"straße", "allee", "damm", "chaussee", "promenade"};
+
+// Returns a name for the `number`-th street of a world; names of 200 numbers in turn differ. Main streets have other
+// names than small ones.
+std::string street_name(std::uint32_t number, bool is_main, std::uint64_t seed) {
+  // a walk through all pairs of stem and ending, begun at a place that the seed draws
+  constexpr std::uint32_t kPairs = kStems.size() * kSmall.size();
+  const std::uint32_t first = RandomSequence(seed, {}, "street names").below(kPairs, 0);
+  // 77 has no divisor in common with the 200 pairs
+  const std::uint32_t pair = (first + number * 77) % kPairs;
+  const std::string stem = kStems[pair % kStems.size()];
+  const std::uint32_t ending = pair / kStems.size();
+  return stem + (is_main ? kMain[ending] : kSmall[ending]);
+}
 
 /// Turns a place of the unit square counter-clockwise.
 Vec2 turned(Vec2 p, int turns) {
