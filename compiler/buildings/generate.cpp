@@ -2,25 +2,48 @@
 
 #include <algorithm>
 #include <cassert>
+#include <string>
 #include <utility>
 
 #include "compiler/buildings/building_materials.h"
 #include "compiler/buildings/cut_passageways.h"
 #include "compiler/buildings/doors.h"
-#include "compiler/buildings/front_lines.h"
 #include "compiler/buildings/mass_model.h"
 #include "compiler/buildings/posts.h"
 #include "compiler/buildings/rule_attributes.h"
 #include "compiler/buildings/terminal_meshes.h"
 #include "compiler/contract/detail_tolerances.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/contract/utf8.h"
+#include "grammars/derivation/context_query.h"
 #include "grammars/derivation/form_roofs.h"
 
 namespace citykiln::buildings {
 namespace {
 
 using materials::MaterialMesh;
+
+// Returns one line for each of Building::fronts, in the same order, plane metres. The seed, the building and the index
+// of the front select one of the fascia colours of its kind (map::FrontValues::colours).
+// @param night  The time if it is dark; else empty, and no front is lit.
+std::vector<grammars::FrontLine> front_lines(const Building& building, const std::optional<WeekTime>& night,
+                                             std::uint64_t seed) {
+  const Ring& ring = building.footprint.outer;
+  const RandomSequence colours(seed, stable_id(building.id), "front colour");
+  std::vector<grammars::FrontLine> lines;
+  for (std::uint32_t i = 0; i < building.fronts.size(); ++i) {
+    const Front& front = building.fronts[i];
+    const map::FrontValues& values = map::values_of(front.kind);
+    const Vec2 from = ring[front.edge], along = unit(ring[(front.edge + 1) % ring.size()] - from);
+    lines.push_back({.from = from + along * front.from_m,
+                     .to = from + along * front.to_m,
+                     .kind = std::string(values.name),
+                     .colour = std::string(values.colours[colours.below(map::kFasciaColours, i)]),
+                     .is_lit = night && is_front_lit(building, i, *night, seed)});
+  }
+  return lines;
+}
 
 // Tolerance of the model that facade textures are rendered from, which all levels share: windows keep reveals and
 // frames, railings their bars.
