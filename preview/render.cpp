@@ -3,19 +3,49 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include "compiler/contract/for_each_slot.h"
 #include "preview/adaptive_samples.h"
 #include "preview/camera/camera_rays.h"
-#include "preview/morton_order.h"
 #include "preview/path_trace.h"
 #include "preview/picture/running_mean.h"
 #include "preview/scene/cell_cache.h"
 
 namespace citykiln::preview {
 namespace {
+
+// Cells of a grid in Morton order, in which neighbours are near each other.
+
+// A cell of a grid: column and row.
+struct GridPlace {
+  int x = 0, y = 0;
+};
+
+// Moves the lower 16 bits to the even positions.
+std::uint32_t spread_16_bits(std::uint32_t v) {
+  v = (v | (v << 8)) & 0x00ff00ffu;
+  v = (v | (v << 4)) & 0x0f0f0f0fu;
+  v = (v | (v << 2)) & 0x33333333u;
+  return (v | (v << 1)) & 0x55555555u;
+}
+
+std::uint32_t code_of(const GridPlace& place) {
+  return spread_16_bits(static_cast<std::uint32_t>(place.x)) |
+         (spread_16_bits(static_cast<std::uint32_t>(place.y)) << 1);
+}
+
+// Returns all cells of a grid in Morton order (Z-order). Sizes up to 65536. O(n log n).
+std::vector<GridPlace> in_morton_order(int width, int height) {
+  std::vector<GridPlace> places;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) places.push_back({x, y});
+  std::ranges::sort(places, {}, code_of);
+  return places;
+}
 
 constexpr int kBlock_px = 32;
 
