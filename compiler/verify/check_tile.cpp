@@ -7,16 +7,17 @@
 #include <limits>
 
 #include "compiler/bake/bake.h"
+#include "compiler/bake/baked_tile.h"
 #include "compiler/bake/far/bend.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/mesh/reference.h"
+#include "compiler/map/plane/cylinder.h"
 #include "compiler/outputs/tile_lights.h"
 #include "compiler/scene/land_cover.h"
 #include "compiler/source/codes_to_voids.h"
 #include "compiler/verify/ground_index.h"
 #include "compiler/verify/measure_assumed.h"
-#include "compiler/verify/measure_bend.h"
 #include "compiler/verify/measure_blank_walls.h"
 #include "compiler/verify/measure_footing.h"
 #include "compiler/verify/measure_hidden.h"
@@ -35,6 +36,39 @@
 
 namespace citykiln::verify {
 namespace {
+
+constexpr double kLacking = std::numeric_limits<double>::infinity();
+
+struct Compared {
+  const map::Cylinder& cylinder;
+  Vec3 plane_origin, bent_origin;
+
+  double off_m(std::span<const bake::Float3> plane, std::span<const bake::Float3> bent) const {
+    if (bent.size() < plane.size()) return kLacking;
+    double farthest_m = 0;
+    for (std::size_t i = 0; i < plane.size(); ++i) {
+      const Vec3 own = plane_origin + bake::widened(plane[i]);
+      const Vec3 back = map::flattened(cylinder, bent_origin + bake::widened(bent[i]), own.y);
+      farthest_m = std::max(farthest_m, length(back - own));
+    }
+    return farthest_m;
+  }
+};
+
+// Returns the largest distance between a vertex of the plane's tile and that of the bent one, mapped back to the plane
+// by map::flattened(), which shares no code with the bending. Instances count by their place. Infinite if the bent
+// tile lacks a primitive, a vertex or an instance. Vertices that bending adds come last and are not compared. O(n).
+double off_cylinder_m(const map::Cylinder& cylinder, const bake::BakedTile& plane, const bake::BakedTile& bent) {
+  if (bent.primitives.size() != plane.primitives.size() || bent.instanced.size() != plane.instanced.size())
+    return kLacking;
+  const Compared compared{cylinder, plane.origin, bent.origin};
+  double farthest_m = 0;
+  for (std::size_t i = 0; i < plane.primitives.size(); ++i)
+    farthest_m = std::max(farthest_m, compared.off_m(plane.primitives[i].positions, bent.primitives[i].positions));
+  for (std::size_t i = 0; i < plane.instanced.size(); ++i)
+    farthest_m = std::max(farthest_m, compared.off_m(plane.instanced[i].translations, bent.instanced[i].translations));
+  return farthest_m;
+}
 
 // A quarter of the largest number of samples of a file, since the graded terrain is the most expensive height. It is
 // equal for all tiles, so that the share of places over the limit is a share of area.
