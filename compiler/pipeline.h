@@ -38,7 +38,7 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
 /// Compiles the tiles of spec.only from a part of a map.
 /// @param extract  A file with all elements within regions::kRegionHalo_m of these tiles.
 /// @param survey   The survey of the whole extent. Heights, waters and streams are only needed around these tiles.
-/// @param owns     True for the places whose elements are counted and diagnosed (source/owned_elements.h).
+/// @param owns     True for the places whose elements are counted and diagnosed (source/read_osm.cpp).
 ///
 /// Guarantees: the chunks equal those of compile(), and so does the header, except that `rules`, `species` and `things`
 /// list those of these tiles only. Memory: for this part.

@@ -1,6 +1,6 @@
 // citykiln gather PLAN: joins the outputs of all regions to one run, in PLAN/out.
 //
-// A region reports the elements that it owns (source/owned_elements.h) and its own tiles. The survey reports facts that
+// A region reports the elements that it owns (source/read_osm.cpp) and its own tiles. The survey reports facts that
 // belong to no region, and the plan counts the elements of the extract. Thus each object is counted once, and the sums
 // are those of a single run.
 #include <fmt/format.h>

@@ -19,7 +19,7 @@ namespace citykiln::source {
 /// possible without doubt (close_cut_areas.h). Ledger accounts "source/node", "source/way", "source/area" and
 /// "source/relation". Errors: a file that is missing, empty, cut off, malformed, or not of the format of its name.
 /// Cost: about three times that of decoding the file.
-/// @param owns  If not empty, the report covers only the elements whose place it accepts (owned_elements.h).
+/// @param owns  If not empty, the report covers only the elements whose place it accepts (read_osm.cpp).
 Result<OsmData> read_osm(const std::string& path, int threads, Report& report, const OwnsPlace& owns = {});
 
 }  // namespace citykiln::source

@@ -64,7 +64,7 @@ Result<CompileRequest> request_of(const Plan& plan);
 Result<PlannedRegion> region_named(const Plan& plan, const std::string& name);
 
 /// Returns a function that is true for places in the region, or outside the extent and nearest to it. The region
-/// reports the elements there (source/owned_elements.h).
+/// reports the elements there (source/read_osm.cpp).
 source::OwnsPlace owned_places(const Plan& plan, const map::Plane& plane, regions::RegionKey region);
 
 /// Returns the path of the file with the region's elements.
