@@ -1,5 +1,5 @@
 // Converts the record of a written tile to JSON and back. Two files hold such records: report.json, and the journal, a
-// list of finished files that is written during a run (exporters/journal.h).
+// list of finished files that is written during a run (exporters/output_folder.h).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
