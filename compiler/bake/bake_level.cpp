@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "compiler/bake/bake_buildings.h"
-#include "compiler/bake/bake_ground.h"
 #include "compiler/bake/bake_instances.h"
 #include "compiler/bake/bake_structures.h"
 #include "compiler/bake/baking.h"
 #include "compiler/bake/clip_to_extent.h"
+#include "compiler/bake/ground/ground_meshes.h"
+#include "compiler/bake/ground/skirt.h"
 #include "compiler/bake/image_uvs.h"
 #include "compiler/bake/merge.h"
 #include "compiler/bake/place_things.h"
@@ -21,6 +25,48 @@
 
 namespace citykiln::bake {
 namespace {
+
+void bake_cells(Baking& baking, std::span<const ground::GroundMesh> cells, std::span<const ViewCell> seen,
+                const scene::LandCover& cover, const Markings& markings) {
+  assert(cells.size() == seen.size());
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const ground::GroundMesh& ground = cells[c];
+    baking.certify(length(Vec2{ground.error_m, ground.border_error_m}), bounds_of(ground.mesh));
+    std::vector<LayeredMesh> meshes = material_meshes(ground, cover, markings, baking.header, baking.tolerance_m);
+    for (LayeredMesh& each : meshes) add_skirt(each.mesh, seen[c].skirt, seen[c].skirt_m);
+    baking.take(std::move(meshes));
+  }
+}
+
+Markings markings_of(const TileLevel& level, const std::vector<GeneratedSpan>& structures, double texel_m) {
+  std::vector<roads::MarkingLayout> layouts = level.cover->layouts;
+  const std::vector<roads::MarkingLayout> more = layouts_of(structures);
+  layouts.insert(layouts.end(), more.begin(), more.end());
+  return lay_out_markings(layouts, texel_m);
+}
+
+bool shows_markings(const Baking& baking) {
+  return std::ranges::any_of(baking.meshes, [](const LayeredMesh& each) {
+    return each.mesh.colour_source == materials::ColourSource::kByMarkingAtlas;
+  });
+}
+
+// Adds the ground of the level's cells (128 m squares) with materials and skirts, then the structures. If the tile has
+// markings, it gets the atlas TileLevel::markings or, if that is null, an atlas of its own markings. A single cell
+// gets no atlas.
+// @param structures  Result of generate_structures().
+void bake_ground(Baking& baking, const TileLevel& level, std::vector<GeneratedSpan> structures) {
+  Markings own;
+  if (!level.markings) own = markings_of(level, structures, baking.texel_m());
+  const Markings& markings = level.markings ? *level.markings : own;
+  bake_cells(baking, level.cells, level.seen, *level.cover, markings);
+  bake_cells(baking, level.beyond, level.seen_beyond, *level.cover, markings);
+  bake_structures(baking, structures, markings);
+  if (!level.markings)
+    baking.tile.marking_atlas = std::move(own.atlas);
+  else if (!baking.cell && shows_markings(baking))
+    baking.tile.marking_atlas = markings.atlas;
+}
 
 // "bench", or "bench_2" for the second form of benches in the tile.
 std::string name_of_form(const PlacedThing& thing) {
