@@ -3,16 +3,82 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "compiler/contract/erase_repeated.h"
+#include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/wires/crossings.h"
 #include "compiler/wires/sag.h"
 #include "compiler/wires/supports.h"
 
 namespace citykiln::wires {
 namespace {
+
+// Roads and bridges that lines cross, with a spatial index.
+
+// The segments of roads, railways and bridges.
+struct Crossings {
+  struct Segment {
+    Vec2 a, b;
+    std::optional<double> a_m, b_m;  ///< Heights of a bridge at its ends; empty on the ground.
+  };
+  std::vector<Segment> segments;
+  BoxGrid grid;
+};
+
+// A place where a line crosses a road.
+struct Crossing {
+  double t = 0;                    ///< The share of the line.
+  std::optional<double> deck_m{};  ///< The height of a bridge; empty on the ground.
+};
+
+constexpr double kCrossingBucket_m = 64;
+
+bool is_crossed(map::LandCoverClass surface) {
+  const map::LandCoverGroup group = map::values_of(surface).group;
+  return group == map::LandCoverGroup::kRoad || group == map::LandCoverGroup::kRail;
+}
+
+// Segments of a road; with a profile, their heights.
+template <typename Road>
+void add_segments(const Road& road, bool is_bridge, Crossings& crossings, std::vector<Box2>& boxes) {
+  if (!is_crossed(road.surface)) return;
+  double along_m = road.start_along_m;
+  for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
+    Crossings::Segment segment{road.axis[i], road.axis[i + 1], {}, {}};
+    const double end_m = along_m + distance(segment.a, segment.b);
+    if (is_bridge && !road.profile.empty())
+      segment.a_m = knot_at(road.profile, along_m).z_m, segment.b_m = knot_at(road.profile, end_m).z_m;
+    along_m = end_m;
+    crossings.segments.push_back(segment);
+    boxes.push_back(box_of_segment(segment.a, segment.b));
+  }
+}
+
+Crossings index_crossings(std::span<const roads::Road> roads, std::span<const structures::Span> bridges) {
+  Crossings crossings;
+  std::vector<Box2> boxes;
+  for (const roads::Road& road : roads) add_segments(road, false, crossings, boxes);
+  for (const structures::Span& bridge : bridges) add_segments(bridge, true, crossings, boxes);
+  crossings.grid = grid_of(boxes, kCrossingBucket_m);
+  return crossings;
+}
+
+// Returns the crossings of the line from a to b, in no order that matters. O(segments near it).
+std::vector<Crossing> crossings_of(const Crossings& crossings, Vec2 a, Vec2 b) {
+  std::vector<Crossing> found;
+  for (const std::uint32_t i : boxes_about(crossings.grid, box_of_segment(a, b))) {
+    const Crossings::Segment& segment = crossings.segments[i];
+    const auto shares = crossing_shares(a, b, segment.a, segment.b);
+    if (!shares) continue;
+    Crossing crossing{shares->first, {}};
+    if (segment.a_m) crossing.deck_m = *segment.a_m + (*segment.b_m - *segment.a_m) * shares->second;
+    found.push_back(crossing);
+  }
+  return found;
+}
 
 // Nearer supports hold no wires between them.
 constexpr double kShortestSpan_m = 2;
