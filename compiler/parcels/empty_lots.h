@@ -1,4 +1,4 @@
-// Lots without buildings: sections (sections.h) are split like a cake.
+// Lots without buildings: sections (divide.cpp) are split like a cake.
 //
 //    ┌───────┬───────┐   the smallest rectangle about a lot is split square to its longer
 //    │       │       │   axis, then its halves, until lots have the usual area; a split that

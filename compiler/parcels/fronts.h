@@ -14,7 +14,7 @@
 namespace citykiln::parcels {
 
 /// A label says whom land belongs to. kOff: not in a block. kRest: land without an owner. kFirstBuilding + i: footprint
-/// i. Labels after the last footprint belong to sections without buildings (sections.h).
+/// i. Labels after the last footprint belong to sections without buildings (divide.cpp).
 inline constexpr std::uint32_t kOff = 0, kRest = 1, kFirstBuilding = 2;
 inline std::uint32_t label_of_building(std::uint32_t footprint) { return kFirstBuilding + footprint; }
 
