@@ -12,10 +12,21 @@
 #include "compiler/contract/result.h"
 #include "compiler/map/things/thing_table.h"
 #include "compiler/things/recipe.h"
-#include "compiler/things/used_values.h"
 #include "grammars/language/syntax.h"
 
 namespace citykiln::things {
+
+// Finds which attributes and random numbers the rules of a thing read.
+
+/// The values that rules read.
+struct UsedValues {
+  std::set<std::string, std::less<>> attributes;
+  bool draws = false;  ///< True if a random number is drawn.
+};
+
+/// Returns the values that may be read from a rule on: by it, and by all rules, functions and attributes that it leads
+/// to. O(program).
+UsedValues used_values(const grammars::Program& program, const std::string& start);
 
 using buildings::RuleText;
 
