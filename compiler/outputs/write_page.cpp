@@ -3,17 +3,106 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
+#include "compiler/contract/for_each_slot.h"
+#include "compiler/geometry/trig.h"
 #include "compiler/map/plane/geoid.h"
 #include "compiler/outputs/page_records.h"
-#include "compiler/outputs/page_skies.h"
+#include "compiler/sky/generate.h"
+#include "compiler/sky/plan.h"
 #include "exporters/page/page_files.h"
 #include "exporters/page/page_json.h"
 #include "exporters/run_files.h"
 
 namespace citykiln::outputs {
 namespace {
+
+using exporters::PageRgb;
+using exporters::PageSky;
+constexpr std::size_t kColumns = 48, kRows = 24;
+constexpr int kHours = 3, kDayHours = 24;
+
+// Colours outside of the gamut have negative components, which a page cannot show.
+PageRgb shown(const sky::Rgb& rgb) { return {std::max(rgb[0], 0.0), std::max(rgb[1], 0.0), std::max(rgb[2], 0.0)}; }
+
+PageRgb shown(const sky::Rgb& rgb, double factor) { return shown({rgb[0] * factor, rgb[1] * factor, rgb[2] * factor}); }
+
+std::vector<PageRgb> radiance_table(const sky::SkyModel& model) {
+  std::vector<PageRgb> table;
+  for (std::size_t row = 0; row < kRows; ++row) {
+    const double share = static_cast<double>(row) / (kRows - 1), z = share * share, flat = std::sqrt(1 - z * z);
+    for (std::size_t column = 0; column < kColumns; ++column) {
+      const double turn = 2 * kPi * (static_cast<double>(column) + 0.5) / kColumns;
+      table.push_back(shown(sky::radiance(model, {flat * std::cos(turn), flat * std::sin(turn), z})));
+    }
+  }
+  return table;
+}
+
+PageSky page_sky(const sky::Sky& sky, std::string label, bool is_of_run) {
+  const sky::SkyModel model = sky::generate(sky, sky.ground_m);
+  const double solid_angle_sr = 2 * kPi * (1 - model.sun_cos_radius);
+  return {.time = sky.time,
+          .label = std::move(label),
+          .is_of_run = is_of_run,
+          .are_lamps_lit = sky::are_lamps_lit(sky),
+          .to_light = model.to_sun,
+          .light = shown(model.sun_radiance, model.to_sun.z > 0 ? solid_angle_sr : 0),
+          .disk = shown(model.sun_radiance),
+          .white_ground = shown(model.white_ground),
+          .ground = shown(sky::ground_radiance(model)),
+          .columns = kColumns,
+          .rows = kRows,
+          .radiance = radiance_table(model)};
+}
+
+// Hours since midnight, of the solar time at a longitude.
+double solar_hours(const std::string& time, double lon_deg) {
+  const double utc = std::stod(time.substr(11, 2)) + std::stod(time.substr(14, 2)) / 60;
+  return std::fmod(utc + lon_deg / 15 + 2 * kDayHours, kDayHours);
+}
+
+std::string label_of(double hours) {
+  const int minutes = static_cast<int>(std::lround(hours * 60)) % (kDayHours * 60);
+  return fmt::format("{:02}:{:02} solar time", minutes / 60, minutes % 60);
+}
+
+// The sky of the run at another hour of its date.
+sky::Sky sky_at(const scene::Header& header, int solar_hour) {
+  const double utc = std::fmod(solar_hour - header.origin.lon_deg / 15 + 2 * kDayHours, kDayHours);
+  const int minutes = static_cast<int>(std::lround(utc * 60)) % (kDayHours * 60);
+  const std::string time = fmt::format("{}T{:02}:{:02}Z", header.sky.time.substr(0, 10), minutes / 60, minutes % 60);
+  const Result<sky::Sky> planned = sky::plan(header.origin, time);
+  if (!planned) return header.sky;
+  sky::Sky sky = *planned;
+  sky.turbidity = header.sky.turbidity, sky.visibility_km = header.sky.visibility_km;
+  sky.ground_albedo = header.sky.ground_albedo, sky.ground_m = header.sky.ground_m;
+  return sky;
+}
+
+struct Hour {
+  sky::Sky sky;
+  double hours;
+  bool is_of_run;
+};
+
+std::vector<Hour> hours_of(const scene::Header& header) {
+  std::vector<Hour> hours = {{header.sky, solar_hours(header.sky.time, header.origin.lon_deg), true}};
+  for (int hour = 0; hour < kDayHours; hour += kHours) hours.push_back({sky_at(header, hour), double(hour), false});
+  std::ranges::stable_sort(hours, {}, &Hour::hours);
+  return hours;
+}
+
+// Returns the sky of the run, and skies every three hours of local mean solar time on its date, with the same air; in
+// the order of the day. Cost: 0.4 s each, in parallel.
+std::vector<PageSky> page_skies(const scene::Header& header, int threads) {
+  const std::vector<Hour> hours = hours_of(header);
+  return for_each_slot<PageSky>(hours.size(), threads, [&](std::size_t i) {
+    return page_sky(hours[i].sky, label_of(hours[i].hours), hours[i].is_of_run);
+  });
+}
 
 /// The name of the map without its ending: "town" of "town.osm.pbf".
 std::string title_of(const scene::Header& header) {
