@@ -32,7 +32,7 @@ struct GlbOptions {
 ///
 /// | data                | glTF                                                                                       |
 /// |---------------------|--------------------------------------------------------------------------------------------|
-/// | primitives          | nodes by layer, tile or building (encode_nodes.h), one primitive per key                   |
+/// | primitives          | nodes by layer, tile or building (encode_glb.cpp), one primitive per key                   |
 /// | instances           | a node each, or EXT_mesh_gpu_instancing, as the target's reader knows                      |
 /// | lights              | KHR_lights_punctual (encode_lights.h); read_glb skips them                                 |
 /// | features            | _FEATURE_ID_0 (EXT_mesh_features, EXT_instance_features) into a property table             |

@@ -10,7 +10,7 @@
 
 namespace citykiln::exporters {
 
-/// Reads the primitives and instanced meshes of a tile from nodes of any split (encode_nodes.h). Texture coordinates
+/// Reads the primitives and instanced meshes of a tile from nodes of any split (encode_glb.cpp). Texture coordinates
 /// keep the units of the file. Returns the index of the cutout image of each instanced mesh. Throws FormatError.
 /// @param tile  Its features are read already.
 std::vector<std::optional<std::size_t>> read_nodes(GltfReader& reader, bake::BakedTile& tile);
