@@ -1,19 +1,132 @@
 #include "compiler/lots/add_yards.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "compiler/contract/derived_id.h"
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/centroid.h"
+#include "compiler/geometry/segment.h"
+#include "compiler/geometry/snap.h"
 #include "compiler/lots/border_yards.h"
-#include "compiler/lots/plant_yard.h"
 
 namespace citykiln::lots {
 namespace {
 
 using map::BarrierKind;
+
+// Plants trees and shrubs in yards.
+
+// A plant of a yard.
+struct YardPlant {
+  Vec2 at;  ///< Snapped.
+  bool is_shrub = false;
+  double height_m = 0;  ///< 0: as usual for its species.
+};
+
+// The most plants of a yard. Squares are filled row by row from the south; beyond that, the north stays empty.
+constexpr std::size_t kMostPlants = 48;
+constexpr double kSquare_m = 4, kMostMoved_m = 1.2;
+constexpr double kTreeToWall_m = 3, kShrubToWall_m = 2, kToWay_m = 1, kToBorder_m = 0.75, kToTree_m = 2;
+
+// Shrubs of gardens, as they are kept.
+constexpr double kLeastShrub_m = 0.75, kHighestShrub_m = 1.75;
+
+// Draws of one square: their first index follows from the square, within the lot.
+constexpr std::uint32_t kDraws = 4, kFirstDraw = 16;
+
+struct Planter {
+  const Lot& lot;
+  const YardRule& rule;
+  std::span<const map::Barrier> barriers;
+  const BorderObstacles& obstacles;
+
+  map::LandCoverClass surface_at(Vec2 p) const {
+    const bool is_front = rule.front != rule.rear && lot.frame.local(p).y <= lot.setback_m;
+    return is_front ? rule.front : rule.rear;
+  }
+
+  bool is_off_ways(Vec2 p) const {
+    const MappedThings& mapped = obstacles.mapped;
+    for (const Capsules* ways : {&mapped.roads, &mapped.paths, &mapped.drives, &obstacles.openings})
+      if (clearance_m(*ways, p, kToWay_m) < kToWay_m) return false;
+    return true;
+  }
+
+  bool is_off_barriers(Vec2 p) const {
+    return clearance_m(obstacles.mapped.barriers, p, kToBorder_m) >= kToBorder_m &&
+           std::ranges::none_of(barriers, [&](const map::Barrier& barrier) {
+             return distance_to_polyline(barrier.axis, p) < kToBorder_m;
+           });
+  }
+
+  bool is_place(Vec2 p, bool is_shrub) const {
+    const MappedThings& mapped = obstacles.mapped;
+    const double to_wall_m = is_shrub ? kShrubToWall_m : kTreeToWall_m;
+    return contains(lot.parcel.polygon, p) && is_planted(surface_at(p)) &&
+           distance_to_ring(lot.parcel.polygon.outer, p) >= kToBorder_m &&
+           clearance_m(mapped.walls, p, to_wall_m) >= to_wall_m && !is_inside_any(mapped.buildings, p) &&
+           !is_inside_any(mapped.pools, p) && is_off_ways(p) && is_off_barriers(p) &&
+           clearance_m(mapped.wires, p, 0.25) > 0 && clearance_m(mapped.junction_zones, p, 0.25) > 0 &&
+           !is_inside_any(mapped.corners, p) && clearance_m(mapped.trees, p, kToTree_m) >= kToTree_m;
+  }
+
+  bool has_mapped_tree() const {
+    const Capsules& trees = obstacles.mapped.trees;
+    return !trees.all.empty() &&
+           std::ranges::any_of(boxes_about(trees.grid, box_of(lot.parcel.polygon.outer)), [&](std::uint32_t i) {
+             return contains(lot.parcel.polygon, trees.all[i].a) || contains(lot.parcel.polygon, trees.all[i].b);
+           });
+  }
+};
+
+// A number of a square that does not depend on the lot's extent.
+std::uint32_t draw_index(std::int64_t column, std::int64_t row) {
+  const auto square = static_cast<std::uint32_t>((column & 0x3fff) << 14 | (row & 0x3fff));
+  return kFirstDraw + kDraws * square;
+}
+
+// Returns the plants of a yard: one candidate in the middle of each square of 4 m of a grid of the plane, moved at
+// random by up to 1.2 m, so that two are at least 1.6 m apart. A candidate is kept with the rule's density on lawn,
+// gravel and earth. It stands at least
+//
+// - 3 m (shrubs 2 m) from walls: a crown of 2 m reaches no roof, and eaves are at most 1.5 m wide;
+// - 1 m from pavements, paths and drives, 0.75 m from barriers and the lot's border, 2 m from mapped trees;
+// - outside of pools, of the corridors of wires (kClearOfWires_m) of the zones about junctions (kSight_m), and of
+//   the surfaces of junctions and the outer corners of bends.
+// No trees stand where one is mapped in the lot.
+// @param barriers  The barriers of the lot (barriers_of()).
+// @param draw      The random numbers of the lot; indices from 16 on are used.
+std::vector<YardPlant> plants_of(const Lot& lot, const YardRule& rule, std::span<const map::Barrier> barriers,
+                                 const BorderObstacles& obstacles, const RandomSequence& draw) {
+  std::vector<YardPlant> plants;
+  const double per_square = (rule.trees + rule.shrubs) * kSquare_m * kSquare_m / 100;
+  if (per_square <= 0) return plants;
+  const Planter planter{lot, rule, barriers, obstacles};
+  const bool has_tree = planter.has_mapped_tree();
+  const Box2 box = box_of(lot.parcel.polygon.outer);
+  const auto first = [](double v) { return static_cast<std::int64_t>(std::floor(v / kSquare_m)); };
+  for (std::int64_t row = first(box.min.y); row <= first(box.max.y); ++row)
+    for (std::int64_t column = first(box.min.x); column <= first(box.max.x); ++column) {
+      const std::uint32_t index = draw_index(column, row);
+      const double kept = draw.unit(index);
+      if (kept >= per_square || plants.size() >= kMostPlants) continue;
+      const bool is_shrub = kept >= rule.trees * kSquare_m * kSquare_m / 100;
+      const Vec2 moved{draw.between(-kMostMoved_m, kMostMoved_m, index + 1),
+                       draw.between(-kMostMoved_m, kMostMoved_m, index + 2)};
+      const Vec2 at = snapped(
+          Vec2{(static_cast<double>(column) + 0.5) * kSquare_m, (static_cast<double>(row) + 0.5) * kSquare_m} + moved);
+      if ((!is_shrub && has_tree) || !planter.is_place(at, is_shrub)) continue;
+      const double height_m = is_shrub ? draw.between(kLeastShrub_m, kHighestShrub_m, index + 3) : 0;
+      plants.push_back({at, is_shrub, std::floor(height_m * 8) / 8});
+    }
+  return plants;
+}
 
 // Parts of ids of one building: areas and plants are numbered, barriers have room for pieces at the extent's border.
 constexpr std::uint32_t kPartsOfBuilding = 256, kPartsOfBarrier = 4, kEntrancePart = 255;
