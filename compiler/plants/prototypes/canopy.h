@@ -2,7 +2,7 @@
 // triangles) for each tree.
 //
 //            _   __
-//          _/ \_/  \_         vertices of a lattice, as high as the trees there (crown_average.h); on the ground where
+//          _/ \_/  \_         vertices of a lattice, as high as the trees there (canopy.cpp); on the ground where
 //   |  |__/          \__|     the canopy ends, and trees keep their hulls
 //   ---'----------------'---
 #pragma once
