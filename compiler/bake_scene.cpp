@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/contract/for_each_slot.h"
-#include "compiler/contract/once.h"
+#include "compiler/contract/system/for_each_slot.h"
+#include "compiler/contract/system/once.h"
 
 namespace citykiln {
 namespace {

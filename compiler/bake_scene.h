@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compiler/bake/bake.h"
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/scene/scene.h"
 #include "compiler/stage_timer.h"

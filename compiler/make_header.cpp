@@ -14,7 +14,7 @@
 
 #include "compiler/buildings/plan.h"
 #include "compiler/geometry/trig.h"
-#include "compiler/map/fit_heightmaps.h"
+#include "compiler/map/heights/fit_heightmaps.h"
 #include "compiler/map/plane/lonlat_box.h"
 #include "compiler/sky/clouds/read_clouds.h"
 #include "compiler/sky/inside/plan_inside.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "compiler/contract/parse.h"
+#include "compiler/contract/texts/parse.h"
 #include "compiler/contract/tolerance.h"
 
 namespace citykiln {

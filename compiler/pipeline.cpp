@@ -17,7 +17,7 @@
 #include "compiler/lots/add_yards.h"
 #include "compiler/make_header.h"
 #include "compiler/map/locate.h"
-#include "compiler/map/private_ways.h"
+#include "compiler/map/ways/private_ways.h"
 #include "compiler/pitches/plan.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"

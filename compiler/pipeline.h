@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/ground/profiles/measure_profiles.h"
-#include "compiler/map/layer_tags.h"
 #include "compiler/map/places.h"
+#include "compiler/map/tags/layer_tags.h"
 #include "compiler/scene/scene.h"
 #include "compiler/source/owns_place.h"
 #include "compiler/spec.h"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "compiler/contract/code_names.h"
-#include "compiler/contract/parse.h"
+#include "compiler/contract/findings/code_names.h"
+#include "compiler/contract/texts/parse.h"
 #include "compiler/parse_values.h"
 #include "compiler/sky/clouds/read_clouds.h"
 #include "compiler/sky/plan.h"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "compiler/contract/nearest_name.h"
+#include "compiler/contract/texts/nearest_name.h"
 #include "compiler/settings.h"
 
 namespace citykiln {

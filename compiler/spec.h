@@ -12,12 +12,12 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/contract/assumption.h"
-#include "compiler/contract/compression.h"
+#include "compiler/contract/findings/assumption.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/contract/layout.h"
 #include "compiler/contract/node_split.h"
-#include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
+#include "compiler/contract/system/compression.h"
 #include "compiler/contract/target.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/map/locate.h"

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "compiler/contract/give_back_memory.h"
+#include "compiler/contract/system/give_back_memory.h"
 #include "compiler/ground/plan.h"
 #include "compiler/make_header.h"
 #include "compiler/map/locate.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/map/places.h"

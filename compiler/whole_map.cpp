@@ -5,9 +5,9 @@
 #include "compiler/ground/grading/graded_box.h"
 #include "compiler/ground/plan.h"
 #include "compiler/map/extent/choose_extent.h"
-#include "compiler/map/fit_heightmaps.h"
+#include "compiler/map/heights/fit_heightmaps.h"
+#include "compiler/map/heights/resample.h"
 #include "compiler/map/plane/lonlat_box.h"
-#include "compiler/map/resample.h"
 #include "compiler/scene/land_cover.h"
 #include "compiler/source/read_raster.h"
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "exporters/content_hash.h"
 #include "exporters/file.h"
 #include "exporters/run_files.h"

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "compiler/contract/parse.h"
+#include "compiler/contract/texts/parse.h"
 #include "exporters/content_hash.h"
 #include "exporters/file.h"
 #include "exporters/run_files.h"

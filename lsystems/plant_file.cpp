@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "lsystems/read_lsystem.h"
-#include "lsystems/read_rpforest.h"
-#include "lsystems/reader.h"
-#include "lsystems/turtle.h"
+#include "lsystems/reading/read_lsystem.h"
+#include "lsystems/reading/read_rpforest.h"
+#include "lsystems/reading/reader.h"
+#include "lsystems/rewriting/turtle.h"
 
 namespace citykiln::lsystems {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "compiler/contract/result.h"
-#include "lsystems/skeleton.h"
+#include "lsystems/rewriting/skeleton.h"
 #include "lsystems/weber_penn.h"
 
 namespace citykiln::lsystems {

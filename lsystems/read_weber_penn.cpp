@@ -4,9 +4,9 @@
 #include <cmath>
 #include <set>
 
-#include "compiler/contract/parse.h"
-#include "lsystems/read_lsystem.h"
-#include "lsystems/reader.h"
+#include "compiler/contract/texts/parse.h"
+#include "lsystems/reading/read_lsystem.h"
+#include "lsystems/reading/reader.h"
 #include "lsystems/weber_penn.h"
 
 namespace citykiln::lsystems {

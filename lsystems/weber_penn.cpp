@@ -7,7 +7,7 @@
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/mathematics.h"
 #include "compiler/geometry/trig.h"
-#include "lsystems/turtle_frame.h"
+#include "lsystems/rewriting/turtle_frame.h"
 
 namespace citykiln::lsystems {
 namespace {

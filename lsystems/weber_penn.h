@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "compiler/contract/result.h"
-#include "lsystems/skeleton.h"
+#include "lsystems/rewriting/skeleton.h"
 
 namespace citykiln::lsystems {
 

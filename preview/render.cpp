@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "preview/adaptive_samples.h"
 #include "preview/camera/camera_rays.h"
 #include "preview/path_trace.h"

@@ -13,10 +13,10 @@ class TagIndex(unittest.TestCase):
 
     def test_known_keys_are_found_in_their_folders(self):
         readers = {key: {str(path.parent) for path in paths} for key, paths in tag_index.index().items()}
-        for folder, keys in {"compiler/map": ["building", "natural", "layer", "surface", "shop", "genus"],
+        for folder, keys in {"compiler/map/readers": ["natural", "surface", "shop", "genus"], "compiler/map/tags": ["building", "layer"],
                              "compiler/map/buildings": ["height", "roof:shape"],
                              "compiler/map/lanes": ["lanes", "lanes:bus:<direction>", "turn:lanes:<direction>", "cycleway:<side>:buffer"],
-                             "compiler/source": ["type"], "compiler/regions": ["building"]}.items():
+                             "compiler/source/areas": ["type"], "compiler/regions": ["building"]}.items():
             for key in keys:
                 self.assertIn(folder, readers.get(key, set()), key)
 

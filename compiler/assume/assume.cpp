@@ -19,8 +19,8 @@ namespace {
 
 // Returns the footprints with Assumption::kStyles in Footprint::assumed of every one. The planning of buildings
 // then takes the style, and the materials and colours that are not tagged, from Footprint::country: it chooses one of
-// the styles of the group by storeys and party walls (buildings/style.h). The radius is 0: no mark depends on another
-// footprint.
+// the styles of the group by storeys and party walls (buildings/styles/style.h). The radius is 0: no mark depends on
+// another footprint.
 std::vector<map::Footprint> assume_styles(std::span<const map::Footprint> footprints, Report& report) {
   std::vector<map::Footprint> styled(footprints.begin(), footprints.end());
   for (map::Footprint& footprint : styled) {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "compiler/contract/assumption.h"
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/assumption.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/map/features.h"
 
 namespace citykiln::assume {

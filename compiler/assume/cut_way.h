@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/map/features.h"
 
 namespace citykiln::assume {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/map/features.h"
 
 namespace citykiln::assume {
@@ -18,8 +18,8 @@ struct AssumedFronts {
 
 /// Returns all fronts. Without this function no building has fronts, not even those of mapped points.
 ///
-/// Every point of a shop, restaurant, office or workshop gets a front, which buildings/fronts.h places if there is
-/// room. The map states that the shop exists; width, door and colours of its front are assumed.
+/// Every point of a shop, restaurant, office or workshop gets a front, which buildings/planning/fronts.h places if
+/// there is room. The map states that the shop exists; width, door and colours of its front are assumed.
 ///
 /// A wall may get assumed fronts if no shop is mapped within kFrontSearch_m of its middle, its building touches another
 /// one and has at least kFrontStoreys storeys, and the kerb of a street that it faces is at most kFrontKerb_m away. A

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "compiler/contract/random_sequence.h"
-#include "compiler/geometry/centroid.h"
+#include "compiler/geometry/polygons/centroid.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 

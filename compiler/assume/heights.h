@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/geometry/box_grid.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/features.h"

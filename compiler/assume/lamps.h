@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/map/features.h"
 
 namespace citykiln::assume {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "compiler/assume/beside.h"
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/map/features.h"
 
 namespace citykiln::assume {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/map/features.h"
 
 namespace citykiln::assume {

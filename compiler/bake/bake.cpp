@@ -3,11 +3,11 @@
 #include <cassert>
 #include <memory>
 
-#include "compiler/bake/bake_buildings.h"
 #include "compiler/bake/bake_level.h"
+#include "compiler/bake/parts/bake_buildings.h"
 #include "compiler/bake/tile_levels.h"
 #include "compiler/bake/view_markings.h"
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 
 namespace citykiln::bake {
 namespace {

@@ -10,15 +10,15 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/bake/bake_buildings.h"
-#include "compiler/bake/bake_instances.h"
-#include "compiler/bake/bake_structures.h"
 #include "compiler/bake/baking.h"
 #include "compiler/bake/clip_to_extent.h"
 #include "compiler/bake/ground/ground_meshes.h"
 #include "compiler/bake/ground/skirt.h"
 #include "compiler/bake/image_uvs.h"
 #include "compiler/bake/merge.h"
+#include "compiler/bake/parts/bake_buildings.h"
+#include "compiler/bake/parts/bake_instances.h"
+#include "compiler/bake/parts/bake_structures.h"
 #include "compiler/bake/place_things.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/wires/generate.h"

@@ -9,9 +9,9 @@
 
 #include "compiler/bake/baked_tile.h"
 #include "compiler/bake/bounds.h"
-#include "compiler/bake/view_levels.h"
+#include "compiler/bake/view/view_levels.h"
 #include "compiler/contract/derived_id.h"
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/materials/material_mesh.h"
 #include "compiler/scene/scene.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/geometry/triangulate.h"
+#include "compiler/geometry/triangles/triangulate.h"
 
 namespace citykiln::bake {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/contract/assumption.h"
+#include "compiler/contract/findings/assumption.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::bake {

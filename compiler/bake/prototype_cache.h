@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "compiler/bake/baked_tile.h"
-#include "compiler/buildings/rulebook.h"
+#include "compiler/buildings/styles/rulebook.h"
 #include "compiler/materials/texture_cache.h"
 #include "compiler/plants/prototypes/grown_plant_cache.h"
 #include "compiler/plants/prototypes/prototype_mesh.h"

@@ -11,7 +11,7 @@
 #include "compiler/bake/ground/ground_meshes.h"
 #include "compiler/bake/place_lamps.h"
 #include "compiler/bake/place_things.h"
-#include "compiler/bake/view_levels.h"
+#include "compiler/bake/view/view_levels.h"
 #include "compiler/buildings/generate.h"
 #include "compiler/plants/generate.h"
 #include "compiler/plants/prototypes/canopy.h"

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "compiler/bake/bake_structures.h"
+#include "compiler/bake/parts/bake_structures.h"
 
 namespace citykiln::bake {
 namespace {

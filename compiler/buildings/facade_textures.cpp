@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "compiler/buildings/paint_colour.h"
-#include "compiler/buildings/terminal_meshes.h"
+#include "compiler/buildings/meshes/terminal_meshes.h"
+#include "compiler/buildings/styles/paint_colour.h"
 #include "compiler/contract/detail_tolerances.h"
 
 namespace citykiln::buildings {

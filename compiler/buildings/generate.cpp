@@ -5,17 +5,17 @@
 #include <string>
 #include <utility>
 
-#include "compiler/buildings/building_materials.h"
-#include "compiler/buildings/cut_passageways.h"
-#include "compiler/buildings/doors.h"
-#include "compiler/buildings/mass_model.h"
-#include "compiler/buildings/posts.h"
-#include "compiler/buildings/rule_attributes.h"
-#include "compiler/buildings/terminal_meshes.h"
+#include "compiler/buildings/meshes/cut_passageways.h"
+#include "compiler/buildings/meshes/mass_model.h"
+#include "compiler/buildings/meshes/posts.h"
+#include "compiler/buildings/meshes/rule_attributes.h"
+#include "compiler/buildings/meshes/terminal_meshes.h"
+#include "compiler/buildings/planning/doors.h"
+#include "compiler/buildings/styles/building_materials.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/random_sequence.h"
+#include "compiler/contract/texts/utf8.h"
 #include "compiler/contract/tolerance.h"
-#include "compiler/contract/utf8.h"
 #include "grammars/derivation/context_query.h"
 #include "grammars/derivation/form_roofs.h"
 

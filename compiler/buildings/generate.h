@@ -9,8 +9,8 @@
 #include "compiler/buildings/facade_textures.h"
 #include "compiler/buildings/lit_windows.h"
 #include "compiler/buildings/recipe.h"
-#include "compiler/buildings/rulebook.h"
-#include "compiler/contract/report.h"
+#include "compiler/buildings/styles/rulebook.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/materials/material_mesh.h"
 
 namespace citykiln::buildings {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compiler/buildings/recipe.h"
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/map/features.h"
 #include "compiler/structures/recipe.h"

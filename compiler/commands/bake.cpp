@@ -22,7 +22,7 @@
 #include "compiler/outputs/tile_lights.h"
 #include "compiler/outputs/write_outputs.h"
 #include "compiler/settings.h"
-#include "compiler/verify/heights_json.h"
+#include "compiler/verify/heights/heights_json.h"
 #include "exporters/file.h"
 #include "exporters/gltf/write/encode_tile.h"
 #include "exporters/kiln/manifest.h"

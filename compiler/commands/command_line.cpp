@@ -9,9 +9,9 @@
 #include <new>
 
 #include "compiler/commands/run_paths.h"
-#include "compiler/contract/nearest_name.h"
-#include "compiler/contract/parse.h"
-#include "compiler/contract/program_version.h"
+#include "compiler/contract/system/program_version.h"
+#include "compiler/contract/texts/nearest_name.h"
+#include "compiler/contract/texts/parse.h"
 
 namespace citykiln::commands {
 namespace {

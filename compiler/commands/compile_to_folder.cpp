@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "compiler/commands/interrupt_notice.h"
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/outputs/run_report.h"
 #include "compiler/outputs/write_outputs.h"
-#include "compiler/verify/heights_json.h"
+#include "compiler/verify/heights/heights_json.h"
 #include "exporters/output_folder.h"
 #include "exporters/run_files.h"
 

@@ -14,7 +14,7 @@
 #include "compiler/commands/plan/task_lists.h"
 #include "compiler/commands/plan/zone_lists.h"
 #include "compiler/commands/verb.h"
-#include "compiler/contract/give_back_memory.h"
+#include "compiler/contract/system/give_back_memory.h"
 #include "compiler/map/extent/choose_extent.h"
 #include "compiler/outputs/findings.h"
 #include "compiler/regions/cut_extract.h"

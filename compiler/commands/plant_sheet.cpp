@@ -11,7 +11,7 @@
 #include "compiler/bake/merge.h"
 #include "compiler/bake/prototype_cache.h"
 #include "compiler/commands/sheet.h"
-#include "compiler/contract/parse.h"
+#include "compiler/contract/texts/parse.h"
 #include "compiler/make_header.h"
 #include "compiler/sky/plan.h"
 #include "compiler/source/read_texts.h"

@@ -16,7 +16,7 @@
 #include "compiler/commands/view/load_tiles.h"
 #include "compiler/commands/view/preview_scene.h"
 #include "compiler/commands/view/view_options.h"
-#include "compiler/contract/parse.h"
+#include "compiler/contract/texts/parse.h"
 #include "compiler/parse_values.h"
 #include "preview/camera/cell_view.h"
 #include "preview/camera/view_probe.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "compiler/ground/grading/bend_points.h"
-#include "compiler/ground/profiles/ground_crossings.h"
+#include "compiler/ground/profiles/crossings/ground_crossings.h"
 
 namespace citykiln::commands {
 namespace {

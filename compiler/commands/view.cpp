@@ -14,7 +14,7 @@
 #include "compiler/commands/verb.h"
 #include "compiler/commands/view/complete_page.h"
 #include "compiler/commands/view/served_run.h"
-#include "compiler/contract/load_module.h"
+#include "compiler/contract/system/load_module.h"
 #include "exporters/run_files.h"
 
 namespace citykiln::commands {

@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/mesh.h"
 #include "compiler/ground/cover/border.h"

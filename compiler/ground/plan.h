@@ -1,11 +1,12 @@
 // Plans land cover without heights: polygons of mapped areas, and watercourses as strips. A strip is an axis with a
 // width on each side. Both are recipes: plain data from which the ground is generated later. Objects are counted in the
-// ledger, a list of accounts of the objects that go into a stage, come out of it or are dropped (contract/report.h).
+// ledger, a list of accounts of the objects that go into a stage, come out of it or are dropped
+// (contract/findings/report.h).
 #pragma once
 
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/ground/cover/strip_cover.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/map/features.h"

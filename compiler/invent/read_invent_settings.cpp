@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compiler/contract/nearest_name.h"
+#include "compiler/contract/texts/nearest_name.h"
 #include "compiler/invent/invent_settings.h"
 
 namespace citykiln::invent {

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "compiler/contract/derived_id.h"
-#include "compiler/contract/for_each_slot.h"
 #include "compiler/contract/random_sequence.h"
-#include "compiler/geometry/centroid.h"
+#include "compiler/contract/system/for_each_slot.h"
+#include "compiler/geometry/polygons/centroid.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/lots/border_yards.h"

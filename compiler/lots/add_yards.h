@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/lots/lot_inputs.h"
 #include "compiler/lots/plan_lots.h"
 #include "compiler/map/features.h"

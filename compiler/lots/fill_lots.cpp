@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "compiler/contract/for_each_slot.h"
 #include "compiler/contract/random_sequence.h"
-#include "compiler/geometry/centroid.h"
+#include "compiler/contract/system/for_each_slot.h"
+#include "compiler/geometry/polygons/centroid.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/lots/house_room.h"
 #include "compiler/lots/land_use.h"

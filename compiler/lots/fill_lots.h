@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/lots/lot_inputs.h"
 #include "compiler/map/features.h"

@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "compiler/geometry/clip_polygon.h"
+#include "compiler/geometry/polygons/clip_polygon.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/buildings/building_classes.h"
 

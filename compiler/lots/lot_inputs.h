@@ -14,7 +14,7 @@ namespace citykiln::lots {
 struct LotInputs {
   std::span<const roads::Road> roads;          ///< Planned roads with their pavements.
   std::span<const roads::Junction> junctions;  ///< The junctions of these roads.
-  std::span<const OsmId> private_ways;         ///< Sorted (map/private_ways.h).
+  std::span<const OsmId> private_ways;         ///< Sorted (map/ways/private_ways.h).
   const ClimateAt& climate_at;
   std::uint64_t seed = 0;
   int threads = 0;  ///< 0: all processors.

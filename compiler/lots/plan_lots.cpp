@@ -9,9 +9,9 @@
 #include <tuple>
 #include <utility>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/geometry/box_grid.h"
-#include "compiler/geometry/centroid.h"
+#include "compiler/geometry/polygons/centroid.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/lots/land_use.h"
 #include "compiler/map/buildings/building_classes.h"
@@ -30,7 +30,8 @@ constexpr double kLeastShared_m = 3;
 // Plain buildings: a larger one is no single house; one of this height is an apartment house; a low one of this area
 // is a hall.
 constexpr double kLargestHouse_m2 = 350, kApartmentLevels = 4, kApartmentHeight_m = 12, kLeastHall_m2 = 1200;
-// Buildings have doors at mapped places up to this far from a wall, in edges of this length (buildings/doors.h).
+// Buildings have doors at mapped places up to this far from a wall, in edges of this length
+// (buildings/planning/doors.h).
 constexpr double kDoorDistance_m = 1.5, kLeastDoorEdge_m = 2.5;
 // The place of a door in its edge: the middle of the ninth of the sixteen slots that buildings have.
 constexpr double kDoorShare = 8.5 / 16;

@@ -13,10 +13,10 @@
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/map/area_rules.h"
-#include "compiler/map/feature_readers.h"
-#include "compiler/map/standing.h"
-#include "compiler/map/tag_values.h"
+#include "compiler/map/land_cover/area_rules.h"
+#include "compiler/map/readers/feature_readers.h"
+#include "compiler/map/tags/standing.h"
+#include "compiler/map/tags/tag_values.h"
 
 namespace citykiln::map {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "compiler/map/read_context.h"
+#include "compiler/map/tags/read_context.h"
 
 namespace citykiln::map {
 

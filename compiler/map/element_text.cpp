@@ -7,7 +7,7 @@
 #include <map>
 
 #include "compiler/contract/erase_repeated.h"
-#include "compiler/contract/utf8.h"
+#include "compiler/contract/texts/utf8.h"
 #include "compiler/map/features.h"
 #include "compiler/source/osm_data.h"
 

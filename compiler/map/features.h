@@ -9,17 +9,17 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/contract/assumption.h"
+#include "compiler/contract/findings/assumption.h"
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/polygon.h"
-#include "compiler/map/country_group.h"
+#include "compiler/map/countries/country_group.h"
 #include "compiler/map/cross_section.h"
 #include "compiler/map/element_text.h"
 #include "compiler/map/front_tags.h"
-#include "compiler/map/lamp_tags.h"
+#include "compiler/map/lamps/lamp_tags.h"
 #include "compiler/map/land_cover_class.h"
 #include "compiler/map/plane/heightfield.h"
-#include "compiler/map/plant_kind.h"
+#include "compiler/map/plants/plant_kind.h"
 #include "compiler/materials/material.h"
 #include "grammars/roofs/roof_shape.h"
 
@@ -276,7 +276,7 @@ struct ThingFeature {
   std::optional<Vec2> faces{};
 };
 
-/// A front that buildings are to have (buildings/fronts.h).
+/// A front that buildings are to have (buildings/planning/fronts.h).
 struct FrontPoint {
   ObjectId id;  ///< The point's; of an assumed front, the footprint's.
   Vec2 at;      ///< In, or beside, its building.

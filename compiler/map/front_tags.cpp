@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/contract/parse.h"
-#include "compiler/map/standing.h"
-#include "compiler/map/tag_values.h"
+#include "compiler/contract/texts/parse.h"
+#include "compiler/map/tags/standing.h"
+#include "compiler/map/tags/tag_values.h"
 
 namespace citykiln::map {
 namespace {

@@ -4,16 +4,16 @@
 #include <cassert>
 #include <cmath>
 
-#include "compiler/map/assumed_layers.h"
 #include "compiler/map/bridge_areas.h"
-#include "compiler/map/culverts.h"
 #include "compiler/map/extent/map_box.h"
-#include "compiler/map/feature_readers.h"
-#include "compiler/map/passageways.h"
 #include "compiler/map/rails_in_streets.h"
+#include "compiler/map/readers/feature_readers.h"
 #include "compiler/map/tagged_words.h"
+#include "compiler/map/tags/unread.h"
 #include "compiler/map/things/locate_things.h"
-#include "compiler/map/unread.h"
+#include "compiler/map/ways/assumed_layers.h"
+#include "compiler/map/ways/culverts.h"
+#include "compiler/map/ways/passageways.h"
 
 namespace citykiln::map {
 namespace {

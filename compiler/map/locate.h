@@ -3,10 +3,10 @@
 
 #include <optional>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/map/features.h"
-#include "compiler/map/own_plants.h"
 #include "compiler/map/plane/plane.h"
+#include "compiler/map/plants/own_plants.h"
 #include "compiler/map/things/thing_table.h"
 #include "compiler/source/osm_data.h"
 

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/geometry/box.h"
 #include "compiler/map/plane/plane.h"
 #include "compiler/source/osm_data.h"

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "compiler/contract/parse.h"
-#include "compiler/source/plain_words.h"
+#include "compiler/contract/texts/parse.h"
+#include "compiler/source/format/plain_words.h"
 
 namespace citykiln::map {
 namespace {

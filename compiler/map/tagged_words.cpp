@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/contract/parse.h"
+#include "compiler/contract/texts/parse.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/places.h"
-#include "compiler/map/tag_values.h"
+#include "compiler/map/tags/tag_values.h"
 
 namespace citykiln::map {
 namespace {
@@ -37,7 +37,7 @@ struct SurfaceWord {
 };
 constexpr SurfaceWord kSurfaces[] = {
 #define SURFACE(value, is_paved) {value, is_paved},
-#include "compiler/map/surfaces.inc"
+#include "compiler/map/land_cover/surfaces.inc"
 #undef SURFACE
 };
 
@@ -61,7 +61,7 @@ constexpr KnownWords kKnownWords[] = {
 
 constexpr std::string_view kStates[] = {
 #define LIFECYCLE(key, presence) key,
-#include "compiler/map/lifecycle.inc"
+#include "compiler/map/tags/lifecycle.inc"
 #undef LIFECYCLE
 };
 

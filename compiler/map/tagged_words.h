@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "compiler/map/read_context.h"
+#include "compiler/map/tags/read_context.h"
 #include "compiler/materials/material.h"
 
 namespace citykiln::map {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "compiler/contract/for_each_slot.h"
-#include "compiler/contract/program_version.h"
+#include "compiler/contract/system/for_each_slot.h"
+#include "compiler/contract/system/program_version.h"
 #include "exporters/content_hash.h"
 #include "exporters/file.h"
 #include "exporters/kiln/manifest.h"

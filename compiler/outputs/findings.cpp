@@ -11,8 +11,8 @@
 #include <string_view>
 #include <tuple>
 
-#include "compiler/contract/code_names.h"
-#include "compiler/contract/parse.h"
+#include "compiler/contract/findings/code_names.h"
+#include "compiler/contract/texts/parse.h"
 #include "compiler/geometry/box.h"
 #include "compiler/map/plane/degrees.h"
 #include "compiler/scene/kinds.h"

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/contract/result.h"
-#include "compiler/map/layer_tags.h"
 #include "compiler/map/places.h"
+#include "compiler/map/tags/layer_tags.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::outputs {

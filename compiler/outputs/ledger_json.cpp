@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "compiler/contract/code_names.h"
+#include "compiler/contract/findings/code_names.h"
 
 namespace citykiln::outputs {
 namespace {

@@ -6,7 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 
 namespace citykiln::outputs {
 

@@ -7,7 +7,7 @@
 
 #include "compiler/bake/feature_attributes.h"
 #include "compiler/bake/prototype_cache.h"
-#include "compiler/buildings/style.h"
+#include "compiler/buildings/styles/style.h"
 #include "compiler/contract/derived_id.h"
 #include "compiler/geometry/box.h"
 #include "compiler/map/plane/globe.h"

@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "compiler/bake/bake.h"
-#include "compiler/contract/program_version.h"
+#include "compiler/contract/system/program_version.h"
 #include "compiler/map/plane/degrees.h"
 #include "compiler/map/plane/lonlat_box.h"
 #include "compiler/outputs/findings.h"

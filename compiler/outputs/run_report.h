@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/scene/scene.h"
 #include "compiler/spec.h"

@@ -1,7 +1,7 @@
 #include "compiler/outputs/tile_lights.h"
 
 #include "compiler/bake/far/bend.h"
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 
 namespace citykiln::outputs {
 

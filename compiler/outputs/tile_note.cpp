@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-#include "compiler/contract/code_names.h"
+#include "compiler/contract/findings/code_names.h"
 #include "compiler/outputs/ledger_json.h"
 #include "compiler/outputs/written_tile_json.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/outputs/run_report.h"
 
 namespace citykiln::outputs {

@@ -16,7 +16,7 @@
 #include "compiler/bake/far/bake_surroundings.h"
 #include "compiler/bake/far/bend.h"
 #include "compiler/bake_scene.h"
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/outputs/bake_keys.h"
 #include "compiler/outputs/tile_lights.h"
 #include "compiler/outputs/tile_note.h"

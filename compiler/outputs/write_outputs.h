@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/outputs/findings.h"
 #include "compiler/outputs/run_report.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/geometry/trig.h"
 #include "compiler/map/plane/geoid.h"
 #include "compiler/outputs/page_records.h"

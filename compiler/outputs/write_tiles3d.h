@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/outputs/run_report.h"
 #include "compiler/scene/scene.h"

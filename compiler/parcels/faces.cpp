@@ -5,10 +5,10 @@
 #include <tuple>
 
 #include "compiler/contract/disjoint_sets.h"
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/geometry/box_grid.h"
-#include "compiler/geometry/delaunay.h"
 #include "compiler/geometry/polygon.h"
+#include "compiler/geometry/triangles/delaunay.h"
 #include "compiler/parcels/fronts.h"
 
 namespace citykiln::parcels {

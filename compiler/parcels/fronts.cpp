@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "compiler/geometry/box_grid.h"
-#include "compiler/geometry/centroid.h"
+#include "compiler/geometry/polygons/centroid.h"
 #include "compiler/geometry/segment.h"
 
 namespace citykiln::parcels {

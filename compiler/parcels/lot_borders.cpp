@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/parcels/fronts.h"
 
 namespace citykiln::parcels {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/contract/parse.h"
+#include "compiler/contract/texts/parse.h"
 #include "compiler/geometry/mathematics.h"
 #include "compiler/geometry/trig.h"
 #include "compiler/pitches/field_rules.h"

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <iterator>
 
-#include "compiler/contract/parse.h"
+#include "compiler/contract/texts/parse.h"
 #include "compiler/roads/markings/mark.h"
 
 namespace citykiln::pitches {

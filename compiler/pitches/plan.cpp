@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "compiler/contract/derived_id.h"
-#include "compiler/contract/parse.h"
+#include "compiler/contract/texts/parse.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/pitches/field_lines.h"
 #include "compiler/pitches/field_rules.h"

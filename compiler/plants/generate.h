@@ -24,7 +24,7 @@ struct PlantRecipes {
 /// row depend on its whole axis. A single tree up to 8 m inside a carriageway or railway, or up to 2 m inside a
 /// building or water, moves to half a metre beside it (kTreeMoved); one deeper inside is dropped (kTreeOnRoad). Trees
 /// of rows are left out there. Single trees are counted in the account "bake/tree" of the report's ledger
-/// (contract/report.h). O(n log n).
+/// (contract/findings/report.h). O(n log n).
 PlacedPlants generate(const PlantRecipes& recipes, const PlacingContext& context, Report& report);
 
 /// The largest density of blades. Blades are grass, reed and corn, with one plant per tuft. Only tolerances with

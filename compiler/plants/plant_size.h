@@ -1,7 +1,7 @@
 // The heights of plants, from tags and by species. The height is the only scale of a prototype.
 #pragma once
 
-#include "compiler/map/plant_kind.h"
+#include "compiler/map/plants/plant_kind.h"
 #include "compiler/plants/species.h"
 
 namespace citykiln::plants {

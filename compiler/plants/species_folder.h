@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "compiler/contract/result.h"
-#include "compiler/map/own_plants.h"
+#include "compiler/map/plants/own_plants.h"
 #include "compiler/plants/species_table.h"
 #include "compiler/plants/species_text.h"
 

@@ -9,7 +9,7 @@
 #include "compiler/climate/climate_mix.h"
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/vec.h"
-#include "compiler/map/plant_kind.h"
+#include "compiler/map/plants/plant_kind.h"
 #include "compiler/plants/species.h"
 
 namespace citykiln::plants {

@@ -7,8 +7,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "compiler/contract/parse.h"
-#include "compiler/map/plant_kind.h"
+#include "compiler/contract/texts/parse.h"
+#include "compiler/map/plants/plant_kind.h"
 #include "compiler/materials/material.h"
 #include "compiler/plants/season.h"
 

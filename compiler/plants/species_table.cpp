@@ -4,7 +4,7 @@
 #include <array>
 
 #include "compiler/contract/erase_repeated.h"
-#include "compiler/map/own_plants.h"
+#include "compiler/map/plants/own_plants.h"
 
 namespace citykiln::plants {
 namespace {

@@ -20,7 +20,7 @@ struct SpawnerShare {
   double share = 1;
 };
 
-/// A row of spawners.txt (map/own_plants.h), with species by number.
+/// A row of spawners.txt (map/plants/own_plants.h), with species by number.
 struct Spawner {
   std::vector<SpawnerShare> species{};  ///< Not empty.
   double grid_m = 1, probability = 1, jitter = 0, from_scale = 1, to_scale = 1;

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "compiler/geometry/placement.h"
-#include "compiler/map/lamp_tags.h"
+#include "compiler/map/lamps/lamp_tags.h"
 
 namespace citykiln::props {
 
@@ -41,8 +41,8 @@ struct Luminaire {
 };
 
 /// Returns the light of a lamp. The flux of each luminaire is the tagged one, else that of the lamp's kind and height
-/// (luminaires.inc), at most that of its type (map/lamp_types.inc). The colour temperature is the tagged one, else that
-/// of its type, else that of its kind and height. Lamps on an arm, a wall, a wire or a high mast shine down.
+/// (luminaires.inc), at most that of its type (map/lamps/lamp_types.inc). The colour temperature is the tagged one,
+/// else that of its type, else that of its kind and height. Lamps on an arm, a wall, a wire or a high mast shine down.
 /// height_m >= 0, tags.count >= 1.
 Luminaire luminaire_of(LampKind kind, double height_m, const map::LampTags& tags = {});
 

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "compiler/geometry/clip_polyline.h"
+#include "compiler/geometry/polygons/clip_polyline.h"
 #include "compiler/map/plane/plane.h"
 
 namespace citykiln::props {

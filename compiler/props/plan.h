@@ -4,7 +4,7 @@
 #include <tuple>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/props/recipe.h"
 
 namespace citykiln::props {

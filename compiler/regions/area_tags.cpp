@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "compiler/ground/water/standing_water.h"
-#include "compiler/map/area_rules.h"
+#include "compiler/map/land_cover/area_rules.h"
 
 namespace citykiln::regions {
 namespace {

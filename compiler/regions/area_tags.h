@@ -8,8 +8,8 @@ namespace citykiln::regions {
 /// True if an element may be a building or a part of one.
 bool describes_building(const osmium::TagList& tags);
 
-/// True if an element can become a land cover area or a building by map/area_rules.inc, so that its outline may
-/// surround a region without a vertex near it. True for more elements than become areas, never for fewer.
+/// True if an element can become a land cover area or a building by map/land_cover/area_rules.inc, so that its outline
+/// may surround a region without a vertex near it. True for more elements than become areas, never for fewer.
 bool describes_area(const osmium::TagList& tags);
 
 /// True if an element can become water: a waterway, a coastline, or an area of water.
@@ -30,7 +30,8 @@ struct PlantDensity {
   double trees_per_m2 = 0;      ///< From plants/wood_defaults.inc.
   double plantings_per_m2 = 0;  ///< From plants/planting_defaults.inc.
 };
-/// Returns the plant density for the first row of map/area_rules.inc that matches the tags; zeros if there is none.
+/// Returns the plant density for the first row of map/land_cover/area_rules.inc that matches the tags; zeros if there
+/// is none.
 PlantDensity plant_density(const osmium::TagList& tags);
 
 }  // namespace citykiln::regions

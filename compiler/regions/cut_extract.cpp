@@ -31,11 +31,11 @@
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/regions/area_tags.h"
 #include "compiler/regions/spool.h"
-#include "compiler/source/close_cut_areas.h"
+#include "compiler/source/areas/close_cut_areas.h"
 #include "compiler/source/closing_ring.h"
-#include "compiler/source/mended_xml.h"
-#include "compiler/source/osm_format.h"
-#include "compiler/source/plain_words.h"
+#include "compiler/source/format/mended_xml.h"
+#include "compiler/source/format/osm_format.h"
+#include "compiler/source/format/plain_words.h"
 
 namespace citykiln::regions {
 

@@ -5,14 +5,14 @@
 //     3. relations        copies areas, and buildings of parts, to the spools of the regions that their box touches
 //     4. ways             copies the members of these areas
 //
-// Two more passes over the ways close areas that the box of the map cuts (source/close_cut_areas.h), if there are any.
-// Then each spool is sorted and written as a file.
+// Two more passes over the ways close areas that the box of the map cuts (source/areas/close_cut_areas.h), if there are
+// any. Then each spool is sorted and written as a file.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/map/plane/plane.h"
 #include "compiler/regions/region.h"

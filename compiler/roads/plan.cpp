@@ -1,6 +1,6 @@
 #include "compiler/roads/plan.h"
 
-#include "compiler/map/passageways.h"
+#include "compiler/map/ways/passageways.h"
 #include "compiler/roads/roads_on_ground.h"
 #include "compiler/roads/width_limits/limit_widths.h"
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "compiler/contract/erase_repeated.h"
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/ground/plan.h"
 #include "compiler/roads/trim.h"

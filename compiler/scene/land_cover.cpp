@@ -4,7 +4,7 @@
 #include <cassert>
 #include <tuple>
 
-#include "compiler/buildings/passageways.h"
+#include "compiler/buildings/meshes/passageways.h"
 #include "compiler/contract/derived_id.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/ground/plan.h"

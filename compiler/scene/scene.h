@@ -9,7 +9,7 @@
 
 #include "compiler/buildings/lit_windows.h"
 #include "compiler/buildings/recipe.h"
-#include "compiler/buildings/rulebook.h"
+#include "compiler/buildings/styles/rulebook.h"
 #include "compiler/climate/climate_field.h"
 #include "compiler/ground/landforms/recipe.h"
 #include "compiler/ground/recipe.h"

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/source/closing_ring.h"
 
 namespace citykiln::source {

@@ -7,7 +7,7 @@
 #include <osmium/osm/way.hpp>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 
 namespace citykiln::source {
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <functional>
 
-#include "compiler/contract/give_back_memory.h"
+#include "compiler/contract/system/give_back_memory.h"
 
 namespace citykiln::source {
 

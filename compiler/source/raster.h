@@ -47,7 +47,7 @@ struct Raster {
   double file_spacing_m = 0;
   double unit_m = 1;       ///< The unit of heights that the file declares; the heights are converted from it.
   bool is_fitted = false;  ///< RasterSpec::is_fitted.
-  double shift_m = 0;      ///< Metres added to fit other heightmaps (map/fit_heightmaps.h).
+  double shift_m = 0;      ///< Metres added to fit other heightmaps (map/heights/fit_heightmaps.h).
   /// The heights that stand for 0 and for the ends of the file's number type: values that programs write where they
   /// know no height.
   std::vector<float> code_heights_m;

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-#include "compiler/contract/parse.h"
+#include "compiler/contract/texts/parse.h"
 #include "compiler/source/height_units.h"
 #include "compiler/source/read_raster.h"
 

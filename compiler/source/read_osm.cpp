@@ -10,14 +10,14 @@
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/source/across_180.h"
-#include "compiler/source/assemble_areas.h"
-#include "compiler/source/close_cut_areas.h"
+#include "compiler/source/areas/assemble_areas.h"
+#include "compiler/source/areas/close_cut_areas.h"
+#include "compiler/source/areas/old_style_multipolygons.h"
 #include "compiler/source/closing_ring.h"
-#include "compiler/source/decode_osm.h"
-#include "compiler/source/old_style_multipolygons.h"
+#include "compiler/source/format/decode_osm.h"
+#include "compiler/source/format/unique_strings.h"
 #include "compiler/source/order_elements.h"
 #include "compiler/source/pending_elements.h"
-#include "compiler/source/unique_strings.h"
 
 namespace citykiln::source {
 namespace {

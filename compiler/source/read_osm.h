@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/source/osm_data.h"
 #include "compiler/source/owns_place.h"

@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <optional>
 
-#include "compiler/contract/load_module.h"
-#include "compiler/source/blocks_to_voids.h"
-#include "compiler/source/codes_to_voids.h"
-#include "compiler/source/fill_gaps.h"
+#include "compiler/contract/system/load_module.h"
 #include "compiler/source/gdal_module/gdal_functions.h"
-#include "compiler/source/join_rasters.h"
-#include "compiler/source/spikes_to_voids.h"
+#include "compiler/source/voids/blocks_to_voids.h"
+#include "compiler/source/voids/codes_to_voids.h"
+#include "compiler/source/voids/fill_gaps.h"
+#include "compiler/source/voids/join_rasters.h"
+#include "compiler/source/voids/spikes_to_voids.h"
 
 namespace citykiln::source {
 namespace {

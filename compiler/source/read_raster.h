@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/source/raster.h"
 

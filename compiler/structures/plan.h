@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/profile.h"
 #include "compiler/ground/grading/graded_terrain.h"

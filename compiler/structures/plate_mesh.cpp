@@ -4,7 +4,7 @@
 #include <span>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/geometry/triangulate.h"
+#include "compiler/geometry/triangles/triangulate.h"
 
 namespace citykiln::structures {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "compiler/geometry/box_grid.h"
-#include "compiler/geometry/overlay.h"
+#include "compiler/geometry/polygons/overlay.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/bridge_areas.h"

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/map/features.h"
 #include "compiler/roads/recipe.h"

@@ -1,7 +1,7 @@
 // Drops bridges and tunnels outside the extent (the box that is compiled).
 #pragma once
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/geometry/box.h"
 #include "compiler/structures/plan.h"
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <string_view>
 
-#include "compiler/contract/parse.h"
+#include "compiler/contract/texts/parse.h"
 #include "grammars/language/builtin.h"
 #include "grammars/language/read_rules.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/buildings/rulebook.h"
+#include "compiler/buildings/styles/rulebook.h"
 #include "compiler/contract/result.h"
 #include "compiler/map/things/thing_table.h"
 #include "compiler/things/recipe.h"

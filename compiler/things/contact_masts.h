@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/things/catalogue.h"
 #include "compiler/things/contact_tracks.h"
 #include "compiler/things/recipe.h"

@@ -4,8 +4,8 @@
 #include <array>
 #include <cassert>
 
-#include "compiler/buildings/terminal_meshes.h"
-#include "compiler/contract/hex_colour.h"
+#include "compiler/buildings/meshes/terminal_meshes.h"
+#include "compiler/contract/texts/hex_colour.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/things/facing.h"
 #include "grammars/derivation/derive.h"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "compiler/buildings/mass_model.h"
+#include "compiler/buildings/meshes/mass_model.h"
 #include "compiler/geometry/snap.h"
 
 namespace citykiln::things {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compiler/buildings/recipe.h"
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/recipe.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "compiler/buildings/recipe.h"
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/map/features.h"
 #include "compiler/props/recipe.h"

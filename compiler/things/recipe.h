@@ -8,7 +8,7 @@
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/vec.h"
-#include "compiler/map/country_group.h"
+#include "compiler/map/countries/country_group.h"
 #include "compiler/map/features.h"
 
 namespace citykiln::things {

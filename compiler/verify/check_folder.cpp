@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "compiler/contract/parse.h"
+#include "compiler/contract/texts/parse.h"
 #include "exporters/file_list.h"
 #include "exporters/page/page_files.h"
 #include "exporters/run_files.h"

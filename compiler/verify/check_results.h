@@ -14,12 +14,12 @@
 #include "compiler/geometry/vec.h"
 #include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/ground/mesh/reference.h"
-#include "compiler/verify/explain_earthworks.h"
-#include "compiler/verify/measure_blank_walls.h"
-#include "compiler/verify/measure_clearances.h"
-#include "compiler/verify/measure_earthworks.h"
-#include "compiler/verify/measure_lines.h"
+#include "compiler/verify/heights/explain_earthworks.h"
+#include "compiler/verify/heights/measure_clearances.h"
+#include "compiler/verify/heights/measure_earthworks.h"
+#include "compiler/verify/heights/measure_lines.h"
 #include "compiler/verify/measure_ways.h"
+#include "compiler/verify/standing/measure_blank_walls.h"
 
 namespace citykiln::verify {
 

@@ -8,8 +8,8 @@
 #include "compiler/bake/baked_tile.h"
 #include "compiler/geometry/box.h"
 #include "compiler/scene/scene.h"
-#include "compiler/verify/border_edges.h"
 #include "compiler/verify/check_results.h"
+#include "compiler/verify/ground/border_edges.h"
 
 namespace citykiln::verify {
 

@@ -15,7 +15,7 @@
 #include <set>
 #include <utility>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "exporters/file.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/joined_attributions.h"

@@ -11,7 +11,7 @@
 
 #include "compiler/bake/bake.h"
 #include "compiler/bake/far/bend.h"
-#include "compiler/contract/assumption_names.h"
+#include "compiler/contract/findings/assumption_names.h"
 #include "compiler/verify/prepare_tile.h"
 #include "exporters/file.h"
 #include "exporters/gltf/glb.h"

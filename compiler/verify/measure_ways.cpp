@@ -9,7 +9,7 @@
 
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/segment.h"
-#include "compiler/map/passageways.h"
+#include "compiler/map/ways/passageways.h"
 #include "compiler/roads/width_limits/narrowed_section.h"
 
 namespace citykiln::verify {

@@ -9,7 +9,7 @@
 
 #include "compiler/outputs/findings.h"
 #include "compiler/verify/check_results.h"
-#include "compiler/verify/measure_earthworks.h"
+#include "compiler/verify/heights/measure_earthworks.h"
 
 namespace citykiln::verify {
 

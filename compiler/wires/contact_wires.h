@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/things/contact_masts.h"
 #include "compiler/wires/recipe.h"

@@ -9,9 +9,9 @@
 
 #include "compiler/bake/baked_tile.h"
 #include "compiler/bake/place_lamps.h"
-#include "compiler/contract/compression.h"
 #include "compiler/contract/node_split.h"
 #include "compiler/contract/result.h"
+#include "compiler/contract/system/compression.h"
 #include "compiler/contract/target.h"
 
 namespace citykiln::exporters {

@@ -14,8 +14,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "compiler/contract/texts/utf8.h"
 #include "compiler/contract/tolerance.h"
-#include "compiler/contract/utf8.h"
 #include "compiler/geometry/vec.h"
 #include "compiler/map/locate.h"
 #include "exporters/kiln/streams.h"

@@ -9,9 +9,9 @@
 #include <limits>
 #include <optional>
 
-#include "compiler/buildings/style.h"
-#include "compiler/contract/for_each_slot.h"
-#include "compiler/contract/program_version.h"
+#include "compiler/buildings/styles/style.h"
+#include "compiler/contract/system/for_each_slot.h"
+#include "compiler/contract/system/program_version.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/locate.h"
 #include "compiler/sky/air_settings.h"

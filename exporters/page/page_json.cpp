@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compiler/contract/assumption_names.h"
-#include "compiler/contract/code_names.h"
+#include "compiler/contract/findings/assumption_names.h"
+#include "compiler/contract/findings/code_names.h"
 
 namespace citykiln::exporters {
 namespace {

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "compiler/contract/assumption.h"
+#include "compiler/contract/findings/assumption.h"
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/vec.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "compiler/contract/assumption_names.h"
+#include "compiler/contract/findings/assumption_names.h"
 #include "exporters/joined_attributions.h"
 #include "exporters/usd/crate_writer.h"
 #include "exporters/usd/text_writer.h"

@@ -1,6 +1,6 @@
 #include "exporters/vdb/encode_vdb.h"
 
-#include "compiler/contract/load_module.h"
+#include "compiler/contract/system/load_module.h"
 #include "exporters/vdb_module/vdb_io.h"
 
 namespace citykiln::exporters {

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <tuple>
 
-#include "compiler/contract/utf8.h"
+#include "compiler/contract/texts/utf8.h"
 #include "grammars/derivation/execute.h"
 #include "grammars/language/lexer.h"
 

@@ -1,7 +1,7 @@
 // scatter: shapes of points at random places on a surface, or in the scope.
 #include <algorithm>
 
-#include "compiler/geometry/triangulate.h"
+#include "compiler/geometry/triangles/triangulate.h"
 #include "grammars/derivation/evaluate.h"
 #include "grammars/operations/operations.h"
 

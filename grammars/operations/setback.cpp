@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/geometry/offset_polygon.h"
+#include "compiler/geometry/polygons/offset_polygon.h"
 #include "compiler/geometry/segment.h"
 #include "grammars/operations/face_parts.h"
 #include "grammars/operations/operations.h"

@@ -1,9 +1,9 @@
 // Generates a roof of any form of OpenStreetMap's Simple 3D Buildings on any footprint. roofs.md explains the methods.
 #pragma once
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/geometry/polygon.h"
-#include "compiler/geometry/straight_skeleton.h"
+#include "compiler/geometry/polygons/straight_skeleton.h"
 #include "grammars/roofs/roof.h"
 #include "grammars/roofs/roof_shape.h"
 

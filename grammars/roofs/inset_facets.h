@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compiler/geometry/polygon.h"
-#include "compiler/geometry/straight_skeleton.h"
+#include "compiler/geometry/polygons/straight_skeleton.h"
 #include "grammars/roofs/facet.h"
 #include "grammars/roofs/section.h"
 

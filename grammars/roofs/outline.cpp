@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "compiler/geometry/overlay.h"
+#include "compiler/geometry/polygons/overlay.h"
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/snap.h"
 #include "grammars/roofs/facet.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compiler/geometry/arrangement.h"
-#include "compiler/geometry/overlay.h"
+#include "compiler/geometry/polygons/overlay.h"
 
 namespace citykiln::roofs {
 namespace {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "compiler/geometry/delaunay.h"
 #include "compiler/geometry/polygon.h"
+#include "compiler/geometry/triangles/delaunay.h"
 #include "grammars/roofs/facet.h"
 
 namespace citykiln::roofs {

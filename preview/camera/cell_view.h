@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/bake/view_levels.h"
+#include "compiler/bake/view/view_levels.h"
 #include "preview/camera/camera.h"
 
 namespace citykiln::preview {

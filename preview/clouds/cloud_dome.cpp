@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "preview/turn.h"
 
 namespace citykiln::preview {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "preview/turn.h"
 
 namespace citykiln::preview {

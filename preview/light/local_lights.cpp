@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/geometry/trig.h"
 #include "compiler/sky/generate.h"
 #include "preview/surface/microfacet.h"

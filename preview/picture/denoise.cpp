@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 
 namespace citykiln::preview {
 namespace {

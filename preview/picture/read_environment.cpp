@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "compiler/contract/load_module.h"
+#include "compiler/contract/system/load_module.h"
 #include "preview/image_module/picture_io.h"
 
 namespace citykiln::preview {

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "compiler/contract/load_module.h"
+#include "compiler/contract/system/load_module.h"
 #include "preview/image_module/picture_io.h"
 #include "preview/picture/image.h"
 #include "preview/picture/tone_map.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <thread>
 
-#include "compiler/contract/run_alone.h"
+#include "compiler/contract/system/run_alone.h"
 #include "preview/user_geometry.h"
 
 namespace citykiln::preview {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 
 namespace citykiln::preview {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compiler/bake/place_lamps.h"
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 
 namespace citykiln::preview {
 namespace {

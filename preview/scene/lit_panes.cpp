@@ -5,7 +5,7 @@
 
 #include "compiler/bake/bounds.h"
 #include "compiler/buildings/generate.h"
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/geometry/snap.h"
 #include "preview/rgb.h"
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <thread>
 
-#include "compiler/contract/load_module.h"
+#include "compiler/contract/system/load_module.h"
 #include "preview/camera/camera.h"
 #include "preview/camera/camera_rays.h"
 #include "preview/picture/exposure.h"

@@ -11,7 +11,7 @@ import re
 import subprocess
 import tempfile
 
-# place: extract below the folder of data, country group (compiler/map/country_group.h)
+# place: extract below the folder of data, country group (compiler/map/countries/country_group.h)
 PLACES = {
     "nice": ("nice-old-town/nice.osm.pbf", "kSouthernEurope"),
     "monaco": ("monaco/monaco-2023.osm.pbf", "kSouthernEurope"),

@@ -4,7 +4,7 @@
 
 #include "compiler/buildings/generate.h"
 #include "compiler/buildings/plan.h"
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/map/locate.h"
 #include "compiler/source/read_osm.h"
 #include "tests/bench/bench_data.h"

@@ -6,15 +6,15 @@
 #include "compiler/bake/ground/ground_cells.h"
 #include "compiler/contract/random_sequence.h"
 #include "compiler/ground/profiles/plan_profiles.h"
+#include "compiler/map/heights/resample.h"
 #include "compiler/map/locate.h"
-#include "compiler/map/resample.h"
 #include "compiler/pipeline.h"
 #include "compiler/roads/roads_on_ground.h"
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"
-#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_osm.h"
 #include "compiler/source/read_raster.h"
+#include "compiler/source/voids/fill_gaps.h"
 #include "tests/bench/bench_data.h"
 
 namespace citykiln {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "compiler/buildings/generate.h"
-#include "compiler/buildings/style.h"
+#include "compiler/buildings/styles/style.h"
 
 namespace citykiln::buildings {
 namespace {

@@ -6,10 +6,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "lsystems/derive.h"
-#include "lsystems/read_lsystem.h"
-#include "lsystems/tubes.h"
-#include "lsystems/turtle.h"
+#include "lsystems/mesh/tubes.h"
+#include "lsystems/reading/read_lsystem.h"
+#include "lsystems/rewriting/derive.h"
+#include "lsystems/rewriting/turtle.h"
 
 namespace citykiln::lsystems {
 namespace {

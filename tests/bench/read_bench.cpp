@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "compiler/source/decode_osm.h"
+#include "compiler/source/format/decode_osm.h"
 #include "compiler/source/read_osm.h"
 #include "tests/bench/bench_data.h"
 

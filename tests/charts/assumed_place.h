@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "compiler/contract/assumption.h"
+#include "compiler/contract/findings/assumption.h"
 #include "compiler/contract/result.h"
 #include "compiler/map/features.h"
 #include "compiler/map/plane/plane.h"

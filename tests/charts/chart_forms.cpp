@@ -7,7 +7,7 @@
 
 #include "compiler/bake/bake.h"
 #include "compiler/bake_scene.h"
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/geometry/snap.h"
 #include "exporters/gltf/glb.h"
 #include "preview/camera/cell_view.h"

@@ -7,7 +7,7 @@
 
 #include "compiler/bake/ground/ground_cells.h"
 #include "compiler/contract/detail_tolerances.h"
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/ground/cover/partition.h"
 #include "compiler/ground/cover/simplify_borders.h"
 #include "compiler/ground/plan.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "compiler/geometry/overlay.h"
+#include "compiler/geometry/polygons/overlay.h"
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/roads/junctions/junction_ring.h"

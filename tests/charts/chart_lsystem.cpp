@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lsystems/read_lsystem.h"
-#include "lsystems/tubes.h"
-#include "lsystems/turtle.h"
+#include "lsystems/mesh/tubes.h"
+#include "lsystems/reading/read_lsystem.h"
+#include "lsystems/rewriting/turtle.h"
 #include "tests/charts/chart.h"
 #include "tests/charts/stopwatch.h"
 

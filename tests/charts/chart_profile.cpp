@@ -5,16 +5,16 @@
 #include <cmath>
 
 #include "compiler/ground/plan.h"
-#include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/profiles/graph/grade_rules.h"
 #include "compiler/ground/profiles/plan_profiles.h"
-#include "compiler/ground/profiles/profile_knots.h"
+#include "compiler/ground/profiles/smoothing/profile_knots.h"
 #include "compiler/ground/water/plan_water_heights.h"
+#include "compiler/map/heights/resample.h"
 #include "compiler/map/locate.h"
-#include "compiler/map/resample.h"
 #include "compiler/roads/roads_on_ground.h"
-#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_osm.h"
 #include "compiler/source/read_raster.h"
+#include "compiler/source/voids/fill_gaps.h"
 #include "tests/charts/chart.h"
 
 namespace citykiln::charts {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/sky/generate.h"
 #include "tests/charts/chart.h"
 #include "tests/charts/preetham.h"

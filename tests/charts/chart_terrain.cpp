@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/ground/generate.h"
+#include "compiler/map/heights/resample.h"
 #include "compiler/map/locate.h"
-#include "compiler/map/resample.h"
-#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
+#include "compiler/source/voids/fill_gaps.h"
 #include "tests/charts/chart.h"
 #include "tests/charts/stopwatch.h"
 

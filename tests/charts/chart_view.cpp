@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "compiler/bake/view_levels.h"
+#include "compiler/bake/view/view_levels.h"
 #include "compiler/map/plane/heightfield.h"
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"

@@ -4,7 +4,7 @@
 #include <ctime>
 #include <set>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/plants/generate.h"
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/sky/generate.h"
 
 namespace citykiln::charts {

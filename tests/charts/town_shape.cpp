@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <map>
 
-#include "compiler/geometry/centroid.h"
+#include "compiler/geometry/polygons/centroid.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/geometry/trig.h"
 #include "compiler/parcels/divide.h"

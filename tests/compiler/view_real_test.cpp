@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "compiler/bake/view_levels.h"
+#include "compiler/bake/view/view_levels.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/snap.h"

@@ -7,10 +7,10 @@
 #include <string>
 #include <utility>
 
-#include "lsystems/read_lsystem.h"
-#include "lsystems/read_rpforest.h"
-#include "lsystems/tubes.h"
-#include "lsystems/turtle.h"
+#include "lsystems/mesh/tubes.h"
+#include "lsystems/reading/read_lsystem.h"
+#include "lsystems/reading/read_rpforest.h"
+#include "lsystems/rewriting/turtle.h"
 #include "tests/fuzz/sound_skeleton.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "lsystems/skeleton.h"
+#include "lsystems/rewriting/skeleton.h"
 
 namespace citykiln::lsystems {
 

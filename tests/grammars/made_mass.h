@@ -18,7 +18,8 @@ struct MadeMass {
   StableId id{1};
 };
 
-/// Adds a roof as compiler/buildings/mass_model.h does: gables are tagged kVertical, the floor of the roof is left out.
+/// Adds a roof as compiler/buildings/meshes/mass_model.h does: gables are tagged kVertical, the floor of the roof is
+/// left out.
 inline void add_roof(const roofs::Roof& roof, double eaves_m, std::vector<Face>& faces) {
   for (Face& face : faces_of(roof)) {
     if (face.tag == FaceTag::kBottom) continue;

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "compiler/bake/merge.h"
-#include "compiler/buildings/terminal_meshes.h"
+#include "compiler/buildings/meshes/terminal_meshes.h"
 #include "exporters/gltf/glb.h"
 #include "grammars/derivation/form_roofs.h"
 #include "grammars/language/read_rules.h"

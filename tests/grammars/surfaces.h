@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "compiler/geometry/triangulate.h"
+#include "compiler/geometry/triangles/triangulate.h"
 #include "grammars/derivation/derive.h"
 
 namespace citykiln::grammars {

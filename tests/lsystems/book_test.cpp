@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "lsystems/turtle.h"
+#include "lsystems/rewriting/turtle.h"
 #include "tests/lsystems/derived.h"
 
 namespace citykiln::lsystems {

@@ -8,8 +8,8 @@
 #include <sstream>
 #include <string>
 
-#include "lsystems/derive.h"
-#include "lsystems/read_lsystem.h"
+#include "lsystems/reading/read_lsystem.h"
+#include "lsystems/rewriting/derive.h"
 #include "tests/test_files.h"
 
 namespace citykiln::lsystems {

@@ -15,10 +15,10 @@
 
 #include "compiler/geometry/mathematics.h"
 #include "exporters/gltf/pictures/png.h"
-#include "lsystems/read_lsystem.h"
-#include "lsystems/read_rpforest.h"
-#include "lsystems/tubes.h"
-#include "lsystems/turtle.h"
+#include "lsystems/mesh/tubes.h"
+#include "lsystems/reading/read_lsystem.h"
+#include "lsystems/reading/read_rpforest.h"
+#include "lsystems/rewriting/turtle.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Checks statements of lsystems/notation.md.
 #include <gtest/gtest.h>
 
-#include "lsystems/turtle.h"
+#include "lsystems/rewriting/turtle.h"
 #include "tests/lsystems/derived.h"
 
 namespace citykiln::lsystems {

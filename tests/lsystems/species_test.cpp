@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <regex>
 
-#include "lsystems/tubes.h"
-#include "lsystems/turtle.h"
+#include "lsystems/mesh/tubes.h"
+#include "lsystems/rewriting/turtle.h"
 #include "tests/lsystems/derived.h"
 #include "tests/test_files.h"
 

@@ -7,9 +7,9 @@
 #include <map>
 #include <set>
 
-#include "compiler/bake/bake_instances.h"
 #include "compiler/bake/bake_level.h"
 #include "compiler/bake/ground/ground_beyond.h"
+#include "compiler/bake/parts/bake_instances.h"
 #include "compiler/bake/view_markings.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/map/locate.h"

@@ -12,7 +12,7 @@
 
 #include "compiler/bake/baked_cell.h"
 #include "compiler/bake/bounds.h"
-#include "compiler/bake/view_levels.h"
+#include "compiler/bake/view/view_levels.h"
 
 namespace citykiln::bake {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/ground/plan.h"
 #include "compiler/map/locate.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/ground/generate.h"
 #include "compiler/scene/scene.h"
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compiler/geometry/clip_polygon.h"
+#include "compiler/geometry/polygons/clip_polygon.h"
 
 namespace citykiln::commands {
 

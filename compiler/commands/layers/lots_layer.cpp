@@ -6,7 +6,7 @@
 #include "compiler/assume/fit_widths.h"
 #include "compiler/climate/climate_at.h"
 #include "compiler/lots/add_yards.h"
-#include "compiler/map/passageways.h"
+#include "compiler/map/ways/passageways.h"
 #include "compiler/roads/plan.h"
 #include "compiler/roads/width_limits/limit_widths.h"
 

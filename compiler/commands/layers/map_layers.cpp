@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "compiler/commands/layers/road_properties.h"
-#include "compiler/geometry/clip_polygon.h"
+#include "compiler/geometry/polygons/clip_polygon.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/roads/junctions/layers.h"
 #include "compiler/roads/roads_on_ground.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "compiler/contract/assumption_names.h"
+#include "compiler/contract/findings/assumption_names.h"
 #include "compiler/map/land_cover_class.h"
 #include "compiler/materials/material.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "compiler/commands/layers/layer.h"
-#include "compiler/contract/assumption.h"
+#include "compiler/contract/findings/assumption.h"
 #include "compiler/map/cross_section.h"
 #include "compiler/map/features.h"
 

@@ -10,11 +10,11 @@
 #include <tuple>
 #include <vector>
 
-#include "compiler/buildings/style.h"
+#include "compiler/buildings/styles/style.h"
 #include "compiler/commands/layers/road_properties.h"
 #include "compiler/contract/erase_repeated.h"
-#include "compiler/contract/for_each_slot.h"
-#include "compiler/geometry/clip_polygon.h"
+#include "compiler/contract/system/for_each_slot.h"
+#include "compiler/geometry/polygons/clip_polygon.h"
 #include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/scene/graded_terrain.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "compiler/contract/parse.h"
+#include "compiler/contract/texts/parse.h"
 
 namespace citykiln::commands {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "compiler/contract/parse.h"
-#include "compiler/contract/program_version.h"
+#include "compiler/contract/system/program_version.h"
+#include "compiler/contract/texts/parse.h"
 
 namespace citykiln::commands {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "compiler/commands/view/ground_height.h"
 #include "compiler/commands/view/read_line_string.h"
-#include "compiler/contract/parse.h"
+#include "compiler/contract/texts/parse.h"
 #include "compiler/map/plane/plane.h"
 #include "preview/camera/camera_path.h"
 #include "preview/camera/camera_rays.h"

@@ -17,7 +17,7 @@
 #include "compiler/commands/run_paths.h"
 #include "compiler/commands/view/read_tileset_tree.h"
 #include "compiler/commands/view/requested_sky.h"
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/outputs/run_report.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/kiln/manifest.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "compiler/contract/parse.h"
+#include "compiler/contract/texts/parse.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/plane/plane.h"
 #include "compiler/parse_values.h"

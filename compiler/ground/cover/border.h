@@ -9,7 +9,7 @@
 
 #include "compiler/geometry/arrangement.h"
 #include "compiler/geometry/box.h"
-#include "compiler/geometry/delaunay.h"
+#include "compiler/geometry/triangles/delaunay.h"
 
 namespace citykiln::ground {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compiler/geometry/arrangement.h"
-#include "compiler/geometry/delaunay.h"
+#include "compiler/geometry/triangles/delaunay.h"
 
 namespace citykiln::ground {
 

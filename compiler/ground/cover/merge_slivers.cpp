@@ -10,9 +10,9 @@
 
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/contract/tolerance.h"
-#include "compiler/geometry/delaunay.h"
 #include "compiler/geometry/point_buckets.h"
 #include "compiler/geometry/segment.h"
+#include "compiler/geometry/triangles/delaunay.h"
 
 namespace citykiln::ground {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/geometry/delaunay.h"
+#include "compiler/geometry/triangles/delaunay.h"
 #include "compiler/ground/cover/border.h"
 
 namespace citykiln::ground {

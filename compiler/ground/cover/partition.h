@@ -10,7 +10,7 @@
 
 #include "compiler/geometry/arrangement.h"
 #include "compiler/geometry/box.h"
-#include "compiler/geometry/delaunay.h"
+#include "compiler/geometry/triangles/delaunay.h"
 #include "compiler/ground/cover/border.h"
 #include "compiler/ground/recipe.h"
 

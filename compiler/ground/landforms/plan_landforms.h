@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/ground/landforms/recipe.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/map/features.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "compiler/geometry/straight_walk.h"
+#include "compiler/geometry/triangles/straight_walk.h"
 
 namespace citykiln::ground {
 namespace {

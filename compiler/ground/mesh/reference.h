@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "compiler/geometry/box.h"
-#include "compiler/geometry/delaunay.h"
 #include "compiler/geometry/point_buckets.h"
+#include "compiler/geometry/triangles/delaunay.h"
 #include "compiler/ground/height_layer.h"
 #include "compiler/ground/mesh/height_error.h"
 #include "compiler/map/plane/heightfield.h"
@@ -22,7 +22,7 @@ struct Reference {
   std::vector<Heights> heights;               ///< One per vertex.
   Box2 cell;                                  ///< The area of the triangulation.
   PointBuckets buckets;                       ///< Index of the vertices.
-  std::vector<std::uint32_t> first_faces;     ///< One per vertex (geometry/straight_walk.h).
+  std::vector<std::uint32_t> first_faces;     ///< One per vertex (geometry/triangles/straight_walk.h).
   std::vector<std::uint32_t> centre_faces;    ///< One per bucket: the face at its centre, where walks to a place start.
   const map::Heightfield* terrain = nullptr;  ///< Not owned.
 };

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/profiles/graph/grade_rules.h"
 
 namespace citykiln::ground {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "compiler/contract/report.h"
-#include "compiler/ground/profiles/profile_graph.h"
+#include "compiler/contract/findings/report.h"
+#include "compiler/ground/profiles/graph/profile_graph.h"
 
 namespace citykiln::ground {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 
-#include "compiler/ground/profiles/crossings.h"
-#include "compiler/ground/profiles/grade_rules.h"
-#include "compiler/ground/profiles/profile_knots.h"
+#include "compiler/ground/profiles/crossings/crossings.h"
+#include "compiler/ground/profiles/graph/grade_rules.h"
+#include "compiler/ground/profiles/smoothing/profile_knots.h"
 
 namespace citykiln::ground {
 namespace {

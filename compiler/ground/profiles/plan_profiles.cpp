@@ -5,15 +5,15 @@
 
 #include "compiler/geometry/box_grid.h"
 #include "compiler/ground/grading/road_influence.h"
-#include "compiler/ground/profiles/clearances.h"
+#include "compiler/ground/profiles/crossings/clearances.h"
+#include "compiler/ground/profiles/crossings/enforce_clearances.h"
+#include "compiler/ground/profiles/crossings/ground_crossings.h"
 #include "compiler/ground/profiles/diagnose_profiles.h"
-#include "compiler/ground/profiles/enforce_clearances.h"
-#include "compiler/ground/profiles/grade_limits.h"
-#include "compiler/ground/profiles/ground_crossings.h"
-#include "compiler/ground/profiles/initial_heights.h"
 #include "compiler/ground/profiles/plan_paths.h"
-#include "compiler/ground/profiles/profile_knots.h"
-#include "compiler/ground/profiles/smooth_profile.h"
+#include "compiler/ground/profiles/smoothing/grade_limits.h"
+#include "compiler/ground/profiles/smoothing/initial_heights.h"
+#include "compiler/ground/profiles/smoothing/profile_knots.h"
+#include "compiler/ground/profiles/smoothing/smooth_profile.h"
 
 namespace citykiln::ground {
 namespace {

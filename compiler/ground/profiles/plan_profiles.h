@@ -18,11 +18,11 @@
 #include <span>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/profile.h"
 #include "compiler/ground/landforms/recipe.h"
-#include "compiler/ground/profiles/profile_graph.h"
+#include "compiler/ground/profiles/graph/profile_graph.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/map/features.h"
 #include "compiler/roads/junctions/junction.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "compiler/ground/grading/span_influence.h"
-#include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/profiles/graph/grade_rules.h"
 #include "compiler/roads/roads_on_ground.h"
 
 namespace citykiln::ground {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "compiler/contract/derived_id.h"
-#include "compiler/geometry/offset_polygon.h"
+#include "compiler/geometry/polygons/offset_polygon.h"
 #include "compiler/geometry/snap.h"
 
 namespace citykiln::ground {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/ground/cover/shared_borders.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/map/plane/heightfield.h"

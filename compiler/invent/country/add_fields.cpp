@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "compiler/contract/for_each_slot.h"
-#include "compiler/geometry/overlay.h"
+#include "compiler/contract/system/for_each_slot.h"
+#include "compiler/geometry/polygons/overlay.h"
 #include "compiler/invent/country/split_convex.h"
 #include "compiler/invent/land/noise.h"
 

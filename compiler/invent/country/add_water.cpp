@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <string>
 
-#include "compiler/geometry/clip_polyline.h"
+#include "compiler/geometry/polygons/clip_polyline.h"
 #include "compiler/invent/country/add_country.h"
 
 namespace citykiln::invent {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 
 namespace citykiln::invent {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "compiler/contract/for_each_slot.h"
 #include "compiler/contract/random_sequence.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/geometry/polygon.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/trig.h"

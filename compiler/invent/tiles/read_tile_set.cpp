@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "compiler/contract/nearest_name.h"
-#include "compiler/contract/parse.h"
-#include "compiler/contract/utf8.h"
+#include "compiler/contract/texts/nearest_name.h"
+#include "compiler/contract/texts/parse.h"
+#include "compiler/contract/texts/utf8.h"
 #include "compiler/invent/tiles/tile_set.h"
 
 namespace citykiln::invent {

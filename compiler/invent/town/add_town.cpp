@@ -2,12 +2,12 @@
 
 #include "compiler/geometry/trig.h"
 #include "compiler/invent/tags.h"
-#include "compiler/invent/town/block_contents.h"
-#include "compiler/invent/town/houses.h"
+#include "compiler/invent/town/blocks/block_contents.h"
+#include "compiler/invent/town/blocks/houses.h"
+#include "compiler/invent/town/blocks/street_things.h"
 #include "compiler/invent/town/railway.h"
-#include "compiler/invent/town/roundabouts.h"
-#include "compiler/invent/town/street_sections.h"
-#include "compiler/invent/town/street_things.h"
+#include "compiler/invent/town/streets/roundabouts.h"
+#include "compiler/invent/town/streets/street_sections.h"
 #include "compiler/invent/town/town_layout.h"
 
 namespace citykiln::invent {

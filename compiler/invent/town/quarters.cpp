@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "compiler/geometry/centroid.h"
-#include "compiler/geometry/offset_polygon.h"
+#include "compiler/geometry/polygons/centroid.h"
+#include "compiler/geometry/polygons/offset_polygon.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/invent/town/draws.h"
 #include "compiler/invent/town/smooth_noise.h"

@@ -1,7 +1,7 @@
 // Quarters: what each block of a town is used for.
 #pragma once
 
-#include "compiler/invent/town/street_edges.h"
+#include "compiler/invent/town/streets/street_edges.h"
 #include "compiler/invent/town/town_plan.h"
 
 namespace citykiln::invent {

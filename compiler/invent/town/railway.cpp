@@ -6,10 +6,10 @@
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/trig.h"
 #include "compiler/invent/tags.h"
+#include "compiler/invent/town/blocks/house_tags.h"
 #include "compiler/invent/town/draws.h"
-#include "compiler/invent/town/house_tags.h"
 #include "compiler/invent/town/least_cost_path.h"
-#include "compiler/invent/town/road_curve.h"
+#include "compiler/invent/town/streets/road_curve.h"
 
 namespace citykiln::invent {
 namespace {

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "compiler/invent/invented_map.h"
-#include "compiler/invent/town/street_edges.h"
+#include "compiler/invent/town/streets/street_edges.h"
 #include "compiler/invent/town/town_plan.h"
 
 namespace citykiln::invent {

@@ -1,9 +1,9 @@
 #include "compiler/invent/town/town_layout.h"
 
-#include "compiler/invent/town/grow_streets.h"
-#include "compiler/invent/town/main_roads.h"
 #include "compiler/invent/town/railway.h"
-#include "compiler/invent/town/roundabouts.h"
+#include "compiler/invent/town/streets/grow_streets.h"
+#include "compiler/invent/town/streets/main_roads.h"
+#include "compiler/invent/town/streets/roundabouts.h"
 #include "compiler/invent/town/town_names.h"
 
 namespace citykiln::invent {

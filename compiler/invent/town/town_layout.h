@@ -1,9 +1,9 @@
 // The layout of a town: all that is decided before its houses and things.
 #pragma once
 
+#include "compiler/invent/town/blocks/town_lots.h"
 #include "compiler/invent/town/quarters.h"
-#include "compiler/invent/town/street_edges.h"
-#include "compiler/invent/town/town_lots.h"
+#include "compiler/invent/town/streets/street_edges.h"
 #include "compiler/invent/town/town_plan.h"
 
 namespace citykiln::invent {

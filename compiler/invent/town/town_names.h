@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/invent/town/street_graph.h"
+#include "compiler/invent/town/streets/street_graph.h"
 #include "compiler/invent/town/town_plan.h"
 
 namespace citykiln::invent {

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "compiler/map/tag_values.h"
+#include "compiler/map/tags/tag_values.h"
 
 namespace citykiln::map {
 namespace {

@@ -9,10 +9,10 @@
 #include "compiler/geometry/trig.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/buildings/part_heights.h"
-#include "compiler/map/read_context.h"
-#include "compiler/map/standing.h"
-#include "compiler/map/tag_values.h"
 #include "compiler/map/tagged_words.h"
+#include "compiler/map/tags/read_context.h"
+#include "compiler/map/tags/standing.h"
+#include "compiler/map/tags/tag_values.h"
 #include "grammars/roofs/roof_shape.h"
 
 namespace citykiln::map {

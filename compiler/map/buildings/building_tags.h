@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "compiler/map/read_context.h"
+#include "compiler/map/tags/read_context.h"
 
 namespace citykiln::map {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/map/read_context.h"
+#include "compiler/map/tags/read_context.h"
 
 namespace citykiln::map {
 

@@ -3,7 +3,7 @@
 #include <tuple>
 
 #include "compiler/geometry/box_grid.h"
-#include "compiler/geometry/triangulate.h"
+#include "compiler/geometry/triangles/triangulate.h"
 
 namespace citykiln::map {
 namespace {

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/geometry/clip_polygon.h"
-#include "compiler/geometry/offset_polygon.h"
+#include "compiler/geometry/polygons/clip_polygon.h"
+#include "compiler/geometry/polygons/offset_polygon.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/buildings/building_classes.h"
 

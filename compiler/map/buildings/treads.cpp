@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "compiler/contract/derived_id.h"
-#include "compiler/geometry/centroid.h"
-#include "compiler/geometry/overlay.h"
+#include "compiler/geometry/polygons/centroid.h"
+#include "compiler/geometry/polygons/overlay.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/buildings/part_outlines.h"

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/map/features.h"
 
 namespace citykiln::map {

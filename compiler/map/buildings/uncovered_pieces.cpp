@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "compiler/contract/derived_id.h"
-#include "compiler/geometry/offset_polygon.h"
-#include "compiler/geometry/overlay.h"
+#include "compiler/geometry/polygons/offset_polygon.h"
+#include "compiler/geometry/polygons/overlay.h"
 #include "compiler/map/buildings/part_outlines.h"
 
 namespace citykiln::map {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/geometry/box.h"
 #include "compiler/source/osm_data.h"

@@ -5,7 +5,7 @@
 
 #include "compiler/map/land_cover_class.h"
 #include "compiler/map/lanes/track_rules.h"
-#include "compiler/map/tag_values.h"
+#include "compiler/map/tags/tag_values.h"
 
 namespace citykiln::map {
 namespace {

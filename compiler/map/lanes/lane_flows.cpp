@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "compiler/map/tag_values.h"
+#include "compiler/map/tags/tag_values.h"
 
 namespace citykiln::map {
 namespace {

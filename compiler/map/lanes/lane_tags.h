@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/map/countries/road_guidelines.h"
 #include "compiler/map/lanes/lanes.h"
-#include "compiler/map/read_context.h"
-#include "compiler/map/road_guidelines.h"
+#include "compiler/map/tags/read_context.h"
 
 namespace citykiln::map {
 

@@ -7,7 +7,7 @@
 #include "compiler/geometry/snap.h"
 #include "compiler/map/lanes/lane_flows.h"
 #include "compiler/map/lanes/lane_roadside.h"
-#include "compiler/map/tag_values.h"
+#include "compiler/map/tags/tag_values.h"
 
 namespace citykiln::map {
 namespace {

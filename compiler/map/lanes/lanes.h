@@ -23,9 +23,9 @@
 // Street_parking, Key:parking:lane, Key:busway, Key:shoulder, Key:verge, Key:width.
 #pragma once
 
+#include "compiler/map/countries/road_guidelines.h"
 #include "compiler/map/cross_section.h"
-#include "compiler/map/read_context.h"
-#include "compiler/map/road_guidelines.h"
+#include "compiler/map/tags/read_context.h"
 
 namespace citykiln::map {
 

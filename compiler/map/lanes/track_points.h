@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compiler/map/features.h"
-#include "compiler/map/read_context.h"
+#include "compiler/map/tags/read_context.h"
 
 namespace citykiln::map {
 

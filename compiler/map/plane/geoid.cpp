@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "compiler/contract/parse.h"
+#include "compiler/contract/texts/parse.h"
 #include "compiler/geometry/snap.h"
 
 namespace citykiln::map {

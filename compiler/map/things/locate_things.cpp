@@ -7,10 +7,10 @@
 #include <string_view>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/for_each_line.h"
-#include "compiler/map/read_elements.h"
-#include "compiler/map/tag_values.h"
+#include "compiler/map/readers/for_each_line.h"
 #include "compiler/map/tagged_words.h"
+#include "compiler/map/tags/read_elements.h"
+#include "compiler/map/tags/tag_values.h"
 #include "compiler/map/things/outline_places.h"
 
 namespace citykiln::map {

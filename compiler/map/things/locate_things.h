@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "compiler/map/features.h"
-#include "compiler/map/read_context.h"
+#include "compiler/map/tags/read_context.h"
 #include "compiler/map/things/thing_table.h"
 
 namespace citykiln::map {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "compiler/climate/climate_field.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/contract/random_sequence.h"
-#include "compiler/contract/report.h"
 #include "compiler/geometry/placement.h"
 #include "compiler/ground/cover/land_cover_index.h"
 #include "compiler/ground/grading/graded_terrain.h"

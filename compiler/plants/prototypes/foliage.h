@@ -16,7 +16,7 @@
 #include "compiler/geometry/mesh.h"
 #include "compiler/materials/material.h"
 #include "lsystems/lsystem.h"
-#include "lsystems/skeleton.h"
+#include "lsystems/rewriting/skeleton.h"
 
 namespace citykiln::plants {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "lsystems/leaves.h"
+#include "lsystems/mesh/leaves.h"
 
 namespace citykiln::plants {
 namespace {

@@ -5,7 +5,7 @@
 #include <cassert>
 
 #include "compiler/geometry/trig.h"
-#include "lsystems/tubes.h"
+#include "lsystems/mesh/tubes.h"
 
 namespace citykiln::plants {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "compiler/geometry/mesh.h"
-#include "lsystems/skeleton.h"
+#include "lsystems/rewriting/skeleton.h"
 
 namespace citykiln::plants {
 
@@ -18,7 +18,7 @@ struct StemMesh {
 /// Meshes stems. A stem whose radius is below the tolerance is left out if it carries nothing thicker. A radius above
 /// 0.3 of the thickest diameter always stays, so the plant stands on a trunk. Stems up to 2.5 tolerances are prisms of
 /// equal mean width, within the tolerance of a round stem; one prism replaces all segments of an axis that are within
-/// the tolerance of it. Thicker stems are tubes (lsystems/tubes.h).
+/// the tolerance of it. Thicker stems are tubes (lsystems/mesh/tubes.h).
 /// O(segments).
 ///
 /// @param tolerance_m  > 0, compared with radii.

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/roads/network.h"
 
 namespace citykiln::roads {

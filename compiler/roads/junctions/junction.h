@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/geometry/box.h"
 #include "compiler/roads/network.h"
 

@@ -3,9 +3,9 @@
 #include <array>
 #include <cassert>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/geometry/box_grid.h"
-#include "compiler/geometry/overlay.h"
+#include "compiler/geometry/polygons/overlay.h"
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/roads/generate.h"

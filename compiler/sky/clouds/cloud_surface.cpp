@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/geometry/mathematics.h"
 
 namespace citykiln::sky {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "exporters/gltf/glb_names.h"
 #include "exporters/gltf/glb_parts.h"
 #include "exporters/gltf/pack/draco_codec.h"

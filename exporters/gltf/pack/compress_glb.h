@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/contract/compression.h"
+#include "compiler/contract/system/compression.h"
 #include "exporters/gltf/glb_parts.h"
 
 namespace citykiln::exporters {

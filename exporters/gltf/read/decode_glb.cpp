@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
-#include "compiler/contract/utf8.h"
+#include "compiler/contract/texts/utf8.h"
 #include "exporters/file.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/glb_checks.h"

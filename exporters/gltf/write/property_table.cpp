@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "compiler/contract/assumption_names.h"
 #include "compiler/contract/erase_repeated.h"
+#include "compiler/contract/findings/assumption_names.h"
 #include "exporters/gltf/glb_names.h"
 
 namespace citykiln::exporters {

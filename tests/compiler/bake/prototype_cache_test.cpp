@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "compiler/bake/bake.h"
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 
 namespace citykiln::bake {
 namespace {

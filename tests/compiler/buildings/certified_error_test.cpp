@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "compiler/buildings/generate.h"
-#include "compiler/buildings/style.h"
+#include "compiler/buildings/styles/style.h"
 #include "compiler/geometry/snap.h"
 #include "tests/compiler/buildings/nearest_triangle.h"
 #include "tests/compiler/buildings/real_buildings.h"

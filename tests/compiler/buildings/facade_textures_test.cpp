@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "compiler/buildings/generate.h"
-#include "compiler/buildings/style.h"
+#include "compiler/buildings/styles/style.h"
 #include "compiler/contract/detail_tolerances.h"
 
 namespace citykiln::buildings {

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "compiler/buildings/building_materials.h"
+#include "compiler/buildings/styles/building_materials.h"
 #include "grammars/language/read_rules.h"
 #include "tests/compiler/mesh_volume.h"
 

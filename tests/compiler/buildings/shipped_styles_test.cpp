@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "compiler/buildings/terminal_meshes.h"
+#include "compiler/buildings/meshes/terminal_meshes.h"
 #include "grammars/derivation/form_roofs.h"
 #include "grammars/language/read_rules.h"
 #include "tests/grammars/made_mass.h"

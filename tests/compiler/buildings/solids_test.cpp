@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "compiler/buildings/mass_model.h"
+#include "compiler/buildings/meshes/mass_model.h"
 #include "tests/compiler/buildings/real_buildings.h"
 #include "tests/compiler/buildings/val3dity_rules.h"
 #include "tests/grammars/roofs/footprints.h"

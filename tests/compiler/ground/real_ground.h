@@ -5,11 +5,11 @@
 #include <string>
 
 #include "compiler/ground/plan.h"
+#include "compiler/map/heights/resample.h"
 #include "compiler/map/locate.h"
-#include "compiler/map/resample.h"
-#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_osm.h"
 #include "compiler/source/read_raster.h"
+#include "compiler/source/voids/fill_gaps.h"
 
 namespace citykiln::ground {
 

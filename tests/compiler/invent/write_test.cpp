@@ -3,7 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/invent/write/encode_heights.h"
 #include "compiler/invent/write/world_place.h"
 #include "compiler/invent/write/write_map.h"

@@ -7,10 +7,10 @@
 #include <filesystem>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/resample.h"
-#include "compiler/source/fill_gaps.h"
+#include "compiler/map/heights/resample.h"
 #include "compiler/source/read_osm.h"
 #include "compiler/source/read_raster.h"
+#include "compiler/source/voids/fill_gaps.h"
 #include "tests/compiler/map/map_text.h"
 #include "tests/test_files.h"
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <set>
 
-#include "compiler/map/tag_values.h"
+#include "compiler/map/tags/tag_values.h"
 #include "compiler/source/read_osm.h"
 #include "grammars/roofs/roof_shape.h"
 #include "tests/compiler/map/map_text.h"

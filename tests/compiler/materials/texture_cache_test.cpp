@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 
 namespace citykiln::materials {
 namespace {

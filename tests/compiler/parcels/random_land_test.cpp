@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/system/for_each_slot.h"
 #include "compiler/geometry/segment.h"
 #include "tests/compiler/parcels/made_land.h"
 

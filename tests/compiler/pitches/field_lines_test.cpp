@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "compiler/contract/parse.h"
+#include "compiler/contract/texts/parse.h"
 #include "compiler/pitches/field_rules.h"
 
 namespace citykiln::pitches {

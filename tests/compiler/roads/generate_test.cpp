@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compiler/geometry/overlay.h"
+#include "compiler/geometry/polygons/overlay.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/roads/network.h"
 #include "compiler/roads/trim.h"

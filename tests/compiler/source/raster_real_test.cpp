@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <numeric>
 
-#include "compiler/source/blocks_to_voids.h"
-#include "compiler/source/codes_to_voids.h"
-#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
-#include "compiler/source/spikes_to_voids.h"
+#include "compiler/source/voids/blocks_to_voids.h"
+#include "compiler/source/voids/codes_to_voids.h"
+#include "compiler/source/voids/fill_gaps.h"
+#include "compiler/source/voids/spikes_to_voids.h"
 #include "tests/compiler/source/extract_text.h"
 #include "tests/test_files.h"
 

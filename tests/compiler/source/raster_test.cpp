@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
-#include "compiler/source/spikes_to_voids.h"
+#include "compiler/source/voids/fill_gaps.h"
+#include "compiler/source/voids/spikes_to_voids.h"
 #include "tests/compiler/source/extract_text.h"
 
 namespace citykiln::source {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "compiler/contract/report.h"
+#include "compiler/contract/findings/report.h"
 #include "compiler/map/plane/lonlat_box.h"
 #include "compiler/source/read_raster.h"
 #include "compiler/surroundings/curvature.h"

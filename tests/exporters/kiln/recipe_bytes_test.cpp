@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <map>
 
-#include "compiler/buildings/mass_model.h"
-#include "compiler/buildings/rule_attributes.h"
+#include "compiler/buildings/meshes/mass_model.h"
+#include "compiler/buildings/meshes/rule_attributes.h"
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/buildings/building_classes.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/buildings/rulebook.h"
+#include "compiler/buildings/styles/rulebook.h"
 #include "tests/compiler/buildings/blocks/made_town.h"
 #include "tests/compiler/buildings/real_buildings.h"
 #include "tests/test_files.h"

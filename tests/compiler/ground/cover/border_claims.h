@@ -9,8 +9,8 @@
 #include <set>
 #include <vector>
 
-#include "compiler/geometry/delaunay.h"
 #include "compiler/geometry/point_buckets.h"
+#include "compiler/geometry/triangles/delaunay.h"
 #include "compiler/ground/cover/land_cover_index.h"
 #include "compiler/ground/cover/partition.h"
 #include "compiler/ground/cover/simplify_borders.h"

@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-#include "compiler/ground/profiles/approach_paths.h"
-#include "compiler/ground/profiles/crossings.h"
-#include "compiler/ground/profiles/enforce_clearances.h"
-#include "compiler/ground/profiles/grade_rules.h"
-#include "compiler/ground/profiles/initial_heights.h"
+#include "compiler/ground/profiles/crossings/crossings.h"
+#include "compiler/ground/profiles/crossings/enforce_clearances.h"
+#include "compiler/ground/profiles/graph/approach_paths.h"
+#include "compiler/ground/profiles/graph/grade_rules.h"
 #include "compiler/ground/profiles/plan_profiles.h"
-#include "compiler/ground/profiles/profile_knots.h"
+#include "compiler/ground/profiles/smoothing/initial_heights.h"
+#include "compiler/ground/profiles/smoothing/profile_knots.h"
 #include "tests/compiler/ground/profiles/made_network.h"
 
 namespace citykiln::ground {

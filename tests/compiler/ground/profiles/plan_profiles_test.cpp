@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "compiler/ground/profiles/grade_rules.h"
-#include "compiler/ground/profiles/initial_heights.h"
-#include "compiler/ground/profiles/junction_planes.h"
-#include "compiler/ground/profiles/profile_knots.h"
+#include "compiler/ground/profiles/graph/grade_rules.h"
+#include "compiler/ground/profiles/smoothing/initial_heights.h"
+#include "compiler/ground/profiles/smoothing/junction_planes.h"
+#include "compiler/ground/profiles/smoothing/profile_knots.h"
 #include "tests/compiler/ground/profiles/made_network.h"
 
 namespace citykiln::ground {

@@ -7,10 +7,10 @@
 
 #include "compiler/ground/plan.h"
 #include "compiler/ground/profiles/measure_profiles.h"
-#include "compiler/map/resample.h"
+#include "compiler/map/heights/resample.h"
 #include "compiler/roads/roads_on_ground.h"
-#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
+#include "compiler/source/voids/fill_gaps.h"
 #include "tests/compiler/roads/real_map.h"
 #include "tests/test_files.h"
 

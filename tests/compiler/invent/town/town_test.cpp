@@ -7,11 +7,11 @@
 
 #include "compiler/contract/disjoint_sets.h"
 #include "compiler/geometry/box_grid.h"
-#include "compiler/geometry/centroid.h"
+#include "compiler/geometry/polygons/centroid.h"
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/invent/town/add_town.h"
-#include "compiler/invent/town/footprints.h"
+#include "compiler/invent/town/blocks/footprints.h"
 #include "compiler/invent/town/town_layout.h"
 #include "tests/compiler/invent/town/made_ground.h"
 

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/read_context.h"
+#include "compiler/map/tags/read_context.h"
 #include "tests/compiler/map/map_text.h"
 
 namespace citykiln::map {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "lsystems/read_lsystem.h"
-#include "lsystems/turtle.h"
+#include "lsystems/reading/read_lsystem.h"
+#include "lsystems/rewriting/turtle.h"
 
 namespace citykiln::plants {
 namespace {

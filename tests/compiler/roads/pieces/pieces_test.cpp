@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "compiler/geometry/overlay.h"
+#include "compiler/geometry/polygons/overlay.h"
 #include "compiler/geometry/snap.h"
 #include "tests/compiler/roads/made_road.h"
 

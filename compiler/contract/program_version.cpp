@@ -1,8 +1,0 @@
-#include "compiler/contract/program_version.h"
-
-namespace citykiln {
-
-const char* const kVersion = CITYKILN_VERSION;
-const char* const kProgramVersion = "citykiln " CITYKILN_VERSION;
-
-}  // namespace citykiln

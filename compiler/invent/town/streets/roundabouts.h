@@ -1,0 +1,16 @@
+// Roundabouts where main roads meet outside of centres.
+#pragma once
+
+#include "compiler/invent/town/streets/street_graph.h"
+#include "compiler/invent/town/town_plan.h"
+
+namespace citykiln::invent {
+
+/// The radius of a roundabout's axis.
+inline constexpr double kRoundabout_m = 15;
+
+/// Replaces some junctions of main roads by circles, counter-clockwise, and returns their middles. A junction is left
+/// as it is if its arms are too close to each other or meet others within the circle.
+std::vector<Vec2> make_roundabouts(const TownPlan& plan, StreetGraph& graph);
+
+}  // namespace citykiln::invent

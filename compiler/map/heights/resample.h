@@ -1,0 +1,28 @@
+// Resamples heightmaps into one heightfield.
+#pragma once
+
+#include <span>
+
+#include "compiler/contract/findings/report.h"
+#include "compiler/contract/result.h"
+#include "compiler/map/plane/heightfield.h"
+#include "compiler/map/plane/plane.h"
+#include "compiler/source/raster.h"
+
+namespace citykiln::map {
+
+/// Returns one field over the extent and one step beyond. Without rasters it is flat at 0.
+///
+/// The steps, east and north, are the largest multiples of kStepUnit_m not above the finest sample distance of a raster
+/// with samples in that direction, at least 1 m and at most kCell_m. In the middle of the extent vertices lie on
+/// samples of the first raster that covers it; farther away, where degrees and metres diverge, they lie between
+/// samples.
+///
+/// @param rasters  Without voids (source::fill_voids()). At each place the first raster that covers it counts. Places
+///                 that no raster covers get the nearest height (source::fill_uncovered()), diagnosed kNoHeight.
+///
+/// Errors: no raster covers any vertex, or a raster's reference system is unknown.
+Result<Heightfield> resample(std::span<const source::Raster> rasters, const Plane& plane, const Box2& extent,
+                             Report& report);
+
+}  // namespace citykiln::map

@@ -1,0 +1,63 @@
+#include "compiler/verify/ground/ground_index.h"
+
+#include <algorithm>
+#include <array>
+
+#include "compiler/contract/tolerance.h"
+
+namespace citykiln::verify {
+namespace {
+
+/// Returns the side of buckets: ground faces along roads are some metres long, those of open land up to hundreds.
+double bucket_m_of(std::span<const Box2> boxes) {
+  double sides_m = 0;
+  for (const Box2& box : boxes) sides_m += (box.width() + box.height()) / 2;
+  return std::max(4.0, sides_m / static_cast<double>(std::max<std::size_t>(boxes.size(), 1)));
+}
+
+double plan_area_m2(const GroundFace& face) {
+  return twice_area(in_plan(face.corners[0]), in_plan(face.corners[1]), in_plan(face.corners[2])) / 2;
+}
+
+/// Snapping moves borders by up to this much.
+constexpr double kBeside_m = 2 * kQuantum_m;
+
+/// True if the point is inside the edge, or outside by at most kBeside_m.
+bool is_inside(double twice_area, Vec3 a, Vec3 b) {
+  return twice_area >= -kBeside_m * distance(in_plan(a), in_plan(b));
+}
+
+std::optional<double> height_m_at(const GroundFace& face, Vec2 p) {
+  const auto& [a, b, c] = face.corners;
+  const double area = twice_area(in_plan(a), in_plan(b), in_plan(c));
+  const double of_a = twice_area(p, in_plan(b), in_plan(c)), of_b = twice_area(in_plan(a), p, in_plan(c));
+  const double of_c = area - of_a - of_b;
+  if (!is_inside(of_a, b, c) || !is_inside(of_b, c, a) || !is_inside(of_c, a, b)) return std::nullopt;
+  const double z_m = (of_a * a.z + of_b * b.z + of_c * c.z) / area;
+  // the plane of a thin face is steep, so its height beside the face is limited to the corners' heights
+  return std::clamp(z_m, std::min({a.z, b.z, c.z}), std::max({a.z, b.z, c.z}));
+}
+
+}  // namespace
+
+GroundIndex index_ground(const bake::BakedTile& tile) {
+  GroundIndex index;
+  for_each_ground_face(tile, [&](const GroundFace& face) { index.faces.push_back(face); });
+  std::erase_if(index.faces, [](const GroundFace& face) { return plan_area_m2(face) <= 0; });
+  std::vector<Box2> boxes;
+  for (const GroundFace& face : index.faces)
+    boxes.push_back(box_of(std::array{in_plan(face.corners[0]), in_plan(face.corners[1]), in_plan(face.corners[2])})
+                        .widened(kBeside_m));
+  index.grid = grid_of(boxes, bucket_m_of(boxes));
+  return index;
+}
+
+std::vector<GroundHit> ground_at(const GroundIndex& index, Vec2 p) {
+  std::vector<GroundHit> places;
+  for (const std::uint32_t i : boxes_about(index.grid, p))
+    if (const auto z_m = height_m_at(index.faces[i], p)) places.push_back({*z_m, index.faces[i].feature});
+  std::ranges::stable_sort(places, {}, &GroundHit::z_m);
+  return places;
+}
+
+}  // namespace citykiln::verify
