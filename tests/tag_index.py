@@ -194,7 +194,7 @@ def page():
              "`python3 tests/tag_index.py --update`; `tests/tag_index_test.py` fails if it is out of date.", "",
              f"- There are {len(readers)} keys. `<side>` is `left`, `right` or `both`, `<direction>` is `forward` or `backward`, `<value>` is the",
              "  value of the key before it.",
-             "- [tag_values](tags/tag_values.cpp) parses lengths, numbers, colours and dates of all keys: it knows units and spellings.",
+             "- [tag_values](tags/tag_values.cpp) parses lengths, numbers, colours and dates of all keys: it knows units, spellings.",
              "- In a table (`….inc`) another value of a key is another row.",
              "- [source](../source) reads keys to assemble areas, [regions](../regions) to cut a map and to estimate costs.", ""]
     for key in sorted(readers):
