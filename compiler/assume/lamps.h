@@ -13,9 +13,12 @@
 
 namespace citykiln::assume {
 
-/// Returns the tracks with assumed lighting, sorted by id. Streets, and paved paths of 40 m or more, may change on the
-/// ground and on bridges if Track::has_tagged_lighting is false. Ways on the ground of more than kLongestWhole_m are
-/// cut as by assume_pavements(). The radius is kPavementRadius_m (pavements.h). O(n log n), n: points of all features.
+/// Returns all tracks of the map, sorted by id, with Track::is_lit set where lighting is assumed. Such tracks are
+/// marked with Assumption::kLamps and counted in the report. These may change: streets and paved paths of 40 m or more,
+/// on the ground and on bridges, whose Track::has_tagged_lighting is false. Ways on the ground that are longer than
+/// kLongestWhole_m are cut into pieces, as assume_pavements() does it.
+///
+/// Depends on features within kPavementRadius_m (pavements.h) of a track. O(n log n) in the points of all features.
 std::vector<map::Track> assume_lamps(const map::FeatureView& features, Report& report);
 
 }  // namespace citykiln::assume

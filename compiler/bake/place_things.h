@@ -10,17 +10,21 @@
 
 namespace citykiln::bake {
 
-/// A thing on the ground.
+/// A thing where it stands. Things of one form show one mesh, as instances.
 struct PlacedThing {
   things::Form form;
-  Placement placement;
-  int number = 1;  ///< The number of its form among those of its kind in the tile, from 1; the mesh is named by it.
+  Placement placement;  ///< Of its mesh, whose origin is the middle of the thing's base.
+  int number = 1;       ///< The number of its form among the forms of its kind in the tile, from 1, in the order of
+                        ///< Form. The name of the mesh has it.
 };
 
-/// Returns the things on the ground, in their order.
+/// Returns the things of a tile with their placements (things::place()), one per thing, in their order: on the ground,
+/// or at Thing::foot_m on a building. O(n log n).
+/// @param graded  Must cover the bases of the things.
 std::vector<PlacedThing> place_things(const std::vector<things::Thing>& things, const ground::GradedTerrain& graded);
 
-/// The bounds of a thing: its box, turned in any way.
+/// Returns bounds that contain a thing: in plan a square about its middle that holds its box at every turn, in height
+/// from its foot to its top. Plane metres.
 Bounds bounds_of(const PlacedThing& thing);
 
 }  // namespace citykiln::bake

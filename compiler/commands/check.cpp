@@ -82,9 +82,9 @@ void check_mapped(const scene::Scene& scene, std::span<const outputs::Finding> f
   const verify::BridgesOnAreas bridges = verify::measure_decks(scene);
   results.decks.test_all(bridges.tests, bridges.missing == 0,
                          {fmt::format("{} of {} bridges on areas, {} at {:.2f}, {:.2f}", bridges.missing, bridges.tests,
-                                      to_string(bridges.first), bridges.at.x, bridges.at.y),
+                                      to_string(bridges.element), bridges.at.x, bridges.at.y),
                           bridges.at,
-                          {bridges.first},
+                          {bridges.element},
                           static_cast<double>(bridges.missing)});
   count_findings(findings, Code::kBridgeAreaWithoutDeck, scene.header, results.decks);
   for (const scene::Chunk& chunk : scene.chunks) results.parts.tests += chunk.buildings.size();

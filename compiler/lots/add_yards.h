@@ -15,10 +15,10 @@ namespace citykiln::lots {
 /// kInfluenceRadius_m. A lot reaches up to 2 · kDepth_m across its block, and so does each neighbour.
 inline constexpr double kYardRadius_m = parcels::kInfluenceRadius_m + 4 * parcels::kDepth_m;
 
-/// Returns the lots with buildings of a map (plan_lots.h).
+/// Returns the lots with buildings of a map: the result of plan_lots() (plan_lots.h), whose order it has.
 std::vector<Lot> lots_of_map(const map::FeatureView& features, const LotInputs& inputs);
 
-/// The lists of a map that yards change, with what they add. Each is whole, and sorted by id.
+/// The lists of a map to which yards add: the mapped features and those of yards together, each sorted by id.
 struct Yards {
   std::vector<map::Footprint> footprints;
   std::vector<map::AreaFeature> areas;
@@ -27,16 +27,22 @@ struct Yards {
   std::vector<map::PointFeature> points;
 };
 
-/// Returns the features with these lists in place of theirs. `yards` must outlive the result.
+/// Returns the features with the lists of `yards` in place of theirs. The result refers to `yards`, which must outlive
+/// it unchanged.
 map::FeatureView seen_with(map::FeatureView features, const Yards& yards);
 
-/// Returns the features with yards. All that is added has the id of the lot's main building and a part from
-/// kFirstDerivedPart on (contract/derived_id.h); this building is marked with Assumption::kYards and counted. Only lots
-/// whose main building has its centroid in the extent get a yard. Mapped car parks without lanes get bays, with the id
-/// of the car park.
+/// Returns the features with a yard for each lot that has a rule (yard_rules.h) and whose main building has its
+/// centroid in the extent. A yard is areas with a surface, barriers, trees and shrubs, and an entrance at the lot's
+/// door where none is mapped. Each of these has the id of the main building, with a part from kFirstDerivedPart on
+/// (contract/derived_id.h). Ids are unique within one list only.
 ///
-/// Nothing is added over mapped land that is finer than land use, since such land is in no lot; surfaces have lower
-/// priorities than it. Nothing that is mapped is changed. The result does not depend on the order of features.
+/// Car parks also get bays, as a SportsArea "parking" with the id of the area: those of yards, and mapped ones that no
+/// mapped road or drive enters. The main buildings of lots with yards are marked with Assumption::kYards. They and
+/// these mapped car parks are counted in the report as assumed.
+///
+/// Nothing is added over mapped land that is finer than land use, since such land is in no lot; surfaces of yards have
+/// lower priorities than it. No mapped feature is changed, but for the mark. The result does not depend on the order of
+/// features. Cannot fail. Cost: that of parcels::divide() and plan_lots(), plus O(n log n).
 Yards with_yards(const map::FeatureView& features, const LotInputs& inputs, Report& report);
 
 }  // namespace citykiln::lots

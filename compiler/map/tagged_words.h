@@ -1,4 +1,6 @@
-// Words of materials and surfaces, and a finding for those that the program does not know.
+// Reads tags whose values are words of materials and surfaces, and diagnoses words that no table has.
+//
+// A value may have several words (words_of() in tag_values.h); each function uses the first one that its table has.
 #pragma once
 
 #include <optional>
@@ -9,21 +11,22 @@
 
 namespace citykiln::map {
 
-/// Returns the material of walls by building:material=*, such as "Brick", "natural stone" or "concrete/glass" (the
-/// first word that is known); nothing if no word is in material_values.inc.
+/// Returns the material of walls by the value of building:material=*, such as "Brick", "natural stone" or
+/// "concrete/glass"; nothing if no word is in material_values.inc.
 std::optional<materials::Material> wall_material_of(std::string_view value);
-/// Returns the material of a roof by roof:material=*; nothing if no word is known.
+/// Returns the material of a roof by the value of roof:material=*; nothing if no word is in material_values.inc.
 std::optional<materials::Material> roof_material_of(std::string_view value);
-/// Returns whether surface=* is paved; nothing if no word is in surfaces.inc.
+/// Returns whether a surface is paved, by the value of surface=*; nothing if no word is in surfaces.inc.
 std::optional<bool> is_paved_surface(std::string_view value);
-/// Returns the word that rules of things have for material=*: "wood" for "Timber"; nothing if no word is in
-/// things/thing_materials.inc.
+/// Returns the word by which the rules of things know a value of material=*, such as "wood" for "Timber"; nothing if no
+/// word is in things/thing_materials.inc. The text is static.
 std::optional<std::string_view> thing_material_of(std::string_view value);
 
-/// Diagnoses kBadTagValue for each tag that touches the extent and whose key is barrier, building, building:material,
-/// fence_type, material, roof:material, surface or wall, if none of its words is known and none is indefinite
-/// (is_indefinite): on any element, built or not. Call it after diagnose_unread(): a tag that kUnknownKind names is not
-/// named again. O(n).
+/// Diagnoses kBadTagValue, once for each element whose box touches the extent and each of its tags that has only
+/// unknown words. The keys are barrier, building, building:material, fence_type, material, roof:material, surface and
+/// wall. Elements count whether they are built or not. Values with an indefinite word (is_indefinite()) are not
+/// diagnosed. Call it after diagnose_unread(): a tag that kUnknownKind names is not named again. O(tags); each
+/// different value is looked up once.
 void diagnose_unknown_words(const ReadContext& context);
 
 }  // namespace citykiln::map

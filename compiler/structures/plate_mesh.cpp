@@ -1,6 +1,7 @@
 #include "compiler/structures/plate_mesh.h"
 
 #include <algorithm>
+#include <cassert>
 #include <span>
 
 #include "compiler/geometry/snap.h"
@@ -109,6 +110,7 @@ std::vector<std::vector<Rib>> wall_runs(const Plate& plate) {
 }
 
 void add_plate(const Plate& plate, const DeckDimensions& shape, PlateDetail detail, GeneratedStructure& generated) {
+  assert(detail.has_slab || !detail.has_parapets);
   Mesh concrete;
   for (const PlatePart& part : plate.parts) {
     const PlaneTriangles plane = triangulate(plan_of(part));

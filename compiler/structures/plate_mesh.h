@@ -1,4 +1,4 @@
-// Adds the meshes of a plate: a deck that the map has as an area (plates.h).
+// Adds the meshes of a plate, which is a deck that the map has as an area (plates.h).
 //
 //      |=|________......________|=|     walls on the outline, the surface, and a step down where a road of a bridge
 //      |__________________________|     lies on it (...); a slab of constant thickness
@@ -13,14 +13,19 @@ namespace citykiln::structures {
 /// The parts of a plate that a level keeps.
 struct PlateDetail {
   bool has_slab = true;      ///< Else only its top.
-  bool has_parapets = true;  ///< Only with a slab.
+  bool has_parapets = true;  ///< False if has_slab is.
 };
 
-/// Adds the parts of a plate as closed prisms, or their tops alone, and closed parapets or upstands along its walls.
-/// @param dimensions  Thickness and height of the parapets.
+/// Appends the meshes of a plate to generated.meshes: the top of each part, in the material of the plate's class, and
+/// one mesh of concrete with the rest. With a slab, top, sides and underside of each part together are closed. The top
+/// of a part below a road is 0.25 m lower, so that the road lies in a step. Each parapet is closed. O(n log n) in
+/// corners.
+/// @param dimensions  thickness_m of the slab, and parapet_m, the height of parapets above the top.
 void add_plate(const Plate& plate, const DeckDimensions& dimensions, PlateDetail detail, GeneratedStructure& generated);
 
-/// Returns ribs along each run of walls; to the left is the plate. Each run has at least two ribs.
+/// Returns the lines of a plate on which walls stand (PlateCorner::has_wall), each as ribs in order along it, at least
+/// two, with a mitre at corners; the plate is to the left. A ring whose every edge has a wall is one line that ends
+/// where it begins. Empty if no edge has a wall.
 std::vector<std::vector<Rib>> wall_runs(const Plate& plate);
 
 }  // namespace citykiln::structures

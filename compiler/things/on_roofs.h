@@ -17,20 +17,22 @@
 
 namespace citykiln::things {
 
-/// The roof below a thing, plane metres.
+/// The roof below a thing. Both are heights in plane metres.
 struct RoofBelow {
-  double ground_m = 0;  ///< The height from which the heights of the building are measured.
-  double roof_m = 0;    ///< The lowest place of the roof below the thing's base.
+  double ground_m =
+      0;              ///< The lowest floor of the buildings there that stand on the ground, else that of the building.
+  double roof_m = 0;  ///< The lowest place of the roof below the thing's base.
 };
 
-/// The roofs of buildings.
+/// The roofs of buildings, by place. Refers to the buildings, which must outlive it unchanged.
 class Roofs {
  public:
-  /// @param buildings  Must outlive the object.
   explicit Roofs(std::span<const buildings::Building> buildings);
 
-  /// Returns the highest roof at a place; nothing outside of buildings. Its height is that of the finest level.
-  /// O(roof).
+  /// Returns the highest roof at a place; nothing outside of buildings. The roof's height is that of its mass model at
+  /// a tolerance of 5 cm, at the lowest of five places: `at`, and those at radius_m from it along both axes that lie on
+  /// the same building. Cost: generating the mass models of the buildings there.
+  /// @param at        Plane metres.
   /// @param radius_m  Half the width of the thing's base.
   std::optional<RoofBelow> below(Vec2 at, double radius_m) const;
 
@@ -42,10 +44,20 @@ class Roofs {
 /// The lower end of a thing on a building, and its size from there.
 struct FootOnRoof {
   std::optional<double> foot_m;  ///< Plane metres, snapped; nothing: it stands on the ground.
-  double height_m = 0;           ///< Snapped, > 0.
+  double height_m = 0;           ///< From the foot to the top. Snapped, except where foot_m is nothing.
 };
 
-/// Returns where a thing on a building has its foot. A height that is not tagged is at most half of the building's.
+/// Returns the foot and the height of a thing on a building. The first case that applies counts:
+///
+/// | case | foot | height |
+/// |---|---|---|
+/// | min_height is tagged | min_height above the ground, at most the roof | up to the tagged height if that is above
+/// min_height, else its own | | is higher than the building and not tagged to be on its roof; kThroughRoof | the ground
+/// | ThingFeature::height_m, not snapped | | the same of other kinds, with a tagged height | the roof | up to the
+/// tagged height, but at least 2 m or all of it | | else | the roof | its own |
+///
+/// Its own height is the tagged one, else that of its kind, but at most the larger of 3 m and half of the building's
+/// height above the ground. O(1).
 FootOnRoof foot_on_roof(const map::ThingFeature& thing, map::Stand stand, const RoofBelow& below);
 
 }  // namespace citykiln::things

@@ -225,32 +225,32 @@ void check_heights(TileUnderCheck& tile, const bake::BakedTile& level, const Gro
 
 void check_trunks(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
   const Trunks trunks = measure_trunks(level, tile.cover, plants::SpeciesTable(tile.loaded.scene.header.species));
-  tile.results().trunks.test_all(trunks.trees, trunks.misplaced == 0,
-                                 {fmt::format("{}: {} of {} trunks, {} at {:.2f}, {:.2f}", name, trunks.misplaced,
-                                              trunks.trees, to_string(trunks.first), trunks.at.x, trunks.at.y),
+  tile.results().trunks.test_all(trunks.tested, trunks.conflicts == 0,
+                                 {fmt::format("{}: {} of {} trunks, {} at {:.2f}, {:.2f}", name, trunks.conflicts,
+                                              trunks.tested, to_string(trunks.element), trunks.at.x, trunks.at.y),
                                   trunks.at,
-                                  {trunks.first},
-                                  static_cast<double>(trunks.misplaced),
+                                  {trunks.element},
+                                  static_cast<double>(trunks.conflicts),
                                   name});
 }
 
 void check_things(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
   const StandingThings found = measure_things(level, tile.chunk, tile.cover);
-  tile.results().things.test_all(found.things, found.misplaced == 0,
-                                 {fmt::format("{}: {} of {} things, {} at {:.2f}, {:.2f}", name, found.misplaced,
-                                              found.things, to_string(found.first), found.at.x, found.at.y),
+  tile.results().things.test_all(found.tested, found.conflicts == 0,
+                                 {fmt::format("{}: {} of {} things, {} at {:.2f}, {:.2f}", name, found.conflicts,
+                                              found.tested, to_string(found.element), found.at.x, found.at.y),
                                   found.at,
-                                  {found.first},
-                                  static_cast<double>(found.misplaced),
+                                  {found.element},
+                                  static_cast<double>(found.conflicts),
                                   name});
 }
 
 void add_hidden(const HiddenThings& found, const char* what, const std::string& name, Check& check) {
   check.test_all(found.tests, found.hidden == 0,
                  {fmt::format("{}: {} of {} {}, {} below {} at {:.2f}, {:.2f}", name, found.hidden, found.tests, what,
-                              to_string(found.first), to_string(found.below), found.at.x, found.at.y),
+                              to_string(found.element), to_string(found.on_top), found.at.x, found.at.y),
                   found.at,
-                  {found.first, found.below},
+                  {found.element, found.on_top},
                   static_cast<double>(found.hidden),
                   name});
 }
@@ -283,13 +283,13 @@ void check_wires(TileUnderCheck& tile, const bake::BakedTile& level, const Groun
        name});
 }
 
-void add_assumed(const AssumedPlaces& found, const char* what, const std::string& name, Check& check) {
-  check.test_all(found.places, found.misplaced == 0,
-                 {fmt::format("{}: {} of {} {}, {} on {} at {:.2f}, {:.2f}", name, found.misplaced, found.places, what,
-                              to_string(found.first), to_string(found.on), found.at.x, found.at.y),
+void add_assumed(const AssumedTests& found, const char* what, const std::string& name, Check& check) {
+  check.test_all(found.tested, found.conflicts == 0,
+                 {fmt::format("{}: {} of {} {}, {} on {} at {:.2f}, {:.2f}", name, found.conflicts, found.tested, what,
+                              to_string(found.element), to_string(found.obstacle), found.at.x, found.at.y),
                   found.at,
-                  {found.first, found.on},
-                  static_cast<double>(found.misplaced),
+                  {found.element, found.obstacle},
+                  static_cast<double>(found.conflicts),
                   name});
 }
 

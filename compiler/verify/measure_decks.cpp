@@ -81,7 +81,7 @@ BridgesOnAreas measure_decks(const scene::Scene& scene) {
       // an axis joins places on the outline, so it may run beside an area that is bent
       if ((is_axis && has_own_plate(index, bridge)) || lies_on_plates(index, bridge.axis, scene.header.extent))
         continue;
-      if (found.missing++ == 0) found.at = bridge.axis.front(), found.first = bridge.id.osm;
+      if (found.missing++ == 0) found.at = bridge.axis.front(), found.element = bridge.id.osm;
     }
   return found;
 }

@@ -42,11 +42,11 @@ inline bool is_on_border(GridPoint p, const Box2& cell) {
   return p.x == min.x || p.x == max.x || p.y == min.y || p.y == max.y;
 }
 
-/// A piece of the cell's border along which a ring runs, mostly for a few grid steps as snapping has bent the ring onto
-/// it. The neighbouring cell may have another polygon there.
+/// A piece of the cell's border along which a polygon's ring runs, so that the polygon on top beyond the border may be
+/// another one than inside. Most pieces are a few grid steps long: snapping has moved a ring near the border onto it.
 struct CellBorderPiece {
   GridPoint a, b;            ///< a < b
-  std::uint32_t beyond = 0;  ///< The neighbour's polygon.
+  std::uint32_t beyond = 0;  ///< The polygon on top in the neighbouring cell.
   bool operator==(const CellBorderPiece&) const = default;
 };
 
@@ -56,7 +56,7 @@ struct SideTolerances {
 };
 inline SideTolerances all_sides(double m) { return {m, m, m, m}; }
 
-/// Returns the tolerance of the side on which a piece of the cell's border lies.
+/// Returns the tolerance of the side of the cell on which a border with is_cell_border lies.
 double tolerance_m_of(const SideTolerances& sides, const Border& border, const Box2& cell);
 
 }  // namespace citykiln::ground

@@ -1,4 +1,4 @@
-// Smaller areas on top of the larger ones that they lie in, whatever their classes: a pond in a square.
+// Puts smaller areas on top of the larger ones that they lie in, whatever their classes: a pond in a square.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,21 @@
 
 namespace citykiln::ground {
 
-/// Returns the polygons with `raised_priority` set: the highest priority, raised ones included, of the larger polygons
-/// that each lies in, if that is above the priority of its class; else 0.
+/// Returns the polygons in their order, with LandCoverPolygon::raised_priority set. It is the highest priority_of() the
+/// larger polygons in which a polygon lies, which includes their own raised priorities. It is 0 if none of them is
+/// above the priority of the polygon's class. Equal priorities suffice, since the smaller of two areas is on top.
 ///
-/// A polygon lies in one whose area_m2 is at least 1.05 times its own if edges with nine tenths of the length of its
-/// outer ring do. An edge counts by one point, 10 cm inside of its middle; edges below 20 cm are skipped. Yards, which
-/// are assumed, are not raised, and buildings raise nothing.
+/// A polygon A lies in a polygon B if both are true:
+/// - area_m2 of B is at least 1.05 times that of A;
+/// - of the edges of A's outer ring, those inside B have at least nine tenths of the length of all. An edge is inside B
+///   if the point 10 cm to the inner side of its middle is. Edges shorter than 20 cm are ignored; a ring that has only
+///   such edges lies in nothing.
 ///
-/// Cost: O(n log n + edges of polygons times the larger polygons of higher priority about them).
+/// Yards, which are assumed, and polygons without an outer ring of three points are returned unchanged. Buildings do
+/// not raise what lies in them.
+///
+/// Cannot fail. O(n log n), plus for each polygon its edges times the larger polygons of higher priority whose boxes
+/// touch its box.
 std::vector<LandCoverPolygon> with_contained_on_top(std::vector<LandCoverPolygon> areas);
 
 }  // namespace citykiln::ground

@@ -41,29 +41,28 @@ struct LandCoverIndex : BucketGrid {
 /// The default side of buckets. Smaller buckets repeat large polygons too often; larger ones have too many edges.
 inline constexpr double kIndexBucket_m = 32;
 
-/// The distance up to which clearance_m() takes O(1) in buckets that are farther than this from all polygons: most
-/// buckets of an index that holds only water, for example.
+/// Buckets that are farther than this from all polygons are marked (LandCoverIndex::is_far). In them, clearance_m()
+/// takes O(1) for search radii up to this distance. Of an index that holds only water, most buckets are so.
 inline constexpr double kIndexNear_m = 16;
 
 /// Builds the index.
-/// @param surfaces  The polygons, which must outlive the index.
-/// @param box       The box in which queries are allowed.
-/// @param bucket_m   Side of the buckets; smaller ones suit narrow polygons with many queries.
 /// O(vertices), plus buckets times vertices for polygons that span many buckets.
+/// @param surfaces  The polygons, which must outlive the index.
+/// @param box       The box in which queries are allowed, plane metres.
+/// @param bucket_m  Side of the buckets; smaller ones suit narrow polygons with many queries.
 LandCoverIndex index_land_cover(std::span<const LandCoverPolygon> surfaces, const Box2& box,
                                 double bucket_m = kIndexBucket_m);
 
-/// Returns the index, in the `surfaces` of the spatial index `land_cover`, of the polygon on top at p, or kNoLandCover.
-/// p must lie in the box. O(edges in p's bucket).
+/// Returns the index in LandCoverIndex::surfaces of the polygon on top at p, or kNoLandCover if none covers p. p must
+/// lie in the box. O(edges in p's bucket).
 std::uint32_t land_cover_at(const LandCoverIndex& land_cover, Vec2 p);
 
 /// Returns the distance from p to the nearest border of a polygon whose class has at least this priority, at most
 /// `search_radius_m`; 0 if such a polygon covers p.
-/// @param land_cover      The spatial index.
-/// @param p        A place in the box; borders outside of the box do not count.
+/// O(edges in the buckets within search_radius_m); O(1) if no polygon lies within kIndexNear_m of p's bucket and
+/// search_radius_m is no larger.
+/// @param p                A place in the box; borders outside of the box do not count.
 /// @param search_radius_m  Largest distance that is searched.
-/// O(edges in the buckets within search_radius_m); O(1) if no polygon lies within kIndexNear_m and search_radius_m is
-/// no larger.
 double clearance_m(const LandCoverIndex& land_cover, Vec2 p, int priority, double search_radius_m);
 
 }  // namespace citykiln::ground

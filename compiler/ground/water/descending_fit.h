@@ -1,9 +1,9 @@
 // Fits heights that never rise downstream to given heights.
 //
-//   given  •                          Pits and spikes of the terrain are short compared with the river beside them: a
-//           •  •                      pit does not lower the river downstream of it, nor a spike raise it upstream.
-//            •    •   •               Water below the terrain costs less than water above it, so rivers cut through
-//   found  ‾‾\____/‾‾\_____           spikes.
+//   • given     •                  Pits and spikes of the terrain are short compared with the river beside them: a
+//   _ found                         pit does not lower the river downstream of it, nor a spike raise it upstream.
+//   •_•____ _•____ _•___•__         Water below the terrain costs less than water above it, so rivers cut through
+//          •      •        •_•      spikes.
 #pragma once
 
 #include <cstdint>

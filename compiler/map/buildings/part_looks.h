@@ -1,4 +1,5 @@
-// Completes the use, colours and materials of building parts (building:part=*) by those of their building.
+// Gives building parts (building:part=*) the use, colours and materials of their building where their own tags do not
+// state them.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +10,29 @@
 
 namespace citykiln::map {
 
-/// Completes each part of a building, except steps, from the first of these that has a value: the member of its
-/// type=building relation that is no part, the outline around it, the tags of the relation. Values are the class, the
-/// shop (for parts on the ground), the year, and colour and material of walls and roof. Members that are no parts take
-/// the values of their relation.
+/// Sets values of building parts, in place, that their own tags leave open. Each value is taken from the first of these
+/// whose own tags state it:
+/// 1. the first member that is no part of a type=building relation of which the part is a member;
+/// 2. the outline around the part;
+/// 3. the tags of the relation. Members that are no parts take the values of these tags too.
 ///
-/// Only parts of class kPlain take a class, and neither that of steps nor of a building without walls. A surface whose
-/// material is tagged takes no colour. Changes `footprints` in place. Diagnosed: kBadTagValue for values of relations.
-/// O(n log n).
-/// @param outlines  part_outlines() of the footprints.
+/// | value | taken if |
+/// |---|---|
+/// | class | the part is kPlain, and the source is neither steps nor a building without walls |
+/// | has_shop | the class may be taken, and the part is on the ground (min_height_m 0) |
+/// | year | the part's is 0 |
+/// | material of walls, of the roof | the part has none |
+/// | colour of walls, of the roof | the part has neither this colour nor this material before the source is read |
+///
+/// Steps take nothing. Diagnosed: kBadTagValue for tags of relations that cannot be read. Cannot fail. O(n log n).
+/// @param outlines  part_outlines() of the footprints: one index per footprint.
 void complete_looks(const ReadContext& context, std::vector<Footprint>& footprints,
                     std::span<const std::uint32_t> outlines);
 
-/// Diagnoses kPartUnlikeOutline for each part whose tags do not say its use, colour or material while those of its
-/// outline do, and which does not look like the outline. Steps and members of type=building relations do not count.
-/// Compares the footprints with the tags of the map, so that it does not depend on complete_looks(). O(n log n).
+/// Diagnoses kPartUnlikeOutline for each part that differs from its outline (Footprint::outline) in a value which its
+/// own tags do not state: the class, or the colour or material of walls or roof. It compares the footprints with the
+/// tags of the map, so that it finds errors of complete_looks(). Not compared: parts that are steps, members of
+/// type=building relations, and classes of outlines that are steps or have no walls. O(n log n).
 void diagnose_unlike_parts(const ReadContext& context, std::span<const Footprint> footprints);
 
 }  // namespace citykiln::map

@@ -1,4 +1,4 @@
-// Kinds of plants, and tags of a plant.
+// Reads which species a text names, and holds the tags of a plant.
 #pragma once
 
 #include <cstdint>
@@ -17,42 +17,45 @@ enum class PlantKind : std::uint8_t {
 #include "lsystems/species/species.inc"
 };
 
-/// The first kind of species of one's own (plants/species_folder.h). Like all kinds, these are 1 plus the number of the
-/// species, which is 64 and more (plants/species.h); they have no enumerators.
+/// The PlantKind of the first user-defined species (plants/species_folder.h). Every kind is 1 plus the number of its
+/// species (plants/species.h). User-defined species have the numbers from 64 on, and no enumerators.
 inline constexpr std::uint8_t kFirstOwnKind = 65;
 
-/// The words of tags that name a species of one's own.
+/// The names by which tags mean a user-defined species.
 struct PlantWords {
-  PlantKind kind{};
-  std::vector<std::string> names{};  ///< In lower case; several words are separated by a space: "populus tremula".
+  PlantKind kind{};                  ///< From kFirstOwnKind on.
+  std::vector<std::string> names{};  ///< As lower_words() returns them: "populus tremula".
 };
 
 /// The type of leaves.
 enum class LeafType : std::uint8_t { kUnknown, kBroad, kNeedle, kMixed, kPalm };
 
-/// Tags of one plant or wood.
+/// What the tags of one plant or wood say of its species and size.
 struct PlantTags {
   PlantKind kind{};
   LeafType leaves{};
   double crown_m = 0;        ///< Crown diameter; 0: unknown.
   double girth_m = 0;        ///< Trunk circumference at breast height; 0: unknown.
   std::uint16_t year = 0;    ///< Year of planting; 0: unknown.
-  std::uint8_t spawner = 0;  ///< 1 plus the index of the row of OwnPlants::spawners that fits; 0: none.
+  std::uint8_t spawner = 0;  ///< 1 plus the index of the first row of OwnPlants::spawners whose tags fit; 0: none.
   bool operator==(const PlantTags&) const = default;
 };
 
 /// The sides of a street with trees.
 enum class TreeSides : std::uint8_t { kNone, kLeft, kRight, kBoth };
 
-/// Returns the kind of the first word of a text that names a plant in Latin, English, German, French, Spanish or
-/// Catalan; case does not matter. German compounds match by their ending ("Winterlinde"). kUnknown if no word is known.
-/// O(words · taxa).
+/// Returns the shipped species (never a user-defined one) that the first known word of a text names, in Latin, English,
+/// German, French, Spanish or Catalan; kUnknown if no word is known. Case does not matter. A word matches a name of
+/// species.inc as a whole, or, like German compounds ("Winterlinde"), if it ends with one of five letters or more.
+/// O(words · names).
 PlantKind kind_named(std::string_view text);
 
-/// Returns the words of a text in lower case, separated by single spaces. All that is no letter separates words.
+/// Returns the words of a text in lower case, separated by single spaces. Characters of ASCII that are no letters
+/// separate words. Capitals of ASCII and Latin-1, in UTF-8, are converted; other characters stay.
 std::string lower_words(std::string_view text);
 
-/// Returns the kind of the longest name that is in a text as whole words; kUnknown if none is.
+/// Returns the user-defined species with the longest name that occurs in a text as whole words; the first of equally
+/// long ones; kUnknown if none does. O(length of the text · names).
 PlantKind own_kind_named(std::string_view text, std::span<const PlantWords> own);
 
 }  // namespace citykiln::map

@@ -26,17 +26,18 @@ std::optional<double> bearing_deg_of(std::string_view value);
 /// Returns the year of a date such as "1898", "1898-05-01", "~1900", "before 1850", "C19", "late C18", "1920s"; for a
 /// period its middle. Nothing outside 1 to 2999.
 std::optional<std::uint16_t> year_of(std::string_view value);
-/// Returns the text with small letters a to z.
+/// Returns the text with a to z in place of A to Z; all other characters stay.
 std::string in_lower_case(std::string_view text);
-/// Returns the words of a value such as "Brick; natural stone", "dirt/sand" or "wood,_metal", in small letters and with
-/// "_" for spaces and hyphens, as the tables of values have them.
+/// Returns the words of a value such as "Brick; natural stone", "dirt/sand" or "wood,_metal", in their order, in lower
+/// case and with "_" for spaces and hyphens, as the tables of values have them: "brick", "natural_stone". Words are
+/// separated by ";", "," or "/".
 std::vector<std::string> words_of(std::string_view value);
 /// True for "yes", "no", "other", "unknown", "many", "mixed" and other words that name no kind.
 bool is_indefinite(std::string_view word);
 /// True for every value except "no", "0", "false" and "".
 bool says_yes(std::string_view value);
 
-/// Returns the row whose `value` is the word, or null.
+/// Returns the row whose member `value` is the word, or null.
 template <typename Row, std::size_t n>
 const Row* row_with(const Row (&rows)[n], std::string_view value) {
   for (const Row& row : rows)
@@ -44,7 +45,8 @@ const Row* row_with(const Row (&rows)[n], std::string_view value) {
   return nullptr;
 }
 
-/// Returns what find(word) returns for the first of the words of a value that it knows; nothing if it knows none.
+/// Returns the first result of find(word), over words_of() the value in order, that is not empty; nothing if all are.
+/// @param find  Takes a std::string_view and returns a std::optional.
 template <typename Find>
 auto first_known(std::string_view value, Find find) -> decltype(find(std::string_view())) {
   for (const std::string& word : words_of(value))

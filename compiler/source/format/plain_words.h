@@ -1,4 +1,5 @@
-// Writes tags whose values are words in one spelling, so that tables of values need only one.
+// Brings tag values that are keywords into one spelling, so that tables of values need only one: building=Mixed Use is
+// read as building=mixed_use.
 #pragma once
 
 #include <osmium/memory/buffer.hpp>
@@ -7,12 +8,12 @@
 
 namespace citykiln::source {
 
-/// Returns the value with A to Z made small and each space between words made "_" ("Mixed Use" becomes "mixed_use"), if
-/// the key is in word_keys.inc; else the value as it is.
+/// Returns the value of a tag in lower case (A to Z only), with "_" for each space between two words, if the key is in
+/// word_keys.inc; else the value as it is. "Mixed Use" becomes "mixed_use". Spaces at the ends of the value and beside
+/// ";", "," or another space stay. The result has the length of the value.
 std::string plain_word(std::string_view tag_key, std::string_view value);
 
-/// Applies plain_word() to all tags of the elements in a buffer, in place: no value changes its length. O(bytes of
-/// tags).
+/// Replaces the values of all tags of the elements in a buffer by their plain_word(), in place. O(bytes of tags).
 void make_words_plain(osmium::memory::Buffer& buffer);
 
 }  // namespace citykiln::source

@@ -52,7 +52,8 @@ void test_track(const roads::Road& track, const ground::LandCoverIndex& land_cov
                             land_cover.surfaces[top].id.osm != track.id.osm;
       below_m = is_below ? below_m + distance(a, b) / steps : 0;
       if (below_m <= kLongestBoards_m) continue;
-      if (found.hidden++ == 0) found.at = p, found.first = track.id.osm, found.below = land_cover.surfaces[top].id.osm;
+      if (found.hidden++ == 0)
+        found.at = p, found.element = track.id.osm, found.on_top = land_cover.surfaces[top].id.osm;
     }
   }
 }
@@ -69,7 +70,7 @@ HiddenThings measure_hidden_areas(const ground::LandCoverIndex& land_cover, cons
     if (top == ground::kNoLandCover) continue;
     const ground::LandCoverPolygon& on_top = land_cover.surfaces[top];
     if (&on_top == &area || !is_mapped_area(on_top) || on_top.area_m2 < kLarger * area.area_m2) continue;
-    if (found.hidden++ == 0) found.at = own.centre(), found.first = area.id.osm, found.below = on_top.id.osm;
+    if (found.hidden++ == 0) found.at = own.centre(), found.element = area.id.osm, found.on_top = on_top.id.osm;
   }
   return found;
 }

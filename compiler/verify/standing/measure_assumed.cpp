@@ -125,14 +125,14 @@ OsmId mapped_at(const Mapped& mapped, const PavementPlace& place) {
   return {};
 }
 
-void test_place(const Mapped& mapped, const PavementPlace& place, AssumedPlaces& found) {
-  ++found.places;
+void test_place(const Mapped& mapped, const PavementPlace& place, AssumedTests& found) {
+  ++found.tested;
   const OsmId on = mapped_at(mapped, place);
   if (on.type == OsmType::kNone) return;
-  if (found.misplaced++ == 0) found.at = place.at, found.first = place.road.id.osm, found.on = on;
+  if (found.conflicts++ == 0) found.at = place.at, found.element = place.road.id.osm, found.obstacle = on;
 }
 
-void test_pavements(const Mapped& mapped, const Road& road, const Box2& box, AssumedPlaces& found) {
+void test_pavements(const Mapped& mapped, const Road& road, const Box2& box, AssumedTests& found) {
   const std::vector<double> along_m = roads::distances_along(road);
   for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
     const Vec2 a = road.axis[i], b = road.axis[i + 1], left = left_of(unit(b - a));
@@ -266,10 +266,10 @@ std::optional<OsmId> way_across(const RailingObstacles& obstacles, OsmId own, Ve
 }
 
 void test_railing(const props::Barrier& railing, const RailingObstacles& obstacles,
-                  const ground::LandCoverIndex& land_cover, const Box2& box, AssumedPlaces& found) {
+                  const ground::LandCoverIndex& land_cover, const Box2& box, AssumedTests& found) {
   const auto test = [&](std::optional<OsmId> on, Vec2 at) {
-    ++found.places;
-    if (on && found.misplaced++ == 0) found.at = at, found.first = railing.id.osm, found.on = *on;
+    ++found.tested;
+    if (on && found.conflicts++ == 0) found.at = at, found.element = railing.id.osm, found.obstacle = *on;
   };
   for (std::size_t i = 0; i + 1 < railing.axis.size(); ++i) {
     const Vec2 a = railing.axis[i], b = railing.axis[i + 1];
@@ -360,19 +360,19 @@ bool is_well_inside(const ground::LandCoverPolygon& surface, Vec2 p) {
 }
 
 void test_yard_places(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover, const Box2& box,
-                      AssumedPlaces& found) {
+                      AssumedTests& found) {
   const FinerLand land = finer_land(chunk);
   for (double x = box.min.x + kYardGrid_m / 2; x < box.max.x; x += kYardGrid_m)
     for (double y = box.min.y + kYardGrid_m / 2; y < box.max.y; y += kYardGrid_m) {
       const Vec2 p{x, y};
       const std::uint32_t top = ground::land_cover_at(land_cover, p);
       if (top == ground::kNoLandCover || !ground::is_yard(land_cover.surfaces[top])) continue;
-      ++found.places;
+      ++found.tested;
       if (land.all.empty()) continue;
       for (const std::uint32_t i : boxes_about(land.grid, p))
         if (is_well_inside(*land.all[i], p)) {
-          if (found.misplaced++ == 0)
-            found.at = p, found.first = land_cover.surfaces[top].id.osm, found.on = land.all[i]->id.osm;
+          if (found.conflicts++ == 0)
+            found.at = p, found.element = land_cover.surfaces[top].id.osm, found.obstacle = land.all[i]->id.osm;
           break;
         }
     }
@@ -397,8 +397,8 @@ bool has_assumed_strips(const Road& road) {
 
 }  // namespace
 
-AssumedPlaces measure_assumed_pavements(const scene::Chunk& chunk, const Box2& box) {
-  AssumedPlaces found;
+AssumedTests measure_assumed_pavements(const scene::Chunk& chunk, const Box2& box) {
+  AssumedTests found;
   const auto has_any = [](const Road& road) { return has_assumed_strips(road); };
   if (std::ranges::none_of(chunk.roads, has_any)) return found;
   Mapped mapped{chunk, areas_to_avoid(chunk), {}};
@@ -409,9 +409,9 @@ AssumedPlaces measure_assumed_pavements(const scene::Chunk& chunk, const Box2& b
   return found;
 }
 
-AssumedPlaces measure_assumed_lamps(const bake::BakedTile& tile, const scene::Chunk& chunk,
-                                    const ground::LandCoverIndex& land_cover) {
-  AssumedPlaces found;
+AssumedTests measure_assumed_lamps(const bake::BakedTile& tile, const scene::Chunk& chunk,
+                                   const ground::LandCoverIndex& land_cover) {
+  AssumedTests found;
   const std::set<OsmId> ways = ways_with_assumed_lamps(chunk);
   if (ways.empty()) return found;
   for (const bake::InstancedMesh& instanced : tile.instanced) {
@@ -422,17 +422,17 @@ AssumedPlaces measure_assumed_lamps(const bake::BakedTile& tile, const scene::Ch
       const bake::Float3& offset = instanced.translations[i];
       const Vec2 at = in_plan(Vec3{offset[0], offset[1], offset[2]} + tile.origin);
       const OsmId on = taken_by(land_cover, at);
-      ++found.places;
+      ++found.tested;
       if (on.type == OsmType::kNone) continue;
-      if (found.misplaced++ == 0) found.at = at, found.first = way, found.on = on;
+      if (found.conflicts++ == 0) found.at = at, found.element = way, found.obstacle = on;
     }
   }
   return found;
 }
 
-AssumedPlaces measure_assumed_railings(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
-                                       const Box2& box) {
-  AssumedPlaces found;
+AssumedTests measure_assumed_railings(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                      const Box2& box) {
+  AssumedTests found;
   const auto is_railing = [](const props::Barrier& b) { return b.kind == map::BarrierKind::kRailing; };
   if (std::ranges::none_of(chunk.barriers, is_railing)) return found;
   const RailingObstacles obstacles = railing_obstacles(chunk);
@@ -441,39 +441,39 @@ AssumedPlaces measure_assumed_railings(const scene::Chunk& chunk, const ground::
   return found;
 }
 
-AssumedPlaces measure_assumed_masts(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
-                                    const Box2& box) {
-  AssumedPlaces found;
+AssumedTests measure_assumed_masts(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                   const Box2& box) {
+  AssumedTests found;
   for (const things::Thing& mast : chunk.things)
     for (const Vec2 foot : feet_of(mast)) {
       if (!box.contains(foot)) continue;
-      ++found.places;
+      ++found.tested;
       OsmId on = taken_by(land_cover, foot);
       if (on.type == OsmType::kNone) on = track_too_near(chunk, foot);
       if (on.type == OsmType::kNone) continue;
-      if (found.misplaced++ == 0) found.at = foot, found.first = mast.id.osm, found.on = on;
+      if (found.conflicts++ == 0) found.at = foot, found.element = mast.id.osm, found.obstacle = on;
     }
   return found;
 }
 
-AssumedPlaces measure_assumed_yards(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
-                                    const Box2& box) {
-  AssumedPlaces found;
+AssumedTests measure_assumed_yards(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                   const Box2& box) {
+  AssumedTests found;
   if (std::ranges::none_of(chunk.surfaces, ground::is_yard)) return found;
   for (const plants::Tree& tree : chunk.trees) {
     if (!is_derived(tree.id) || !box.contains_half_open(tree.at)) continue;
-    ++found.places;
+    ++found.tested;
     const OsmId on = no_place_for_tree(chunk, land_cover, tree.at);
-    if (on.type != OsmType::kNone && found.misplaced++ == 0)
-      found.at = tree.at, found.first = tree.id.osm, found.on = on;
+    if (on.type != OsmType::kNone && found.conflicts++ == 0)
+      found.at = tree.at, found.element = tree.id.osm, found.obstacle = on;
   }
   test_yard_places(chunk, land_cover, box, found);
   return found;
 }
 
-AssumedPlaces measure_assumed_houses(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
-                                     const Box2& box) {
-  AssumedPlaces found;
+AssumedTests measure_assumed_houses(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                    const Box2& box) {
+  AssumedTests found;
   for (const buildings::Building& house : chunk.buildings) {
     if (house.id.osm.type != OsmType::kLot) continue;
     const Ring& ring = house.footprint.outer;
@@ -482,25 +482,25 @@ AssumedPlaces measure_assumed_houses(const scene::Chunk& chunk, const ground::La
       for (const Vec2 wall : {ring[i], (ring[i] + ring[(i + 1) % ring.size()]) * 0.5}) {
         const Vec2 p = wall + unit(middle - wall) * kInsideWall_m;
         if (!box.contains_half_open(p)) continue;
-        ++found.places;
+        ++found.tested;
         const OsmId on = no_place_for_house(chunk, land_cover, house.id.osm, p);
-        if (on.type != OsmType::kNone && found.misplaced++ == 0)
-          found.at = p, found.first = house.id.osm, found.on = on;
+        if (on.type != OsmType::kNone && found.conflicts++ == 0)
+          found.at = p, found.element = house.id.osm, found.obstacle = on;
       }
   }
   return found;
 }
 
-AssumedPlaces measure_assumed_fronts(const scene::Chunk& chunk) {
-  AssumedPlaces found;
+AssumedTests measure_assumed_fronts(const scene::Chunk& chunk) {
+  AssumedTests found;
   for (const buildings::Building& building : chunk.buildings)
     for (const buildings::Front& front : building.fronts) {
       if (!front.is_assumed) continue;
-      ++found.places;
+      ++found.tested;
       if (is_on_free_wall(building, front)) continue;
-      if (found.misplaced++ == 0)
+      if (found.conflicts++ == 0)
         found.at = building.footprint.outer[front.edge % building.footprint.outer.size()],
-        found.first = building.id.osm;
+        found.element = building.id.osm;
     }
   return found;
 }

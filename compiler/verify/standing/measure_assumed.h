@@ -1,6 +1,9 @@
-// Finds what is assumed where something is mapped: assumed pavements, lamps, railings and masts in water, buildings,
-// railways and carriageways, shop fronts on walls that are not free, yards over mapped land, and houses that fill lots
-// on roads or other buildings.
+// Finds assumed objects that conflict with mapped ones: assumed pavements, lamps, railings and masts in water,
+// buildings, railways and carriageways; shop fronts on walls that are not free; yards over mapped land; and houses that
+// fill lots on roads or other buildings.
+//
+// Each function tests the assumed objects of one kind in one tile. Where it takes the land cover of the tile, this must
+// cover the box; places outside of the box are not tested. Pedestrian streets are no obstacle, except for pavements.
 #pragma once
 
 #include <cstdint>
@@ -11,59 +14,66 @@
 
 namespace citykiln::verify {
 
-/// Assumed objects of one kind in a tile.
-struct AssumedPlaces {
-  std::uint64_t places = 0;     ///< Number of places, or of objects, that were tested.
-  std::uint64_t misplaced = 0;  ///< Number of those where something is mapped.
-  Vec2 at;                      ///< The first one.
-  OsmId first{}, on{};  ///< The element that it descends from, and the mapped one. `on` may be of OsmType::kNone.
+/// The tests of assumed objects of one kind in a tile.
+struct AssumedTests {
+  std::uint64_t tested = 0;     ///< Number of places, or of objects, that were tested.
+  std::uint64_t conflicts = 0;  ///< Number of those that meet a mapped object.
+  Vec2 at;                      ///< The place of the first conflict, plane metres.
+  OsmId element{};              ///< The element that the assumed object there descends from.
+  OsmId obstacle{};             ///< The mapped element there. OsmType::kNone for a door, and for shop fronts.
 };
 
-/// Tests the middles of the strips beyond the kerbs, within the width limits, of ground roads with assumed pavements or
-/// verges on that side, at most 4 m apart, in a box. None may lie
+/// Tests assumed pavements and verges of roads on the ground: places on the middle line of the land between kerb and
+/// outer edge, after width limits, on the sides with assumed ones, at most 4 m apart. Land narrower than 0.25 m is not
+/// tested. A place conflicts if it lies
 /// - in mapped water, a building or a square, unless the axis beside it lies there too;
-/// - on a railway, the carriageway of another road, or a path that runs along the road. Other paths may join a
-/// pavement. Places within kJunctionRadius_m of a node that both ways have are not tested against each other. O(places
-/// · roads near).
-AssumedPlaces measure_assumed_pavements(const scene::Chunk& chunk, const Box2& box);
+/// - on a railway, on the carriageway of another road, or on a path that runs along the road (at less than about 37
+///   degrees). Paths at a greater angle may join a pavement.
+///
+/// A place within roads::kJunctionRadius_m of a node that both ways have does not conflict with the other way.
+/// O(places · roads near).
+/// @param box  The tile, plane metres.
+AssumedTests measure_assumed_pavements(const scene::Chunk& chunk, const Box2& box);
 
-/// Tests every instanced lamp of a way with assumed lamps: none may stand on a carriageway, a railway, a building or
-/// water. Lamps are recognised by the name of their mesh. Pedestrian streets are allowed. O(instances).
+/// Tests every instanced lamp of a way with assumed lamps: it conflicts on a carriageway, a railway, a building or
+/// water. Lamps are recognised by the name of their mesh. O(instances).
+/// @param tile        A baked level of the chunk.
 /// @param land_cover  Land cover of the tile.
-AssumedPlaces measure_assumed_lamps(const bake::BakedTile& tile, const scene::Chunk& chunk,
-                                    const ground::LandCoverIndex& land_cover);
+AssumedTests measure_assumed_lamps(const bake::BakedTile& tile, const scene::Chunk& chunk,
+                                   const ground::LandCoverIndex& land_cover);
 
-/// Tests every assumed railing every metre: it lies neither on a carriageway, a railway, steps, a building or water,
-/// nor within 1 m of a door, and crosses the axis of no other road or path on the ground. Pedestrian streets are
-/// allowed. O(length · roads near).
-/// @param land_cover  Land cover of the tile.
-/// @param box         The box in which land cover is known.
-AssumedPlaces measure_assumed_railings(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
-                                       const Box2& box);
+/// Tests every railing, all of which are assumed. Each segment is tested once against the axes of the other roads and
+/// paths on the ground, which it must not cross, and each of its places, at most 1 m apart, which must not lie on a
+/// carriageway, a railway, steps, a building or water, nor within 1 m of a door. Segments with an end outside of the
+/// box are not tested. O(length · roads near).
+/// @param land_cover, box  The land cover of the tile, and the box that it covers.
+AssumedTests measure_assumed_railings(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                      const Box2& box);
 
-/// Tests the feet of every assumed mast of a contact line: none stands on a carriageway, a railway, a building or
-/// water, nor nearer to the axis of a railway than 2.6 m, of a tramway than 1.75 m. Pedestrian streets are allowed.
-/// O(masts · tracks).
-/// @param land_cover  Land cover of the tile.
-/// @param box         The box in which land cover is known.
-AssumedPlaces measure_assumed_masts(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+/// Tests the feet of every assumed mast of a contact line: one, or two of a portal. A foot conflicts on a carriageway,
+/// a railway, a building or water, and nearer than 2.6 m to the axis of a railway, 1.75 m to that of a tramway. O(masts
+/// · tracks).
+/// @param land_cover, box  The land cover of the tile, and the box that it covers.
+AssumedTests measure_assumed_masts(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                   const Box2& box);
+
+/// Tests every assumed shop front of the chunk's buildings. It conflicts if it leaves its wall, or overlaps a party
+/// wall, another front or the opening for a way; AssumedTests::at is then the first corner of its wall. O(fronts · what
+/// is on their walls).
+AssumedTests measure_assumed_fronts(const scene::Chunk& chunk);
+
+/// Tests the yards of a tile. A tree or shrub of a yard conflicts in a building, on a road, railway, path or water, in
+/// a barrier (within 0.25 m of its faces) and below a power line. The surface of a yard conflicts at a place of a grid
+/// of 4 m where land that is finer than land use is mapped too. O(trees · barriers + area of the box).
+/// @param land_cover, box  The land cover of the tile, and the box that it covers.
+AssumedTests measure_assumed_yards(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                   const Box2& box);
+
+/// Tests the houses that fill lots (--fill lots), at each corner and the middle of each wall, an eighth of a metre
+/// towards the centroid. A place conflicts on a road, railway, path or water, and in a building that is not of the same
+/// lot. O(corners · buildings).
+/// @param land_cover, box  The land cover of the tile, and the box that it covers.
+AssumedTests measure_assumed_houses(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
                                     const Box2& box);
-
-/// Tests every assumed shop front of the chunk's buildings: it lies within its wall, and neither on a party wall, nor
-/// on another front, nor across the opening for a way. O(fronts · what is on their walls).
-AssumedPlaces measure_assumed_fronts(const scene::Chunk& chunk);
-
-/// Tests the yards of a tile. Their trees stand in no building, road, railway, path or water, in no barrier, and not
-/// below a power line; pedestrian streets are allowed. At places of a grid of 4 m, no yard is on top where finer land
-/// than land use is mapped.
-/// @param land_cover  Covers the box.
-AssumedPlaces measure_assumed_yards(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
-                                    const Box2& box);
-
-/// Tests the houses that fill lots: the corners and the middles of their walls, an eighth of a metre inside, lie on no
-/// road, railway, path or water, and in no other building. Pedestrian streets are allowed.
-/// @param land_cover  Covers the box.
-AssumedPlaces measure_assumed_houses(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
-                                     const Box2& box);
 
 }  // namespace citykiln::verify

@@ -18,9 +18,9 @@ StandingThings measure_things(const bake::BakedTile& tile, const scene::Chunk& c
       if (!tested.contains(id)) continue;
       const bake::Float3& offset = instanced.translations[i];
       const Vec2 at = in_plan(Vec3{offset[0], offset[1], offset[2]} + tile.origin);
-      ++found.things;
+      ++found.tested;
       if (taken_land_at(land_cover, at) == nullptr) continue;
-      if (found.misplaced++ == 0) found.at = at, found.first = id;
+      if (found.conflicts++ == 0) found.at = at, found.element = id;
     }
   return found;
 }

@@ -9,12 +9,12 @@
 
 namespace citykiln::verify {
 
-/// The things of a tile.
+/// The tests of the things of a tile.
 struct StandingThings {
-  std::uint64_t things = 0;     ///< Number of things tested.
-  std::uint64_t misplaced = 0;  ///< Number of things on roads, railways, buildings or water.
-  Vec2 at;                      ///< The place of the first misplaced thing.
-  OsmId first{};
+  std::uint64_t tested = 0;     ///< Number of things tested.
+  std::uint64_t conflicts = 0;  ///< Number of those on roads, railways, buildings or water.
+  Vec2 at;                      ///< The place of the first of these, plane metres.
+  OsmId element{};              ///< Its element.
 };
 
 /// Tests the middle of every instance of a thing, except of those that are mapped in the way and of masts of contact

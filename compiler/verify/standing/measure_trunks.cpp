@@ -26,9 +26,9 @@ Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex&
     for (std::size_t i = 0; i < instanced.translations.size(); ++i) {
       const bake::Float3& offset = instanced.translations[i];
       const Vec2 at = in_plan(Vec3{offset[0], offset[1], offset[2]} + tile.origin);
-      ++trunks.trees;
+      ++trunks.tested;
       if (taken_land_at(land_cover, at) == nullptr) continue;
-      if (trunks.misplaced++ == 0) trunks.at = at, trunks.first = tile.features[instanced.features[i]];
+      if (trunks.conflicts++ == 0) trunks.at = at, trunks.element = tile.features[instanced.features[i]];
     }
   }
   return trunks;

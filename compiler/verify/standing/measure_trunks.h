@@ -9,12 +9,12 @@
 
 namespace citykiln::verify {
 
-/// The trunks of a tile.
+/// The tests of the trunks of a tile.
 struct Trunks {
-  std::uint64_t trees = 0;      ///< Number of trunks tested.
-  std::uint64_t misplaced = 0;  ///< Number of trunks on roads, railways, buildings or water.
-  Vec2 at;                      ///< The place of the first misplaced trunk.
-  OsmId first{};                ///< The tree or wood of the first misplaced trunk.
+  std::uint64_t tested = 0;     ///< Number of trunks tested.
+  std::uint64_t conflicts = 0;  ///< Number of those on roads, railways, buildings or water.
+  Vec2 at;                      ///< The place of the first of these, plane metres.
+  OsmId element{};              ///< Its tree or wood.
 };
 
 /// Tests every instanced plant of a tile that has a trunk, which excludes hedges, grass and reed. Plants are recognised

@@ -1,4 +1,4 @@
-// Reads the nodes of a .glb, and the meshes they show.
+// Reads the nodes of a .glb, and the meshes that they show.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,15 @@
 
 namespace citykiln::exporters {
 
-/// Reads the primitives and instanced meshes of a tile from nodes of any split (encode_glb.cpp). Texture coordinates
-/// keep the units of the file. Returns the index of the cutout image of each instanced mesh. Throws FormatError.
-/// @param tile  Its features are read already.
+/// Appends the primitives and instanced meshes of the nodes to a tile, in the order in which they were written. Layers
+/// may be one node each, and buildings may be nodes of their own (NodeSplit in glb.h); their primitives are joined
+/// again. Positions are in the plane's axes, texture coordinates in the units of the file.
+///
+/// Returns one value per entry of tile.instanced: the index of the cutout image that its material shows, or nothing.
+///
+/// Throws FormatError for anything that citykiln does not write, as all functions of glb_reader.h do: hundreds of
+/// values are checked in nested calls. decode_glb() catches it and returns a Result. O(bytes of the meshes).
+/// @param tile  Must have its features, which meshes refer to by index; without primitives and instanced meshes.
 std::vector<std::optional<std::size_t>> read_nodes(GltfReader& reader, bake::BakedTile& tile);
 
 }  // namespace citykiln::exporters

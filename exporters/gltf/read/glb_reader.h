@@ -1,4 +1,5 @@
 // Checked access to a glTF model. Every function throws FormatError for anything that citykiln does not write.
+// decode_glb() catches it and returns a Result: no exception leaves the folder.
 #pragma once
 
 #include <array>

@@ -28,7 +28,7 @@ TEST(MeasureDecks, ABridgeOnAnAreaWithoutAPlateHasNoDeck) {
   structures::Span& bridge = scene.chunks[0].bridges[0];
   bridge.plates.clear();
   EXPECT_EQ(measure_decks(scene).missing, 1u);
-  EXPECT_EQ(measure_decks(scene).first.id, 1);
+  EXPECT_EQ(measure_decks(scene).element.id, 1);
   bridge.deck = structures::DeckForm::kOwn;
   EXPECT_EQ(measure_decks(scene).tests, 0u) << "with a slab of its own";
 }

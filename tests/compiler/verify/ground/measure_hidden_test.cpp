@@ -32,8 +32,8 @@ TEST(MeasureHidden, AnAreaBelowALargerOneIsHidden) {
   const HiddenThings found = hidden_areas({pond, plaza});
   EXPECT_EQ(found.tests, 2u);
   EXPECT_EQ(found.hidden, 1u);
-  EXPECT_EQ(found.first.id, 1);
-  EXPECT_EQ(found.below.id, 2);
+  EXPECT_EQ(found.element.id, 1);
+  EXPECT_EQ(found.on_top.id, 2);
   pond.raised_priority = 255;
   EXPECT_EQ(hidden_areas({pond, plaza}).hidden, 0u);
 }
@@ -59,8 +59,8 @@ HiddenThings hidden_track(Polyline street, double width_m) {
 TEST(MeasureHidden, ATrackAlongBelowACarriagewayIsHiddenAndACrossingIsNot) {
   const HiddenThings along = hidden_track({{0, 50}, {256, 50}}, 8);
   EXPECT_GT(along.hidden, along.tests / 2);
-  EXPECT_EQ(along.first.id, 7);
-  EXPECT_EQ(along.below.id, 8);
+  EXPECT_EQ(along.element.id, 7);
+  EXPECT_EQ(along.on_top.id, 8);
   const HiddenThings across = hidden_track({{100, 0}, {140, 100}}, 12);
   EXPECT_GT(across.tests, 50u);
   EXPECT_EQ(across.hidden, 0u);

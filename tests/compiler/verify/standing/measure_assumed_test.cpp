@@ -34,28 +34,28 @@ scene::Chunk street_with_pavements() {
   return chunk;
 }
 
-AssumedPlaces pavements_beside(const roads::Road& other) {
+AssumedTests pavements_beside(const roads::Road& other) {
   scene::Chunk chunk = street_with_pavements();
   chunk.roads.push_back(other);
   return measure_assumed_pavements(chunk, kTile);
 }
 
 TEST(MeasureAssumed, FindsNothingBesideAFreeStreet) {
-  const AssumedPlaces found = measure_assumed_pavements(street_with_pavements(), kTile);
-  EXPECT_EQ(found.places, 60u);
-  EXPECT_EQ(found.misplaced, 0u);
+  const AssumedTests found = measure_assumed_pavements(street_with_pavements(), kTile);
+  EXPECT_EQ(found.tested, 60u);
+  EXPECT_EQ(found.conflicts, 0u);
 }
 
 TEST(MeasureAssumed, TestsPlacesAtMostFourMetresApart) {
   scene::Chunk chunk = street_with_pavements();
   chunk.roads[0].axis = {{0, 50}, {7.5, 50}};
-  EXPECT_EQ(measure_assumed_pavements(chunk, kTile).places, 4u) << "two on either side";
+  EXPECT_EQ(measure_assumed_pavements(chunk, kTile).tested, 4u) << "two on either side";
 }
 
 TEST(MeasureAssumed, LooksOnlyAtRoadsWithAssumedPavements) {
   scene::Chunk chunk = street_with_pavements();
   chunk.roads[0].assumed = bit_of(Assumption::kLamps);
-  EXPECT_EQ(measure_assumed_pavements(chunk, kTile).places, 0u);
+  EXPECT_EQ(measure_assumed_pavements(chunk, kTile).tested, 0u);
 }
 
 TEST(MeasureAssumed, FindsPavementsInWaterBuildingsAndSquares) {
@@ -64,9 +64,9 @@ TEST(MeasureAssumed, FindsPavementsInWaterBuildingsAndSquares) {
        {LandCoverClass::kLake, LandCoverClass::kBuilding, LandCoverClass::kSquare, LandCoverClass::kPark}) {
     scene::Chunk chunk = street_with_pavements();
     chunk.surfaces = {{{kMappedWay, 0}, surface, 130, {beside}}};
-    const AssumedPlaces found = measure_assumed_pavements(chunk, kTile);
-    EXPECT_EQ(found.misplaced, surface == LandCoverClass::kPark ? 0u : 5u);
-    EXPECT_EQ(found.on, found.misplaced > 0 ? kMappedWay : OsmId{});
+    const AssumedTests found = measure_assumed_pavements(chunk, kTile);
+    EXPECT_EQ(found.conflicts, surface == LandCoverClass::kPark ? 0u : 5u);
+    EXPECT_EQ(found.obstacle, found.conflicts > 0 ? kMappedWay : OsmId{});
   }
 }
 
@@ -74,23 +74,23 @@ TEST(MeasureAssumed, FindsPavementsInWaterBuildingsAndSquares) {
 TEST(MeasureAssumed, AllowsWaterUnderTheStreetItself) {
   scene::Chunk chunk = street_with_pavements();
   chunk.surfaces = {{{kMappedWay, 0}, LandCoverClass::kLake, 4000, {{{0, 0}, {128, 0}, {128, 128}, {0, 128}}}}};
-  EXPECT_EQ(measure_assumed_pavements(chunk, kTile).misplaced, 0u);
+  EXPECT_EQ(measure_assumed_pavements(chunk, kTile).conflicts, 0u);
 }
 
 TEST(MeasureAssumed, FindsPavementsOnRailwaysAndRoadsBesideTheStreet) {
   for (const LandCoverClass surface : {LandCoverClass::kRailway, LandCoverClass::kServiceRoad})
-    EXPECT_EQ(pavements_beside(way_along(kMappedWay, {{0, 54}, {120, 54}}, surface, 2)).misplaced, 30u);
+    EXPECT_EQ(pavements_beside(way_along(kMappedWay, {{0, 54}, {120, 54}}, surface, 2)).conflicts, 30u);
 }
 
 TEST(MeasureAssumed, FindsPavementsOnPathsAlongTheStreet) {
   const roads::Road path = way_along(kMappedWay, {{0, 54}, {120, 54}}, LandCoverClass::kPavedFootPath, 2);
-  EXPECT_EQ(pavements_beside(path).misplaced, 30u);
+  EXPECT_EQ(pavements_beside(path).conflicts, 30u);
 }
 
 TEST(MeasureAssumed, AllowsPathsAndWaysThatJoinTheStreet) {
-  EXPECT_EQ(pavements_beside(way_along(kMappedWay, {{60, 20}, {60, 90}}, LandCoverClass::kPavedFootPath, 2)).misplaced,
+  EXPECT_EQ(pavements_beside(way_along(kMappedWay, {{60, 20}, {60, 90}}, LandCoverClass::kPavedFootPath, 2)).conflicts,
             0u);
-  EXPECT_EQ(pavements_beside(way_along(kMappedWay, {{0, 50}, {0, 90}}, LandCoverClass::kServiceRoad, 4)).misplaced, 0u);
+  EXPECT_EQ(pavements_beside(way_along(kMappedWay, {{0, 50}, {0, 90}}, LandCoverClass::kServiceRoad, 4)).conflicts, 0u);
 }
 
 TEST(MeasureAssumed, FindsLampsOnACarriageway) {
@@ -105,9 +105,9 @@ TEST(MeasureAssumed, FindsLampsOnACarriageway) {
   tile.instanced[0].name = "PostTopLamp";
   tile.instanced[0].translations = {{10, 54, 0}, {30, 52, 0}, {50, 52, 0}};
   tile.instanced[0].features = {1, 1, 2};
-  const AssumedPlaces found = measure_assumed_lamps(tile, chunk, cover);
-  EXPECT_EQ(found.places, 2u);
-  EXPECT_EQ(found.misplaced, 1u);
+  const AssumedTests found = measure_assumed_lamps(tile, chunk, cover);
+  EXPECT_EQ(found.tested, 2u);
+  EXPECT_EQ(found.conflicts, 1u);
   EXPECT_EQ(found.at, (Vec2{30, 52}));
 }
 
@@ -127,24 +127,24 @@ TEST(MeasureAssumed, AllowsFrontsBesidePartyWallsAndOtherFronts) {
   chunk.buildings[0].party_walls = {{.edge = 0, .from_m = 0, .to_m = 5, .top_m = 9},
                                     {.edge = 1, .from_m = 0, .to_m = 10}};
   chunk.buildings[0].fronts.push_back({.edge = 0, .from_m = 11, .to_m = 15});
-  const AssumedPlaces found = measure_assumed_fronts(chunk);
-  EXPECT_EQ(found.places, 1u);
-  EXPECT_EQ(found.misplaced, 0u);
+  const AssumedTests found = measure_assumed_fronts(chunk);
+  EXPECT_EQ(found.tested, 1u);
+  EXPECT_EQ(found.conflicts, 0u);
 }
 
 TEST(MeasureAssumed, FindsFrontsOnWallsThatAreNotFree) {
   scene::Chunk chunk = house_with_front();
   buildings::Building& house = chunk.buildings[0];
   house.party_walls = {{.edge = 0, .from_m = 0, .to_m = 6}};
-  EXPECT_EQ(measure_assumed_fronts(chunk).misplaced, 1u);
+  EXPECT_EQ(measure_assumed_fronts(chunk).conflicts, 1u);
   house.party_walls.clear();
   house.passageways = {{{kMainStreet, 0}, {{8, -1}, {8, 11}}, 2, 2, 4}};
-  EXPECT_EQ(measure_assumed_fronts(chunk).misplaced, 1u);
+  EXPECT_EQ(measure_assumed_fronts(chunk).conflicts, 1u);
   house.passageways.clear();
   house.fronts[0].to_m = 21;
-  EXPECT_EQ(measure_assumed_fronts(chunk).misplaced, 1u);
+  EXPECT_EQ(measure_assumed_fronts(chunk).conflicts, 1u);
   house.fronts = {{.edge = 0, .from_m = 5, .to_m = 11, .is_assumed = true}, {.edge = 0, .from_m = 10, .to_m = 15}};
-  EXPECT_EQ(measure_assumed_fronts(chunk).misplaced, 1u);
+  EXPECT_EQ(measure_assumed_fronts(chunk).conflicts, 1u);
 }
 
 scene::Chunk chunk_with_railing(Polyline axis) {
@@ -158,26 +158,26 @@ TEST(MeasureAssumed, FindsRailingsAcrossWaysBeforeDoorsAndOnCarriageways) {
   const auto measured = [](const scene::Chunk& chunk, const std::vector<ground::LandCoverPolygon>& surfaces) {
     return measure_assumed_railings(chunk, ground::index_land_cover(surfaces, kTile), kTile);
   };
-  EXPECT_GT(measured(free, {}).places, 40u);
-  EXPECT_EQ(measured(free, {}).misplaced, 0u);
+  EXPECT_GT(measured(free, {}).tested, 40u);
+  EXPECT_EQ(measured(free, {}).conflicts, 0u);
   const Ring around = {{20, 25}, {30, 25}, {30, 35}, {20, 35}};
   for (const LandCoverClass surface : {LandCoverClass::kResidentialRoad, LandCoverClass::kSteps, LandCoverClass::kLake,
                                        LandCoverClass::kBuilding, LandCoverClass::kSquare}) {
     const bool is_free = surface == LandCoverClass::kSquare;
-    EXPECT_EQ(measured(free, {{{kMainStreet, 0}, surface, 100, {around}}}).misplaced == 0, is_free);
+    EXPECT_EQ(measured(free, {{{kMainStreet, 0}, surface, 100, {around}}}).conflicts == 0, is_free);
   }
   scene::Chunk crossed = free;
   crossed.roads = {way_along(kMainStreet, {{30, 10}, {30, 50}}, LandCoverClass::kPavedFootPath, 2)};
-  EXPECT_EQ(measured(crossed, {}).misplaced, 1u);
+  EXPECT_EQ(measured(crossed, {}).conflicts, 1u);
   crossed.roads[0].id.osm = kMappedWay;
-  EXPECT_EQ(measured(crossed, {}).misplaced, 0u) << "its own way";
+  EXPECT_EQ(measured(crossed, {}).conflicts, 0u) << "its own way";
   scene::Chunk with_door = free;
   with_door.buildings.resize(1);
   with_door.buildings[0].footprint.outer = {{29, 33}, {29, 30.5}, {31, 30.5}, {31, 33}};
   with_door.buildings[0].facade_edges.assign(4, {});
-  EXPECT_EQ(measured(with_door, {}).misplaced, 0u);
+  EXPECT_EQ(measured(with_door, {}).conflicts, 0u);
   with_door.buildings[0].facade_edges[1].doors = 1 << 8;
-  EXPECT_GT(measured(with_door, {}).misplaced, 0u);
+  EXPECT_GT(measured(with_door, {}).conflicts, 0u);
 }
 
 TEST(MeasureAssumed, FindsMastsInTheClearSpaceOfATrack) {
@@ -189,19 +189,19 @@ TEST(MeasureAssumed, FindsMastsInTheClearSpaceOfATrack) {
   const std::vector<ground::LandCoverPolygon> none;
   const ground::LandCoverIndex index = ground::index_land_cover(none, kTile);
   const auto measured = [&] { return measure_assumed_masts(chunk, index, kTile); };
-  EXPECT_EQ(measured().places, 1u);
-  EXPECT_EQ(measured().misplaced, 0u);
+  EXPECT_EQ(measured().tested, 1u);
+  EXPECT_EQ(measured().conflicts, 0u);
   chunk.things[0].at.y = 52;
-  EXPECT_EQ(measured().misplaced, 1u);
+  EXPECT_EQ(measured().conflicts, 1u);
   // the feet of a portal are half its width beside its middle
   chunk.things[0].form.kind = things::kContactPortal, chunk.things[0].at = {40, 50};
   chunk.things[0].direction = 0, chunk.things[0].form.width_m = 8;
-  EXPECT_EQ(measured().places, 2u);
-  EXPECT_EQ(measured().misplaced, 0u);
+  EXPECT_EQ(measured().tested, 2u);
+  EXPECT_EQ(measured().conflicts, 0u);
   chunk.things[0].form.width_m = 4;
-  EXPECT_EQ(measured().misplaced, 2u);
+  EXPECT_EQ(measured().conflicts, 2u);
   chunk.things[0].id.part = 0;
-  EXPECT_EQ(measured().places, 0u) << "mapped masts are not tested";
+  EXPECT_EQ(measured().tested, 0u) << "mapped masts are not tested";
 }
 
 // A lawn of a yard with a tree of it at a place.
@@ -213,35 +213,35 @@ scene::Chunk yard_with_tree(Vec2 at) {
   return chunk;
 }
 
-AssumedPlaces yards_of(const scene::Chunk& chunk) {
+AssumedTests yards_of(const scene::Chunk& chunk) {
   const ground::LandCoverIndex cover = ground::index_land_cover(chunk.surfaces, kTile);
   return measure_assumed_yards(chunk, cover, kTile);
 }
 
 TEST(MeasureAssumed, FindsTreesOfYardsInRoadsBarriersAndBelowWires) {
   scene::Chunk chunk = yard_with_tree({50, 50});
-  EXPECT_EQ(yards_of(chunk).places, 401u);
-  EXPECT_EQ(yards_of(chunk).misplaced, 0u);
+  EXPECT_EQ(yards_of(chunk).tested, 401u);
+  EXPECT_EQ(yards_of(chunk).conflicts, 0u);
   chunk.barriers = {{.id = {kMappedWay, 0}, .axis = {{40, 50.2}, {60, 50.2}}, .width_m = 0.25}};
-  EXPECT_EQ(yards_of(chunk).on, kMappedWay);
+  EXPECT_EQ(yards_of(chunk).obstacle, kMappedWay);
   chunk.barriers.clear();
   chunk.corridors = {{{kMappedWay, 0}, {{0, 55}, {120, 55}}, 12}};
-  EXPECT_EQ(yards_of(chunk).misplaced, 1u);
+  EXPECT_EQ(yards_of(chunk).conflicts, 1u);
   chunk.corridors.clear();
   chunk.surfaces.push_back(
       {{kMappedWay, 0}, LandCoverClass::kResidentialRoad, 1, {{{0, 47}, {120, 47}, {120, 53}, {0, 53}}}});
-  EXPECT_EQ(yards_of(chunk).misplaced, 1u);
+  EXPECT_EQ(yards_of(chunk).conflicts, 1u);
 }
 
 TEST(MeasureAssumed, FindsYardsOverMappedLand) {
   scene::Chunk chunk = yard_with_tree({50, 50});
   const std::vector<Ring> part = {{{60, 60}, {80, 60}, {80, 80}, {60, 80}}};
   chunk.surfaces.push_back({{kMappedWay, 0}, LandCoverClass::kGarden, 400, part});
-  EXPECT_EQ(yards_of(chunk).misplaced, 0u);
+  EXPECT_EQ(yards_of(chunk).conflicts, 0u);
   chunk.surfaces.back().surface = LandCoverClass::kAerodrome;  // of a lower priority
-  EXPECT_EQ(yards_of(chunk).misplaced, 25u);
+  EXPECT_EQ(yards_of(chunk).conflicts, 25u);
   chunk.surfaces.back().surface = LandCoverClass::kRetail;
-  EXPECT_EQ(yards_of(chunk).misplaced, 0u);
+  EXPECT_EQ(yards_of(chunk).conflicts, 0u);
 }
 
 TEST(MeasureAssumed, FindsHousesOfLotsOnRoadsAndOtherBuildings) {
@@ -253,18 +253,18 @@ TEST(MeasureAssumed, FindsHousesOfLotsOnRoadsAndOtherBuildings) {
   const auto measured = [&] {
     return measure_assumed_houses(chunk, ground::index_land_cover(chunk.surfaces, kTile), kTile);
   };
-  EXPECT_EQ(measured().places, 8u);
-  EXPECT_EQ(measured().misplaced, 0u);
+  EXPECT_EQ(measured().tested, 8u);
+  EXPECT_EQ(measured().conflicts, 0u);
   chunk.surfaces = {{{kMappedWay, 0}, LandCoverClass::kResidentialRoad, 1, {{{0, 47}, {120, 47}, {120, 53}, {0, 53}}}}};
-  EXPECT_EQ(measured().on, kMappedWay);
-  EXPECT_EQ(measured().misplaced, 3u);
+  EXPECT_EQ(measured().obstacle, kMappedWay);
+  EXPECT_EQ(measured().conflicts, 3u);
   chunk.surfaces.clear();
   house.id = {kMainStreet, 0};
   house.footprint.outer = {{44, 35}, {60, 35}, {60, 47}, {44, 47}};
   chunk.buildings.push_back(house);
-  EXPECT_EQ(measured().misplaced, 3u) << "a corner and the middles of two walls";
+  EXPECT_EQ(measured().conflicts, 3u) << "a corner and the middles of two walls";
   chunk.buildings.back().id = {{OsmType::kLot, 7}, 1};
-  EXPECT_EQ(measured().misplaced, 0u) << "of the same lot";
+  EXPECT_EQ(measured().conflicts, 0u) << "of the same lot";
 }
 
 }  // namespace

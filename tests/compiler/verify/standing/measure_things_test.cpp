@@ -28,16 +28,16 @@ StandingThings bench_at(Vec2 at, bool is_in_way = false) {
 
 TEST(MeasureThings, CountsThoseInACarriageway) {
   const StandingThings found = bench_at({24, 32});
-  EXPECT_EQ(found.things, 1u);
-  EXPECT_EQ(found.misplaced, 1u);
-  EXPECT_EQ(found.first, kBench);
+  EXPECT_EQ(found.tested, 1u);
+  EXPECT_EQ(found.conflicts, 1u);
+  EXPECT_EQ(found.element, kBench);
   EXPECT_EQ(found.at, (Vec2{24, 32}));
 }
 
 TEST(MeasureThings, LeavesOutThoseBesideItAndThoseThatAreMappedInIt) {
-  EXPECT_EQ(bench_at({30, 32}).things, 1u);
-  EXPECT_EQ(bench_at({30, 32}).misplaced, 0u);
-  EXPECT_EQ(bench_at({24, 32}, true).things, 0u);
+  EXPECT_EQ(bench_at({30, 32}).tested, 1u);
+  EXPECT_EQ(bench_at({30, 32}).conflicts, 0u);
+  EXPECT_EQ(bench_at({24, 32}, true).tested, 0u);
 }
 
 }  // namespace

@@ -33,8 +33,8 @@ TEST(MeasureTrunks, CountsThoseInRoadsRailsBuildingsAndWater) {
                     non_ground("fir_0", {{60, 60, 1}, {15, 55, 2}}), non_ground("hedge_1", {{5, 13, 0}}),
                     non_ground("wheat_1", {{5, 13, 0}}), non_ground("ArmLamp", {{5, 13, 0}})};
   const Trunks trunks = measure_trunks(tile, map);
-  EXPECT_EQ(trunks.trees, 5u);
-  EXPECT_EQ(trunks.misplaced, 3u);
+  EXPECT_EQ(trunks.tested, 5u);
+  EXPECT_EQ(trunks.conflicts, 3u);
   EXPECT_EQ(trunks.at, (Vec2{5, 12}));
 }
 
