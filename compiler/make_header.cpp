@@ -198,8 +198,8 @@ Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
   return buildings::rules_for(buildings::styles_of(buildings), *available);
 }
 
-Result<plants::OwnSpecies> read_species(const std::string& folder) {
-  if (folder.empty()) return plants::OwnSpecies{};
+Result<plants::UserSpecies> read_species(const std::string& folder) {
+  if (folder.empty()) return plants::UserSpecies{};
   std::vector<plants::SpeciesText> own;
   std::vector<std::string_view> endings(lsystems::kPlantEndings.begin(), lsystems::kPlantEndings.end());
   endings.push_back(".txt");
@@ -207,7 +207,7 @@ Result<plants::OwnSpecies> read_species(const std::string& folder) {
     Result<std::vector<source::TextFile>> files = source::read_texts(folder, ending);
     if (!files) return files.error();
     for (source::TextFile& file : *files) {
-      const bool is_table = file.name == plants::kOwnSpeciesName || file.name == plants::kSpawnersName;
+      const bool is_table = file.name == plants::kUserSpeciesName || file.name == plants::kSpawnersName;
       if (file.name.find('/') == std::string::npos && (ending != ".txt" || is_table))
         own.push_back({std::move(file.name), std::move(file.text)});
     }

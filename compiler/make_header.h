@@ -40,7 +40,7 @@ Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
 
 /// Returns the species of the spec's folder; the shipped ones alone without one. Errors: those of
 /// plants::read_species_folder(); the folder cannot be read, or has no file of a species.
-Result<plants::OwnSpecies> read_species(const std::string& folder);
+Result<plants::UserSpecies> read_species(const std::string& folder);
 
 /// Returns the shipped things, with those of the spec's folder; cars only if the spec asks for them. Errors: those of
 /// things::read_catalogue(); the folder cannot be read.

@@ -37,20 +37,20 @@ namespace {
 // The things and species that the map is read with: those of citykiln, and those of the folders that the spec names.
 struct Tables {
   things::Catalogue catalogue;
-  plants::OwnSpecies species;
+  plants::UserSpecies species;
 };
 
 Result<Tables> read_tables(const CompileSpec& spec) {
   Result<things::Catalogue> catalogue = read_things(spec);
   if (!catalogue) return catalogue.error();
-  Result<plants::OwnSpecies> species = read_species(spec.species_folder);
+  Result<plants::UserSpecies> species = read_species(spec.species_folder);
   if (!species) return species.error();
   return Tables{std::move(*catalogue), std::move(*species)};
 }
 
 map::Options reading_of(const CompileSpec& spec, const Tables& tables) {
   map::Options reading = spec.map;
-  reading.things = &tables.catalogue.table, reading.own_plants = &tables.species.for_map;
+  reading.things = &tables.catalogue.table, reading.user_plants = &tables.species.for_map;
   return reading;
 }
 

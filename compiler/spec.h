@@ -76,7 +76,7 @@ struct CompileSpec {
   std::optional<double> snow_line_m;       ///< Land above it is covered by snow.
   std::string rules_folder;        ///< A folder of rule files that replace shipped ones of the same name; "" for none.
   std::string things_folder;       ///< A folder with a table of things and rule files; "" for none.
-  std::string species_folder;      ///< A folder of species of one's own; "" for none.
+  std::string species_folder;      ///< A folder of user-defined species; "" for none.
   bool fill_lots = false;          ///< Houses on residential land without buildings (lots/fill_lots.h).
   bool cars = false;               ///< Parked cars (things/parked_cars.h).
   World world = World::kByOutput;  ///< 3D Tiles need the ellipsoid or a cylinder, others the plane or a cylinder.

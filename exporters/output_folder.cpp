@@ -14,8 +14,8 @@
 #include "compiler/contract/texts/parse.h"
 #include "exporters/content_hash.h"
 #include "exporters/file.h"
+#include "exporters/finish_commit.h"
 #include "exporters/run_files.h"
-#include "exporters/settle_folder.h"
 
 namespace citykiln::exporters {
 
@@ -71,7 +71,7 @@ Result<OutputFolder> OutputFolder::open(const std::string& path, TakesOver takes
   if (!lock) return lock.error();
   if (*lock < 0) return Error{path, "another run is being written into this folder"};
   folder.lock_ = *lock;
-  if (const Result<Done> done = settle_locked(path); !done) return done.error();
+  if (const Result<Done> done = finish_commit_locked(path); !done) return done.error();
   if (const Result<Done> done = folder.begin(); !done) return done.error();
   return folder;
 }
@@ -213,7 +213,7 @@ Result<Done> OutputFolder::commit() {
   const std::string list = file_list_json(files());
   if (Result<Done> done = write_file(staging_ + "/" + kFileListName, bytes_of(list)); !done) return done;
   is_open_ = false;
-  return settle_locked(path_);
+  return finish_commit_locked(path_);
 }
 
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }

@@ -9,7 +9,7 @@
 //     step                                              if the process ends here
 //     1. write files into .new, a journal line each     OUT is as before; a run with equal keys takes over whole files
 //     2. write .new/files.json                          -
-//     3. rename each file of the new list into OUT      settle() (settle_folder.h) does steps 3 to 5 again
+//     3. rename each file of the new list into OUT      finish_commit() (finish_commit.h) does steps 3 to 5 again
 //     4. remove files that only the old list names      as in step 3
 //     5. rename .new/files.json to OUT, remove .new     as in step 3
 //

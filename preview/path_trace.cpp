@@ -200,8 +200,9 @@ void pass_air(const TraceContext& context, double distance_m, Path& path) {
   path.weight = path.weight * air.passed;
 }
 
-// Ends paths of little weight at random, and makes up for them. Returns false where the path ends.
-bool plays_roulette(const TraceContext& context, Path& path, double chance) {
+// Russian roulette: ends paths of little weight at random, and weights the others to make up for them. Returns false
+// where the path ends.
+bool survives_roulette(const TraceContext& context, Path& path, double chance) {
   const double carried = largest_component(path.weight);
   if (!(carried > 0)) return false;
   if (carried >= context.roulette) return true;
@@ -221,7 +222,7 @@ bool go_on(const TraceContext& context, const Hit& hit, const Bsdf& bsdf, const 
   path.is_sharp = drawn.lobe_rad < kMirrorAlpha;
   path.spread_rad = std::max(path.spread_rad, std::min(drawn.lobe_rad, kScattered_rad));
   if (!path.is_sharp || ++path.mirrors > kMostMirrors) ++path.bounce;
-  return plays_roulette(context, path, chance);
+  return survives_roulette(context, path, chance);
 }
 
 // Light that is not finite becomes 0.

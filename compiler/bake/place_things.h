@@ -13,7 +13,7 @@ namespace citykiln::bake {
 /// A thing where it stands. Things of one form show one mesh, as instances.
 struct PlacedThing {
   things::Form form;
-  Placement placement;  ///< Of its mesh, whose origin is the middle of the thing's base.
+  Placement placement;  ///< The mesh's origin is the middle of the thing's base.
   int number = 1;       ///< The number of its form among the forms of its kind in the tile, from 1, in the order of
                         ///< Form. The name of the mesh has it.
 };

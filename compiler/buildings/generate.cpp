@@ -249,7 +249,7 @@ GeneratedBuilding drop_if_low(const Level& level, GeneratedBuilding generated) {
   return error_m < level.tolerance_m ? GeneratedBuilding{{}, error_m} : std::move(generated);
 }
 
-// The faults of rules of one's own in all their detail. Shipped rules have none, as tests show.
+// Returns the faults of user-defined rules at full detail. Shipped rules have none, as tests show.
 std::vector<grammars::RuleFault> faults_of_own_rules(const Level& level) {
   if (level.rules == nullptr || level.rules->is_shipped || level.context.is_for_blocks) return {};
   Report repeated;

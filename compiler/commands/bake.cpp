@@ -226,7 +226,7 @@ Result<Exit> run_bake(const BakeRequest& asked, const Console& console) {
     return Error{"", "no manifest is given; expected a file such as out/scene.kiln, or the folder of a run"};
   if (const Result<Done> fits = output_fits(asked); !fits) return fits.error();
   if (const Result<Done> fits = check_run_path(asked.manifest_path); !fits) return fits.error();
-  const Result<std::string> manifest_path = settle_and_find_manifest(asked.manifest_path);
+  const Result<std::string> manifest_path = find_committed_manifest(asked.manifest_path);
   if (!manifest_path) return manifest_path.error();
   BakeRequest request = asked;
   request.manifest_path = *manifest_path;

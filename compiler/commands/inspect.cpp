@@ -34,13 +34,13 @@
 #include "compiler/source/read_osm.h"
 #include "compiler/things/generate.h"
 #include "exporters/file.h"
+#include "exporters/finish_commit.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/material_names.h"
 #include "exporters/gltf/write/encode_tile.h"
 #include "exporters/kiln/manifest.h"
 #include "exporters/output_folder.h"
 #include "exporters/run_files.h"
-#include "exporters/settle_folder.h"
 #include "preview/render.h"
 
 namespace citykiln::commands {
@@ -334,7 +334,7 @@ Result<Done> write_findings(const InspectRequest& request) {
   std::error_code none;
   if (!std::filesystem::is_directory(folder, none))
     return Error{request.path, "has no findings; expected the folder of a run, or the scene.kiln in it"};
-  if (const Result<Done> done = exporters::settle(folder); !done) return done.error();
+  if (const Result<Done> done = exporters::finish_commit(folder); !done) return done.error();
   const Result<std::vector<std::byte>> findings = exporters::read_file(folder + "/" + exporters::kFindingsName);
   if (!findings) return findings.error();
   return exporters::write_file(request.geojson_path, *findings);
@@ -367,7 +367,7 @@ Result<Exit> run_inspect(const InspectRequest& asked, const Console& console) {
     console.print_line(fmt::format("{}: layer findings", asked.geojson_path));
     return Exit::kDone;
   }
-  const Result<std::string> path = settle_and_find_manifest(asked.path);
+  const Result<std::string> path = find_committed_manifest(asked.path);
   if (!path) return path.error();
   InspectRequest request = asked;
   request.path = *path;

@@ -43,7 +43,7 @@ std::string text_of_file(const std::vector<std::byte>& bytes) {
 
 // The row of a species in the table beside its file, "" if there is none.
 Result<std::string> row_beside(const fs::path& file) {
-  const std::string path = (file.parent_path() / plants::kOwnSpeciesName).string();
+  const std::string path = (file.parent_path() / plants::kUserSpeciesName).string();
   if (!fs::exists(path)) return std::string();
   const Result<std::vector<std::byte>> bytes = exporters::read_file(path);
   if (!bytes) return bytes.error();
@@ -65,14 +65,14 @@ Result<DrawnSpecies> species_of_file(const fs::path& file) {
   if (!rows) return rows.error();
   const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
   const std::array files = {plants::SpeciesText{file.filename().string(), text_of_file(*bytes)},
-                            plants::SpeciesText{std::string(plants::kOwnSpeciesName), std::move(*rows)}};
-  Result<plants::OwnSpecies> own = plants::read_species_folder(files, folder);
+                            plants::SpeciesText{std::string(plants::kUserSpeciesName), std::move(*rows)}};
+  Result<plants::UserSpecies> own = plants::read_species_folder(files, folder);
   if (!own) return own.error();
   return DrawnSpecies{std::move(own->texts), {file.stem().string()}};
 }
 
 Result<DrawnSpecies> species_in_folder(const std::string& folder) {
-  Result<plants::OwnSpecies> own = read_species(folder);
+  Result<plants::UserSpecies> own = read_species(folder);
   if (!own) return own.error();
   DrawnSpecies drawn{std::move(own->texts), {}};
   for (const plants::SpeciesText& text : drawn.texts)

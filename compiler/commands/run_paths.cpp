@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "exporters/finish_commit.h"
 #include "exporters/run_files.h"
-#include "exporters/settle_folder.h"
 
 namespace citykiln::commands {
 
 namespace fs = std::filesystem;
 
-Result<std::string> settle_and_find_manifest(const std::string& path) {
+Result<std::string> find_committed_manifest(const std::string& path) {
   // files of other kinds are read, and refused, by those who asked
   std::error_code missing;
   if (!fs::exists(path, missing)) {
@@ -23,7 +23,7 @@ Result<std::string> settle_and_find_manifest(const std::string& path) {
   const std::string folder = folder_of(path);
   std::error_code none;
   if (!fs::is_directory(folder, none)) return path;
-  if (const Result<Done> done = exporters::settle(folder); !done) return done.error();
+  if (const Result<Done> done = exporters::finish_commit(folder); !done) return done.error();
   if (folder != path) return path;
   const std::string manifest = (fs::path(folder) / exporters::kManifestName).string();
   if (!fs::exists(manifest, none)) return missing_manifest(folder);

@@ -11,9 +11,9 @@ namespace citykiln::commands {
 
 /// Returns "OUT/scene.kiln" for "OUT", the folder of a run; any other path unchanged. The manifest is the file
 /// with the scene. Changes the folder, also for "OUT/scene.kiln": if a run was interrupted while its complete files
-/// were moved into the folder, the function first moves the others (exporters/settle_folder.h). Errors: a folder
+/// were moved into the folder, the function first moves the others (exporters/finish_commit.h). Errors: a folder
 /// without a manifest; files that cannot be moved.
-Result<std::string> settle_and_find_manifest(const std::string& path);
+Result<std::string> find_committed_manifest(const std::string& path);
 
 /// Tests whether a path may be the output of a run: a folder, or a .kiln, .glb or other file. Errors that say what to
 /// do: nothing is there; it is a map, which has to be compiled first.

@@ -55,7 +55,7 @@ LonLat default_origin(const LonLatBox& box) {
 Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox& box, const Options& options,
                 Report& report) {
   assert(box.west <= box.east && box.south <= box.north);
-  const ReadContext context{osm, plane, extent_of(plane, box), report, options.own_plants};
+  const ReadContext context{osm, plane, extent_of(plane, box), report, options.user_plants};
   Features features;
   features.extent = context.extent;
   std::vector<Track> tracks = locate_tracks(context, options.driving_side);

@@ -6,7 +6,7 @@
 #include "compiler/contract/findings/report.h"
 #include "compiler/map/features.h"
 #include "compiler/map/plane/plane.h"
-#include "compiler/map/plants/own_plants.h"
+#include "compiler/map/plants/user_plants.h"
 #include "compiler/map/things/thing_table.h"
 #include "compiler/source/osm_data.h"
 
@@ -18,7 +18,7 @@ struct Options {
   std::optional<LonLat> origin;             ///< Origin of the plane. Default: the box's centre, rounded to 0.01°.
   std::optional<DrivingSide> driving_side;  ///< Default: driving_side_at() the first node of each way.
   const ThingTable* things = nullptr;       ///< The things that are read; null: none.
-  const OwnPlants* own_plants = nullptr;    ///< Plants of one's own; null: none.
+  const UserPlants* user_plants = nullptr;  ///< User-defined plants; null: none.
   bool keeps_tags = false;                  ///< True if Features::texts shall have all tags of each element.
 };
 

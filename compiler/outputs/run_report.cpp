@@ -19,8 +19,8 @@
 #include "compiler/outputs/ledger_json.h"
 #include "compiler/outputs/written_tile_json.h"
 #include "compiler/scene/kinds.h"
+#include "exporters/finish_commit.h"
 #include "exporters/run_files.h"
-#include "exporters/settle_folder.h"
 
 namespace citykiln::outputs {
 namespace {
@@ -270,7 +270,7 @@ bool is_violated(const Strictness& strict, const Report& report) {
 }
 
 Result<RunRecord> read_report(const std::string& folder) {
-  if (const Result<Done> done = exporters::settle(folder); !done) return done.error();
+  if (const Result<Done> done = exporters::finish_commit(folder); !done) return done.error();
   const std::string path = folder + "/" + exporters::kReportName;
   std::ifstream file(path, std::ios::binary);
   if (!file && exporters::has_unfinished_run(folder))

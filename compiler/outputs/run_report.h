@@ -80,7 +80,7 @@ struct RunRecord {
   std::vector<std::string> unbalanced;
 };
 /// Reads report.json of a run's folder. If a run was interrupted while its complete files were moved into the folder,
-/// the function first moves the others (exporters/settle_folder.h). Errors: a folder without a finished run; a file
+/// the function first moves the others (exporters/finish_commit.h). Errors: a folder without a finished run; a file
 /// that is not JSON or lacks a member that report_json() writes.
 Result<RunRecord> read_report(const std::string& folder);
 

@@ -46,7 +46,8 @@ struct FieldFrame {
 };
 FieldFrame frame_of(const Field& field);
 
-/// Returns a coordinate: a number, e, s, or a sum of two of these, such as "e-5.5" or "-s". Empty if it is none.
+/// Returns a coordinate: a number, e, s, or a sum of two of these, such as "e-5.5" or "-s". Empty if the text is not a
+/// coordinate.
 std::optional<double> coordinate_m(std::string_view text, HalfSize half);
 
 }  // namespace citykiln::pitches

@@ -78,7 +78,7 @@ const map::PlantTags& tags_of(const map::FeatureView& features, const ground::La
   return found != features.areas.end() && found->id == surface.id ? found->plant_tags : kNoTags;
 }
 
-// Spawners of one's own set the plants of an area, unless its tags name a species.
+// User-defined spawners set the plants of an area, unless its tags name a species.
 bool has_spawner(const map::PlantTags& plant_tags) { return is_spawner(species_mix_for(plant_tags, {})); }
 
 std::vector<Wood> plan_woods(const map::FeatureView& features, std::span<const ground::LandCoverPolygon> surfaces) {

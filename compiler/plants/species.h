@@ -16,10 +16,10 @@ enum class Species : std::uint8_t {
   kCount
 };
 
-/// Species of one's own have numbers from here on (species_table.h), below SpeciesMix of communities.
-inline constexpr std::uint8_t kFirstOwnSpecies = 64;
-inline constexpr std::size_t kMostOwnSpecies = 64;
-static_assert(static_cast<std::uint8_t>(Species::kCount) <= kFirstOwnSpecies);
+/// User-defined species have numbers from here on (species_table.h), below SpeciesMix of communities.
+inline constexpr std::uint8_t kFirstUserSpecies = 64;
+inline constexpr std::size_t kMostUserSpecies = 64;
+static_assert(static_cast<std::uint8_t>(Species::kCount) <= kFirstUserSpecies);
 
 /// The form of leaves.
 enum class LeafForm : std::uint8_t {
@@ -29,12 +29,12 @@ enum class LeafForm : std::uint8_t {
   kBlade    ///< Blades of grass, reed and corn.
 };
 
-/// The largest width of a plant as a share of its height: of crown_share, and of plants of one's own
-/// (own_species.md). A width is the mean of the extents along x and y.
+/// The largest width of a plant as a share of its height: of crown_share, and of user-defined plants
+/// (user_species.md). A width is the mean of the extents along x and y.
 inline constexpr double kWidestCrown = 1.5;
 /// An upper bound of the distance in plan from a plant's foot to its leaves, as a share of its height: half of the
 /// width, and a tenth of the height because crowns are not round. Exceptions: blades (0.3 to 1 m tall) reach up to 1.2
-/// heights, and a plant of one's own that leans may reach farther, since only its width is limited.
+/// heights, and a user-defined plant that leans may reach farther, since only its width is limited.
 inline constexpr double kCrownReach = kWidestCrown / 2 + 0.1;
 
 /// Linear reflectance of red, green and blue in thousandths.
@@ -58,7 +58,7 @@ inline constexpr SpeciesValues kSpecies[] = {
 #undef RGB
 };
 
-/// Returns the row of a shipped species; a SpeciesTable has those of one's own too.
+/// Returns the row of a shipped species; a SpeciesTable has the user-defined ones too.
 constexpr const SpeciesValues& values_of(Species species) {
   assert(species < Species::kCount);
   return kSpecies[static_cast<std::size_t>(species)];

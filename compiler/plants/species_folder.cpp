@@ -93,9 +93,9 @@ Result<std::map<std::string, PlantSize>> sizes_of(std::span<const SpeciesText> f
 
 // The rows of species.txt, and one for each file without a row; all with all values.
 Result<std::vector<SpeciesRow>> rows_of(std::span<const SpeciesText> files, const std::string& folder) {
-  const SpeciesText* table = file_named(files, kOwnSpeciesName);
+  const SpeciesText* table = file_named(files, kUserSpeciesName);
   Result<std::vector<SpeciesRow>> rows =
-      read_species_rows(table == nullptr ? "" : table->text, fmt::format("{}/{}", folder, kOwnSpeciesName));
+      read_species_rows(table == nullptr ? "" : table->text, fmt::format("{}/{}", folder, kUserSpeciesName));
   if (!rows) return rows.error();
   const Result<std::map<std::string, PlantSize>> sizes = sizes_of(files, folder);
   if (!sizes) return sizes.error();
@@ -109,8 +109,8 @@ Result<std::vector<SpeciesRow>> rows_of(std::span<const SpeciesText> files, cons
   }
   std::ranges::sort(*rows, {}, &SpeciesRow::name);
   const auto own = std::ranges::count_if(*rows, [](const SpeciesRow& row) { return !is_shipped(row.name); });
-  if (own > static_cast<std::ptrdiff_t>(kMostOwnSpecies))
-    return Error{folder, fmt::format("expected at most {} species, found {}", kMostOwnSpecies, own)};
+  if (own > static_cast<std::ptrdiff_t>(kMostUserSpecies))
+    return Error{folder, fmt::format("expected at most {} species, found {}", kMostUserSpecies, own)};
   return rows;
 }
 
@@ -146,22 +146,22 @@ Result<std::vector<map::SpawnerRow>> spawners_of(const SpeciesText* text, const 
 
 }  // namespace
 
-Result<OwnSpecies> read_species_folder(std::span<const SpeciesText> files, const std::string& folder) {
+Result<UserSpecies> read_species_folder(std::span<const SpeciesText> files, const std::string& folder) {
   Result<std::vector<SpeciesRow>> rows = rows_of(files, folder);
   if (!rows) return rows.error();
   const SpeciesText* spawners_text = file_named(files, kSpawnersName);
-  OwnSpecies own;
+  UserSpecies own;
   own.table = SpeciesTable(*rows, spawners_text == nullptr ? std::string_view() : spawners_text->text);
   Result<std::vector<map::SpawnerRow>> spawners = spawners_of(spawners_text, folder, own.table);
   if (!spawners) return spawners.error();
   own.for_map = {words_of(*rows, own.table), std::move(*spawners)};
   for (const SpeciesText& file : files) {
-    if (file.name == kOwnSpeciesName) continue;
+    if (file.name == kUserSpeciesName) continue;
     // our notation has no extension in a manifest
     const bool is_ours = file.name.ends_with(".lsys");
     own.texts.push_back({is_ours ? std::string(species_of(file)) : file.name, file.text});
   }
-  if (!rows->empty()) own.texts.push_back({std::string(kOwnSpeciesName), table_text(*rows)});
+  if (!rows->empty()) own.texts.push_back({std::string(kUserSpeciesName), table_text(*rows)});
   std::ranges::sort(own.texts, {}, &SpeciesText::name);
   return own;
 }

@@ -148,7 +148,7 @@ PlantCommunity community_of(SpeciesMix species_mix) {
 
 bool is_species_mix(std::uint64_t number) {
   return number < static_cast<std::uint64_t>(Species::kCount) ||
-         (number >= kFirstOwnSpecies && number < kFirstCommunity) || (number >= kFirstSpawner && number < 256) ||
+         (number >= kFirstUserSpecies && number < kFirstCommunity) || (number >= kFirstSpawner && number < 256) ||
          (number >= kFirstCommunity && number < kFirstCommunity + static_cast<std::uint64_t>(PlantCommunity::kCount));
 }
 

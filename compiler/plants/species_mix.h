@@ -47,12 +47,12 @@ constexpr Species single_species(SpeciesMix species_mix) {
   assert(is_single_species(species_mix));
   return static_cast<Species>(species_mix);
 }
-/// True if a number read from a manifest is a SpeciesMix. Whether there is such a species or row of one's own depends
+/// True if a number read from a manifest is a SpeciesMix. Whether there is such a user-defined species or row depends
 /// on the manifest's texts.
 bool is_species_mix(std::uint64_t number);
 
 /// Returns the community's enumerator without k, "AnyWood"; the file of a shipped species.
-/// @param species_mix  No species or spawner of one's own.
+/// @param species_mix  No user-defined species or spawner.
 std::string name_of(SpeciesMix species_mix);
 
 /// Returns all species that may be drawn, sorted.

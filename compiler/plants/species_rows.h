@@ -1,5 +1,5 @@
-// The table of one's own species, species.txt: what files of plants do not say. The format is explained in
-// own_species.md.
+// The table of user-defined species, species.txt: what files of plants do not say. The format is explained in
+// user_species.md.
 #pragma once
 
 #include <optional>

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "compiler/contract/erase_repeated.h"
-#include "compiler/map/plants/own_plants.h"
+#include "compiler/map/plants/user_plants.h"
 
 namespace citykiln::plants {
 namespace {
@@ -18,7 +18,7 @@ std::string_view text_of(std::span<const SpeciesText> texts, std::string_view na
 
 std::vector<SpeciesRow> rows_in(std::span<const SpeciesText> texts) {
   Result<std::vector<SpeciesRow>> rows =
-      read_species_rows(text_of(texts, kOwnSpeciesName), std::string(kOwnSpeciesName));
+      read_species_rows(text_of(texts, kUserSpeciesName), std::string(kUserSpeciesName));
   return rows ? std::move(*rows) : std::vector<SpeciesRow>{};
 }
 
@@ -69,7 +69,7 @@ SpeciesTable::SpeciesTable(std::span<const SpeciesRow> rows, std::string_view sp
     const SpeciesValues values = values_in(row, like_of(row));
     if (const SpeciesValues* shipped = shipped_named(row.name))
       made->shipped[static_cast<std::size_t>(shipped - kSpecies)] = values;
-    else if (made->own.size() < kMostOwnSpecies)
+    else if (made->own.size() < kMostUserSpecies)
       made->own.push_back(values);
   }
   rows_ = made;
@@ -86,15 +86,15 @@ SpeciesTable::SpeciesTable(std::span<const SpeciesRow> rows, std::string_view sp
 const SpeciesValues& SpeciesTable::operator[](Species species) const {
   const auto number = static_cast<std::size_t>(species);
   if (number < kShipped) return rows_->shipped[number];
-  const std::size_t own = number - kFirstOwnSpecies;
-  if (number >= kFirstOwnSpecies && own < rows_->own.size()) return rows_->own[own];
+  const std::size_t own = number - kFirstUserSpecies;
+  if (number >= kFirstUserSpecies && own < rows_->own.size()) return rows_->own[own];
   return rows_->shipped[static_cast<std::size_t>(Species::kBush)];
 }
 
 std::vector<Species> SpeciesTable::all() const {
   std::vector<Species> all;
   for (std::size_t s = 0; s < kShipped; ++s) all.push_back(static_cast<Species>(s));
-  for (std::size_t s = 0; s < rows_->own.size(); ++s) all.push_back(static_cast<Species>(kFirstOwnSpecies + s));
+  for (std::size_t s = 0; s < rows_->own.size(); ++s) all.push_back(static_cast<Species>(kFirstUserSpecies + s));
   return all;
 }
 

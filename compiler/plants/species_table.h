@@ -1,4 +1,4 @@
-// All species of a scene: the shipped ones, those of one's own, and the spawners, which draw from them.
+// All species of a scene: the shipped ones, the user-defined ones, and the spawners, which draw from them.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ struct SpawnerShare {
   double share = 1;
 };
 
-/// A row of spawners.txt (map/plants/own_plants.h), with species by number.
+/// A row of spawners.txt (map/plants/user_plants.h), with species by number.
 struct Spawner {
   std::vector<SpawnerShare> species{};  ///< Not empty.
   double grid_m = 1, probability = 1, jitter = 0, from_scale = 1, to_scale = 1;
@@ -31,11 +31,11 @@ class SpeciesTable {
  public:
   /// The shipped species alone.
   SpeciesTable();
-  /// The shipped species, those of kOwnSpeciesName and the rows of kSpawnersName, if the texts have these. A table with
-  /// an error counts as empty.
+  /// The shipped species, those of kUserSpeciesName and the rows of kSpawnersName, if the texts have these. A table
+  /// with an error counts as empty.
   explicit SpeciesTable(std::span<const SpeciesText> texts);
   /// The shipped species, and rows: those with the name of a shipped species replace it, the others have numbers from
-  /// kFirstOwnSpecies on, in their order; at most kMostOwnSpecies are used.
+  /// kFirstUserSpecies on, in their order; at most kMostUserSpecies are used.
   SpeciesTable(std::span<const SpeciesRow> rows, std::string_view spawners_text);
 
   /// Returns the values of a species; those of kBush for a number without a species.

@@ -6,7 +6,7 @@
 
 namespace citykiln::plants {
 
-/// The file of a species. Manifests with plants of one's own also have the texts kOwnSpeciesName and kSpawnersName.
+/// The file of a species. Manifests with user-defined plants also have the texts kUserSpeciesName and kSpawnersName.
 struct SpeciesText {
   /// SpeciesValues::file, the name of a file in our notation without ".lsys"; other files with their extension.
   std::string name;
@@ -15,7 +15,7 @@ struct SpeciesText {
 };
 
 /// The names of the tables of species and of spawners.
-inline constexpr std::string_view kOwnSpeciesName = "species.txt", kSpawnersName = "spawners.txt";
+inline constexpr std::string_view kUserSpeciesName = "species.txt", kSpawnersName = "spawners.txt";
 
 /// Returns the name of the species: the text's name without extension.
 inline std::string_view species_of(const SpeciesText& text) {

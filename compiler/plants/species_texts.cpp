@@ -31,7 +31,7 @@ std::set<Species> drawn_species(const Plants& plants, bool has_hedges, const Spe
   return drawn;
 }
 
-bool is_table(const SpeciesText& text) { return text.name == kOwnSpeciesName || text.name == kSpawnersName; }
+bool is_table(const SpeciesText& text) { return text.name == kUserSpeciesName || text.name == kSpawnersName; }
 
 }  // namespace
 

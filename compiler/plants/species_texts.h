@@ -14,7 +14,7 @@ std::span<const SpeciesText> shipped_species();
 
 /// Returns the files of all species that a scene may draw, sorted by name.
 /// @param has_hedges  The scene has hedges, which are plants of Species::kHedge.
-/// @param own    Files of one's own, which replace shipped ones of the same species, and their tables
+/// @param own    User-defined files, which replace shipped ones of the same species, and their tables
 ///               (species_folder.h), which are returned too.
 /// @param table  The species of `own` and the shipped ones.
 std::vector<SpeciesText> species_texts_for(const Plants& plants, bool has_hedges, std::span<const SpeciesText> own = {},

@@ -97,7 +97,7 @@ bool is_shown(const Form& form, const map::ThingRow& row, double tolerance_m) {
 
 namespace {
 
-// The faults of rules: of those of one's own in all their detail, which a level may omit.
+// Returns the faults of rules; those of user-defined rules at full detail, which a level may omit.
 std::vector<grammars::RuleFault> faults_of(const Form& form, const Kind& kind, std::uint64_t seed,
                                            const grammars::Derivation& derivation) {
   if (kind.rules.is_shipped) return grammars::rule_faults(kind.rules, derivation);

@@ -216,7 +216,7 @@ void add_run(const EdgePlanner& planner, std::span<const EdgePlace> run, ObjectI
   end();
 }
 
-// Adds the runs of drops of a ring. A ring begins anywhere, so runs begin after a place that is none.
+// Adds the runs of drops of a ring. A ring begins anywhere, so runs begin after a place that is not a drop.
 void add_ring(const EdgePlanner& planner, std::vector<EdgePlace> places, ObjectId id,
               std::vector<props::Barrier>& railings) {
   const auto is_no_drop = [](const EdgePlace& place) { return place.state != EdgeState::kDrop; };

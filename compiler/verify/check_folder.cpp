@@ -8,9 +8,9 @@
 
 #include "compiler/contract/texts/parse.h"
 #include "exporters/file_list.h"
+#include "exporters/finish_commit.h"
 #include "exporters/page/page_files.h"
 #include "exporters/run_files.h"
-#include "exporters/settle_folder.h"
 
 namespace citykiln::verify {
 

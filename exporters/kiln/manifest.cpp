@@ -162,7 +162,7 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
       static_cast<std::int32_t>(h.extent.max.x), static_cast<std::int32_t>(h.extent.max.y)};
   const auto sky = sky_of(builder, h.sky);
   const auto index = index_of(builder, scene, frames);
-  // NaN: there is none
+  // NaN stands for no value
   const double snow_line_m = h.snow_line_m.value_or(std::numeric_limits<double>::quiet_NaN());
   const auto rules = rules_of(builder, h.rules), species = rules_of(builder, h.species),
              things = rules_of(builder, h.things);

@@ -187,7 +187,7 @@ void read_left_side(Reader& reader, Rule& rule, bool contexts_allowed) {
   rule.right = appended(reader.system.contexts, read_pattern(reader));
 }
 
-// Reads : condition; * is none.
+// Reads ": condition"; "*" stands for no condition.
 void read_condition(Reader& reader, Rule& rule) {
   if (reader.failed || !reader.accept(":") || reader.accept("*")) return;
   rule.condition = read_value(reader);

@@ -51,7 +51,7 @@ struct Instance {
   std::int32_t order = 0;
 };
 
-/// The most segments and leaves of a tree by Weber and Penn, and of a plant of one's own.
+/// The most segments and leaves of a tree by Weber and Penn, and of a user-defined plant.
 inline constexpr std::size_t kMostPlantParts = 400'000;
 
 /// A skeleton, in the file's units or scaled to its `height`. The plant stands at the origin, z up. Parents precede

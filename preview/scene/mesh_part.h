@@ -39,8 +39,8 @@ struct RayFootprint {
   bool is_scattered = false;  ///< True after diffuse scattering: images are read coarsely, without normal maps.
 };
 
-/// Returns the part of a primitive, with its positions plus `offset`, rounded once to single precision, as corners. Of
-/// the images it keeps the one that Primitive::colour_source names, if the primitive has the texture coordinates for
+/// Returns the part of a primitive, with its positions plus `offset`, rounded once to single precision, as corners. It
+/// keeps the image that Primitive::colour_source names, if the primitive has the texture coordinates for
 /// it. MeshPart::features and emitters are left empty. O(vertices).
 /// @param primitive  With one normal per position.
 /// @param offset     The origin of the primitive's positions, in the frame of the world, metres.

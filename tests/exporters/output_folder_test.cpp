@@ -9,8 +9,8 @@
 #include <functional>
 #include <iterator>
 
+#include "exporters/finish_commit.h"
 #include "exporters/run_files.h"
-#include "exporters/settle_folder.h"
 #include "tests/scratch_folder.h"
 
 namespace citykiln::exporters {
@@ -205,7 +205,7 @@ bool ends_in_child(const std::function<void()>& work) {
   return WIFEXITED(status);
 }
 
-// The state after each prefix of the renames and removals of a commit: settle() makes it the whole new run.
+// The state after each prefix of the renames and removals of a commit: finish_commit() makes it the whole new run.
 TEST_F(OutputFolderOfARun, IsFinishedAfterAnInterruptionOfItsCommit) {
   run(kOld);
   put("out/notes.txt", "mine"), put("out/scene.kiln", "in the way");
@@ -232,7 +232,7 @@ TEST_F(OutputFolderOfARun, IsFinishedAfterAnInterruptionOfItsCommit) {
     fs::remove_all(at("out"));
     fs::copy(whole, at("out"), fs::copy_options::recursive);
     for (std::size_t i = 0; i < done; ++i) steps[i]();
-    ASSERT_TRUE(settle(at("out")));
+    ASSERT_TRUE(finish_commit(at("out")));
     EXPECT_EQ(products(), expected) << done;
     EXPECT_FALSE(fs::exists(at("out/.new"))) << done;
   }

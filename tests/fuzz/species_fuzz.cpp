@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "compiler/map/plants/own_plants.h"
+#include "compiler/map/plants/user_plants.h"
 #include "compiler/plants/species_table.h"
 #include "lsystems/weber_penn.h"
 #include "tests/fuzz/sound_skeleton.h"

@@ -12,7 +12,7 @@ SPECIFIERS = ("def", "over", "class")
 
 
 class UsdError(Exception):
-    """A layer that is none, or that refers to what is not there."""
+    """A file that is not a layer, or a reference to what is not there."""
 
 
 class Spec:

@@ -43,7 +43,7 @@ double block_source_tolerance_m(double tolerance_m);
 ///
 /// Method: if the bound of a block exceeds tolerance_m - e, each of its buildings becomes a block of its own. If the
 /// bound of a block of one building exceeds tolerance_m - e, that building is kept. A building changes at most twice,
-/// so the loop ends.
+/// so the loop terminates.
 ///
 /// Cost: merging and measuring, in a few rounds; 20 µs per triangle of a shape.
 CertifiedBlocks certified_blocks(const BlockSources& sources, double tolerance_m);

@@ -14,8 +14,8 @@
 #include "exporters/content_hash.h"
 #include "exporters/file.h"
 #include "exporters/file_list.h"
+#include "exporters/finish_commit.h"
 #include "exporters/run_files.h"
-#include "exporters/settle_folder.h"
 
 namespace citykiln::commands {
 namespace {
@@ -59,7 +59,7 @@ Result<std::string> region_key(const Plan& plan, const PlannedRegion& region, co
 
 /// True if the files of a finished run exist, with their sizes.
 bool has_outputs(const std::string& folder) {
-  if (const Result<Done> settled = exporters::settle(folder); !settled) return false;
+  if (const Result<Done> done = exporters::finish_commit(folder); !done) return false;
   const auto list = exporters::read_file_list(folder + "/" + exporters::kFileListName);
   if (!list || !*list) return false;
   return std::ranges::all_of(**list, [&](const exporters::ListedFile& file) {

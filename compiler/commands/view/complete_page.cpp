@@ -14,10 +14,10 @@
 #include "compiler/outputs/write_page.h"
 #include "compiler/outputs/write_tiles3d.h"
 #include "exporters/file.h"
+#include "exporters/finish_commit.h"
 #include "exporters/kiln/manifest.h"
 #include "exporters/output_folder.h"
 #include "exporters/run_files.h"
-#include "exporters/settle_folder.h"
 
 namespace citykiln::commands {
 namespace {
@@ -109,7 +109,7 @@ Result<Done> add_to_run(const PageRequest& request, const exporters::FileList& l
 }  // namespace
 
 Result<Done> complete_page(const PageRequest& request, const Console& console) {
-  if (const Result<Done> done = exporters::settle(request.folder); !done) return done;
+  if (const Result<Done> done = exporters::finish_commit(request.folder); !done) return done;
   const auto list = exporters::read_file_list(request.folder + "/" + exporters::kFileListName);
   if (!list) return list.error();
   if (!*list) return Error{request.folder, "holds no finished run; expected the folder that compile wrote"};

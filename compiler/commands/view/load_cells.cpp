@@ -61,7 +61,7 @@ bool asks_for_cells(const LoadRequest& request) {
 }
 
 Result<scene::Scene> read_scene(const LoadRequest& request) {
-  const Result<std::string> path = settle_and_find_manifest(request.paths.front());
+  const Result<std::string> path = find_committed_manifest(request.paths.front());
   if (!path) return path.error();
   Result<scene::Scene> scene = exporters::read_manifest(*path, request.only);
   if (!scene) return scene.error();

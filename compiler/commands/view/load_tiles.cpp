@@ -36,7 +36,7 @@ void flatten(bake::BakedTile& tile, std::optional<map::Cylinder>& cylinder) {
 }
 
 Result<Loaded> bake_manifest(const LoadRequest& request, const OnProgress& on_progress) {
-  const Result<std::string> path = settle_and_find_manifest(request.paths.front());
+  const Result<std::string> path = find_committed_manifest(request.paths.front());
   if (!path) return path.error();
   Result<scene::Scene> scene = exporters::read_manifest(*path, request.only);
   if (!scene) return scene.error();

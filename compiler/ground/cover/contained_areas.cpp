@@ -66,7 +66,7 @@ Containers containers_of(const std::vector<LandCoverPolygon>& areas) {
   return containers;
 }
 
-// The highest priority above `own` of the areas in which area i lies; else 0. Those of larger areas are final.
+// The highest priority above `own` of the areas in which area i lies; else 0. Larger areas have theirs already.
 std::uint8_t raised_priority(const std::vector<LandCoverPolygon>& areas, std::uint32_t i, Containers& containers) {
   const std::vector<OutlineSample> samples = outline_samples(areas[i].rings.front());
   if (samples.empty()) return 0;

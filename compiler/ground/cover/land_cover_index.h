@@ -42,7 +42,7 @@ struct LandCoverIndex : BucketGrid {
 inline constexpr double kIndexBucket_m = 32;
 
 /// Buckets that are farther than this from all polygons are marked (LandCoverIndex::is_far). In them, clearance_m()
-/// takes O(1) for search radii up to this distance. Of an index that holds only water, most buckets are so.
+/// takes O(1) for search radii up to this distance. Most buckets of an index of water alone are so.
 inline constexpr double kIndexNear_m = 16;
 
 /// Builds the index.

@@ -30,8 +30,8 @@ double slope_at(const Terrain& terrain, Vec2 p) {
   return std::sqrt(east * east + north * north);
 }
 
-// The value that a share of the others exceeds.
-double exceeded_by(double share, std::vector<double> values) {
+// Returns the value that a share of all values exceeds: their (1 - share) quantile; 0 without values.
+double upper_quantile(double share, std::vector<double> values) {
   if (values.empty()) return 0;
   const auto rank = static_cast<std::size_t>((1 - share) * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
@@ -99,7 +99,7 @@ class WildCover {
 
   /// Gentle land has the share of wood that is asked for; steep land has more, as it is worth less.
   void make_wood() {
-    const double least = exceeded_by(settings_.wood_share, noise_.values);
+    const double least = upper_quantile(settings_.wood_share, noise_.values);
     wood_ = combined([&](std::size_t i) {
       const double steep = std::clamp((slope_.values[i] - settings_.field_slope) * 1.2, 0.0, 0.5);
       const double cold = std::max(0.0, (height_m(i) - kTreeLine_m) / kTreeLineSoftness_m);
@@ -109,7 +109,7 @@ class WildCover {
   }
 
   void make_heath() {
-    const double least = exceeded_by(settings_.heath_share, second_noise_.values);
+    const double least = upper_quantile(settings_.heath_share, second_noise_.values);
     heath_ = combined([&](std::size_t i) {
       return std::min({second_noise_.values[i] - least, -wood_.values[i], -rock_.values[i], free_.values[i]});
     });

@@ -76,7 +76,7 @@ std::string lower_words(std::string_view text) {
   return words;
 }
 
-PlantKind own_kind_named(std::string_view text, std::span<const PlantWords> own) {
+PlantKind user_kind_named(std::string_view text, std::span<const PlantWords> own) {
   const std::string words = " " + lower_words(text) + " ";
   PlantKind kind = PlantKind::kUnknown;
   std::size_t longest = 0;

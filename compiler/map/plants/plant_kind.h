@@ -19,25 +19,25 @@ enum class PlantKind : std::uint8_t {
 
 /// The PlantKind of the first user-defined species (plants/species_folder.h). Every kind is 1 plus the number of its
 /// species (plants/species.h). User-defined species have the numbers from 64 on, and no enumerators.
-inline constexpr std::uint8_t kFirstOwnKind = 65;
+inline constexpr std::uint8_t kFirstUserKind = 65;
 
 /// The names by which tags mean a user-defined species.
 struct PlantWords {
-  PlantKind kind{};                  ///< From kFirstOwnKind on.
-  std::vector<std::string> names{};  ///< As lower_words() returns them: "populus tremula".
+  PlantKind kind{};                  ///< From kFirstUserKind on.
+  std::vector<std::string> names{};  ///< In the form of lower_words(): "populus tremula".
 };
 
 /// The type of leaves.
 enum class LeafType : std::uint8_t { kUnknown, kBroad, kNeedle, kMixed, kPalm };
 
-/// What the tags of one plant or wood say of its species and size.
+/// The species and the size of one plant or wood by its tags.
 struct PlantTags {
   PlantKind kind{};
   LeafType leaves{};
   double crown_m = 0;        ///< Crown diameter; 0: unknown.
   double girth_m = 0;        ///< Trunk circumference at breast height; 0: unknown.
   std::uint16_t year = 0;    ///< Year of planting; 0: unknown.
-  std::uint8_t spawner = 0;  ///< 1 plus the index of the first row of OwnPlants::spawners whose tags fit; 0: none.
+  std::uint8_t spawner = 0;  ///< 1 plus the index of the first row of UserPlants::spawners whose tags fit; 0: none.
   bool operator==(const PlantTags&) const = default;
 };
 
@@ -56,6 +56,6 @@ std::string lower_words(std::string_view text);
 
 /// Returns the user-defined species with the longest name that occurs in a text as whole words; the first of equally
 /// long ones; kUnknown if none does. O(length of the text · names).
-PlantKind own_kind_named(std::string_view text, std::span<const PlantWords> own);
+PlantKind user_kind_named(std::string_view text, std::span<const PlantWords> own);
 
 }  // namespace citykiln::map

@@ -84,7 +84,7 @@ constexpr double kTallestPoint_m = 400;
 // The plant tags of a tree or shrub; natural=shrub wins over names of shipped trees.
 PlantTags growth_of(const ReadContext& context, OsmId id, source::Range tags) {
   PlantTags plant_tags = read_plant_tags(context, id, tags);
-  const bool is_own = static_cast<std::uint8_t>(plant_tags.kind) >= kFirstOwnKind;
+  const bool is_own = static_cast<std::uint8_t>(plant_tags.kind) >= kFirstUserKind;
   if (context.tag(tags, "natural") == "shrub" && !is_own) plant_tags.kind = PlantKind::kBush;
   return plant_tags;
 }

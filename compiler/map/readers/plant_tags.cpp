@@ -16,10 +16,10 @@ constexpr std::string_view kTaxonKeys[] = {"genus",      "species",  "taxon",   
 constexpr double kTallestPlant_m = 130, kWidest_m = 60, kThickest_m = 40;
 
 PlantKind tagged_kind(const ReadContext& context, source::Range tags) {
-  if (context.own_plants != nullptr)
+  if (context.user_plants != nullptr)
     for (const std::string_view key : kTaxonKeys)
       if (const std::string_view text = context.tag(tags, key); !text.empty())
-        if (const PlantKind kind = own_kind_named(text, context.own_plants->words); kind != PlantKind::kUnknown)
+        if (const PlantKind kind = user_kind_named(text, context.user_plants->words); kind != PlantKind::kUnknown)
           return kind;
   for (const std::string_view key : kTaxonKeys)
     if (const std::string_view text = context.tag(tags, key); !text.empty())
@@ -59,8 +59,8 @@ PlantTags read_plant_tags(const ReadContext& context, OsmId id, source::Range ta
 }
 
 std::uint8_t tagged_spawner(const ReadContext& context, source::Range tags) {
-  if (context.own_plants == nullptr) return 0;
-  const std::vector<SpawnerRow>& rows = context.own_plants->spawners;
+  if (context.user_plants == nullptr) return 0;
+  const std::vector<SpawnerRow>& rows = context.user_plants->spawners;
   const auto value_of = [&](std::string_view key) { return context.tag(tags, key); };
   const auto found =
       std::ranges::find_if(rows, [&](const SpawnerRow& row) { return fitting_value(row.tags, value_of).has_value(); });

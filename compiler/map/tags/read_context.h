@@ -8,7 +8,7 @@
 #include "compiler/contract/findings/report.h"
 #include "compiler/map/features.h"
 #include "compiler/map/plane/plane.h"
-#include "compiler/map/plants/own_plants.h"
+#include "compiler/map/plants/user_plants.h"
 #include "compiler/source/osm_data.h"
 
 namespace citykiln::map {
@@ -19,7 +19,7 @@ struct ReadContext {
   const Plane& plane;
   Box2 extent;
   Report& report;
-  const OwnPlants* own_plants = nullptr;  ///< Null: none.
+  const UserPlants* user_plants = nullptr;  ///< Null: none.
 
   std::string_view tag(source::Range tags, std::string_view key) const { return osm.value_of(tags, key); }
 };

@@ -11,7 +11,7 @@ namespace citykiln::plants {
 namespace {
 
 // Species have numbers below this one.
-constexpr std::size_t kSpeciesNumbers = kFirstOwnSpecies + kMostOwnSpecies;
+constexpr std::size_t kSpeciesNumbers = kFirstUserSpecies + kMostUserSpecies;
 
 double height_of(const GrownPlant& grown) {
   double highest_m = 0;

@@ -46,7 +46,7 @@ std::string file_of(const SpeciesText& text);
 /// function of texts, month and prototype.
 class GrownPlantCache {
  public:
-  /// @param texts  Files of species, and tables of one's own (species_table.h). A shipped species that is missing uses
+  /// @param texts  Files of species, and user-defined tables (species_table.h). A shipped species that is missing uses
   ///               the file that is compiled into the program.
   explicit GrownPlantCache(std::span<const SpeciesText> texts, Month month = kMidsummer);
   ~GrownPlantCache();

@@ -313,8 +313,8 @@ double share_of_members(const Candidate& candidate, const Elements& elements) {
   return all > 0 ? there / all : 1;
 }
 
-// The tag that says that the candidate is a thing with a body, such as "natural=water"; else "". A boundary is none,
-// whatever else it says.
+// The tag that says that the candidate is a thing with a body, such as "natural=water"; else "". A boundary has no
+// body, whatever else it says.
 std::string body_tag_of(const Candidate& candidate) {
   const osmium::TagList& tags = candidate.way ? candidate.way->tags() : candidate.relation->tags();
   if (tags.has_tag("type", "boundary")) return "";

@@ -10,7 +10,7 @@
 namespace citykiln::source {
 
 /// Returns a PBF file with the same content that libosmium reads, as bytes in memory with all blobs unpacked. Returns
-/// nothing if libosmium reads the file as it is, or if the file is no PBF: libosmium reports what is wrong with it.
+/// nothing if libosmium reads the file as it is, or if the file is not a PBF: libosmium reports what is wrong with it.
 ///
 /// Errors, only for files with a blob that libosmium does not read: data that cannot be unpacked; a packed blob whose
 /// content is larger than 32 MiB, the format's limit; another way of packing. They state the path and the byte of the

@@ -10,18 +10,18 @@ namespace {
 constexpr const char* kTree =
     "Shape = 1\nScale = 9\nLevels = 2\n1Branches = 20\n1Length = 0.4\n1DownAngle = 60\nLeaves = 30\n";
 
-OwnSpecies species_of_folder(const std::vector<SpeciesText>& files) {
-  Result<OwnSpecies> own = read_species_folder(files, "mine");
+UserSpecies species_of_folder(const std::vector<SpeciesText>& files) {
+  Result<UserSpecies> own = read_species_folder(files, "mine");
   EXPECT_TRUE(own) << to_string(own.error());
-  return own ? std::move(*own) : OwnSpecies{};
+  return own ? std::move(*own) : UserSpecies{};
 }
 
 map::PlantKind kind_of(Species species) { return static_cast<map::PlantKind>(static_cast<std::uint8_t>(species) + 1); }
 
 TEST(SpeciesFolder, AFileAddsASpeciesWithThePlantsSize) {
-  const OwnSpecies own = species_of_folder({{"elder.tree", kTree}});
+  const UserSpecies own = species_of_folder({{"elder.tree", kTree}});
   const std::optional<Species> elder = own.table.named("elder");
-  ASSERT_EQ(elder, static_cast<Species>(kFirstOwnSpecies));
+  ASSERT_EQ(elder, static_cast<Species>(kFirstUserSpecies));
   // a trunk of 9 m; branches of at most 0.4 · 9 m to either side
   EXPECT_NEAR(own.table[*elder].height_m, 9, 0.6);
   EXPECT_GT(own.table[*elder].crown_share, 0.5);
@@ -31,7 +31,7 @@ TEST(SpeciesFolder, AFileAddsASpeciesWithThePlantsSize) {
 }
 
 TEST(SpeciesFolder, RowsSayTheRest) {
-  const OwnSpecies own = species_of_folder(
+  const UserSpecies own = species_of_folder(
       {{"elder.tree", kTree},
        {"species.txt",
         "elder like=birch height=5 tallest=7 crown=0.75 leaf=#ffffff bark=1,2,3 leaves=needle\noak leaf=9,8,7\n"}});
@@ -49,10 +49,10 @@ TEST(SpeciesFolder, RowsSayTheRest) {
 }
 
 TEST(SpeciesFolder, TheManifestsTextsGiveTheSameTable) {
-  const OwnSpecies own = species_of_folder({{"elder.tree", kTree},
-                                            {"oak.tree", kTree},
-                                            {"species.txt", "elder names=sambucus like=birch\n"},
-                                            {"spawners.txt", "natural=wood elder*2,oak 5 0.5 0.25 0.5..1\n"}});
+  const UserSpecies own = species_of_folder({{"elder.tree", kTree},
+                                             {"oak.tree", kTree},
+                                             {"species.txt", "elder names=sambucus like=birch\n"},
+                                             {"spawners.txt", "natural=wood elder*2,oak 5 0.5 0.25 0.5..1\n"}});
   const SpeciesTable again(own.texts);
   for (const Species species : own.table.all()) {
     EXPECT_EQ(again[species].file, own.table[species].file);
@@ -69,7 +69,7 @@ TEST(SpeciesFolder, TheManifestsTextsGiveTheSameTable) {
 }
 
 TEST(SpeciesFolder, AManifestHasTheFilesThatItsPlantsUse) {
-  const OwnSpecies own = species_of_folder({{"elder.tree", kTree}, {"oak.tree", kTree}, {"yew.tree", kTree}});
+  const UserSpecies own = species_of_folder({{"elder.tree", kTree}, {"oak.tree", kTree}, {"yew.tree", kTree}});
   Plants plants;
   for (const Species species : {*own.table.named("elder"), Species::kOak, Species::kBirch})
     plants.trees.push_back({.species_mix = species_mix_of(species)});
@@ -79,9 +79,9 @@ TEST(SpeciesFolder, AManifestHasTheFilesThatItsPlantsUse) {
 }
 
 TEST(SpeciesFolder, NamesOfTagsChooseTheLongest) {
-  const OwnSpecies own = species_of_folder(
+  const UserSpecies own = species_of_folder(
       {{"aspen.tree", kTree}, {"elder.tree", kTree}, {"species.txt", "aspen names=populus_tremula,Espe\n"}});
-  const auto kind = [&](const char* text) { return map::own_kind_named(text, own.for_map.words); };
+  const auto kind = [&](const char* text) { return map::user_kind_named(text, own.for_map.words); };
   EXPECT_EQ(kind("Populus tremula 'Erecta'"), kind_of(*own.table.named("aspen")));
   EXPECT_EQ(kind("espe"), kind_of(*own.table.named("aspen")));
   EXPECT_EQ(kind("Elder"), kind_of(*own.table.named("elder")));
@@ -96,7 +96,7 @@ TEST(SpeciesTable, NumbersWithoutASpeciesAreBushes) {
 }
 
 TEST(SpeciesTable, SpawnersDrawByShares) {
-  const OwnSpecies own =
+  const UserSpecies own =
       species_of_folder({{"elder.tree", kTree}, {"spawners.txt", "landuse=forest elder*3,oak 5 1 0 1\n"}});
   int elders = 0;
   for (int i = 0; i < 100; ++i)
@@ -109,7 +109,7 @@ TEST(SpeciesFolder, AtMost64SpeciesAreAdded) {
   std::vector<SpeciesText> files;
   for (char a = 'a'; a < 'f'; ++a)
     for (char b = 'a'; b < 'n'; ++b) files.push_back({std::string{a, b} + ".tree", "Levels = 1\nScale = 5\n"});
-  const Result<OwnSpecies> own = read_species_folder(files, "mine");
+  const Result<UserSpecies> own = read_species_folder(files, "mine");
   ASSERT_FALSE(own);
   EXPECT_EQ(to_string(own.error()), "mine: expected at most 64 species, found 65");
 }

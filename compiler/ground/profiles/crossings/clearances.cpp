@@ -122,7 +122,7 @@ void Clearer::sink(std::span<const double> floor_m, std::span<const double> cove
 }
 
 // Raises everything connected to the places by ramps, for a path nothing but paths. On a slope a ramp is as steep as
-// allowed, or, where it has risen less than the slope, falls towards it at half its grade, so that it ends.
+// allowed, or, where it has risen less than the slope, falls towards it at half its grade, so that it terminates.
 void Clearer::push_up(std::span<const RampPush> pushes, std::span<const double> cap_m) {
   std::vector<double> up_m(z_m.size(), -kFar_m);
   for (const RampPush& push : pushes) {

@@ -17,7 +17,7 @@ namespace citykiln::ground {
 
 /// Rounds in each direction. A line that rises below a bridge pushes the bridge up in the next round.
 inline constexpr int kEnforceRounds = 6;
-/// A ramp falls towards the given heights by at least this share of its limit, so that it ends on every slope.
+/// A ramp falls towards the given heights by at least this share of its limit, so that it terminates on every slope.
 inline constexpr double kRampFade = 0.375;
 /// The largest change of a node's height.
 inline constexpr double kMaxEnforced_m = 24;

@@ -1,4 +1,4 @@
-#include "exporters/settle_folder.h"
+#include "exporters/finish_commit.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -111,7 +111,7 @@ bool is_decided(const fs::path& folder) {
 
 }  // namespace
 
-Result<Done> settle_locked(const std::string& folder) {
+Result<Done> finish_commit_locked(const std::string& folder) {
   if (!is_decided(folder)) return Done{};
   const auto list = read_file_list((fs::path(folder) / kStagingName / kFileListName).string());
   if (!list) return list.error();
@@ -126,11 +126,11 @@ Result<Done> settle_locked(const std::string& folder) {
   return replace_list(folder);
 }
 
-Result<Done> settle(const std::string& folder) {
+Result<Done> finish_commit(const std::string& folder) {
   if (!is_decided(folder)) return Done{};
   const Result<int> lock = lock_folder(folder, true);
   if (!lock) return lock.error();
-  Result<Done> done = settle_locked(folder);
+  Result<Done> done = finish_commit_locked(folder);
   ::close(*lock);
   return done;
 }

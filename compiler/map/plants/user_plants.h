@@ -1,5 +1,5 @@
-// Plants of one's own, as the map reads them: the words of tags that name species, and spawners, which say which
-// species grow on areas, and how. The format is explained in compiler/plants/own_species.md.
+// User-defined plants, as the map reads them: the words of tags that name species, and spawners, which say which
+// species grow on areas, and how. The format is explained in compiler/plants/user_species.md.
 #pragma once
 
 #include <string>
@@ -33,8 +33,8 @@ struct SpawnerRow {
 /// The most rows of spawners.txt.
 inline constexpr std::size_t kMostSpawners = 64;
 
-/// Plants of one's own.
-struct OwnPlants {
+/// User-defined plants.
+struct UserPlants {
   std::vector<PlantWords> words{};
   std::vector<SpawnerRow> spawners{};
 };

@@ -1,5 +1,5 @@
-// Finishes a run whose files are all complete: moves them into the output folder by renames (output_folder.h, steps 3
-// to 5).
+// Finishes the commit of a run whose files are all complete: moves them into the output folder by renames
+// (output_folder.h, steps 3 to 5).
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@ namespace citykiln::exporters {
 /// Moves the files of a finished run from .new into the folder, if there is such a run. Waits for another process that
 /// does so. After an interruption at any moment, the function can be called again. It must be called before a run's
 /// folder is read. Errors: files that cannot be renamed or removed.
-Result<Done> settle(const std::string& folder);
+Result<Done> finish_commit(const std::string& folder);
 
-/// Does the work of settle() for a caller that holds the lock of the folder.
-Result<Done> settle_locked(const std::string& folder);
+/// Does the work of finish_commit() for a caller that holds the lock of the folder.
+Result<Done> finish_commit_locked(const std::string& folder);
 
 /// True if the folder holds files of a run that was interrupted before all were complete.
 bool has_unfinished_run(const std::string& folder);

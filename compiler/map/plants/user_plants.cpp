@@ -1,4 +1,4 @@
-#include "compiler/map/plants/own_plants.h"
+#include "compiler/map/plants/user_plants.h"
 
 #include <fmt/format.h>
 
