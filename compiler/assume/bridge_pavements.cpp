@@ -71,7 +71,7 @@ std::vector<Track> assume_bridge_pavements(std::span<const Track> without, Repor
       const double width_m = widths_m[side == map::kRightSide];
       if (width_m <= 0 || (bridge.tagged_pavements & side) != 0) continue;
       bridge.section = with_pavement(std::move(bridge.section), side, width_m);
-      bridge.assumed_strips |= side;
+      bridge.assumed_sides |= side;
       is_any = true;
     }
     if (!is_any) continue;

@@ -138,7 +138,7 @@ bool add_pavement(Track& stretch, std::uint8_t side, const SideFacts& facts) {
   const double width_m = assumed_pavement_m(stretch, facts, inner_side(stretch) == side);
   if (width_m <= 0) return false;
   stretch.section = with_pavement(std::move(stretch.section), side, width_m);
-  stretch.assumed |= bit_of(Assumption::kPavements), stretch.assumed_strips |= side;
+  stretch.assumed |= bit_of(Assumption::kPavements), stretch.assumed_sides |= side;
   return true;
 }
 

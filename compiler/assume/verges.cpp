@@ -64,7 +64,7 @@ bool add_verges(const Surroundings& surroundings, map::Track& stretch) {
     const double width_m = assumed_verge_m(stretch, is_left ? facts.left : facts.right, pavement_m);
     if (width_m <= 0) continue;
     stretch.section = with_verge(std::move(stretch.section), side, width_m);
-    stretch.assumed_strips |= side;
+    stretch.assumed_sides |= side;
     is_any = true;
   }
   return is_any;

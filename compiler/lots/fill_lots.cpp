@@ -156,7 +156,7 @@ struct LotFiller {
     return bodies;
   }
 
-  const roads::Road& road_of(const parcels::Lot& lot) const { return inputs.roads[land.roads[lot.front.line]]; }
+  const roads::Road& road_of(const parcels::Lot& lot) const { return inputs.roads[land.roads[lot.frontage.line]]; }
 
   // By the land use, or by the street where none is mapped.
   bool is_residential(const parcels::Lot& lot, Vec2 middle) const {
@@ -168,12 +168,12 @@ struct LotFiller {
   std::vector<map::Footprint> houses_on(const parcels::Lot& lot) const {
     const Vec2 middle = centroid(lot.polygon);
     if (!lot.footprints.empty() || !is_residential(lot, middle)) return {};
-    const parcels::Line& line = land.land.lines[lot.front.line];
-    const std::optional<Frame> frame = frame_of(lot.front, line, middle);
+    const parcels::Line& line = land.land.lines[lot.frontage.line];
+    const std::optional<Frame> frame = frame_of(lot.frontage, line, middle);
     if (!frame) return {};
     const CountryGroup country = road_of(lot).country;
     const HouseRow& row =
-        row_for(country, {inputs.seed, line.id, "houses"}, static_cast<std::uint32_t>(lot.front.side));
+        row_for(country, {inputs.seed, line.id, "houses"}, static_cast<std::uint32_t>(lot.frontage.side));
     const std::optional<Box2> room = room_for_house(lot.polygon, *frame, row.room);
     if (!room || !is_free(*frame, *room)) return {};
     return footprints_of(bodies_on(plane_rectangle(*frame, *room), lot, row), lot, country);

@@ -6,7 +6,7 @@
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/map/buildings/building_classes.h"
-#include "compiler/parcels/strips.h"
+#include "compiler/parcels/rights_of_way.h"
 
 namespace citykiln::lots {
 namespace {
@@ -26,11 +26,11 @@ constexpr double kAlongStreet = 0.94;
 
 struct SizeRow {
   map::CountryGroup group;
-  double front_m, depth_m;
+  double frontage_m, depth_m;
 };
 constexpr SizeRow kSizes[] = {
-#define LOT_SIZE(group, front_m, depth_m) {map::CountryGroup::group, front_m, depth_m},
-#define LOT_SIZE_ELSEWHERE(front_m, depth_m) {map::CountryGroup::kCount, front_m, depth_m},
+#define LOT_SIZE(group, frontage_m, depth_m) {map::CountryGroup::group, frontage_m, depth_m},
+#define LOT_SIZE_ELSEWHERE(frontage_m, depth_m) {map::CountryGroup::kCount, frontage_m, depth_m},
 #include "compiler/lots/lot_sizes.inc"
 };
 
@@ -148,7 +148,8 @@ MapLand land_of(const map::FeatureView& features, std::span<const Road> roads, s
   land.extent = features.extent;
   land.sizes.clear();
   for (const SizeRow& row : kSizes)
-    land.sizes.push_back({.area_m2 = row.front_m * row.depth_m, .front_m = row.front_m, .depth_m = row.depth_m});
+    land.sizes.push_back(
+        {.area_m2 = row.frontage_m * row.depth_m, .frontage_m = row.frontage_m, .depth_m = row.depth_m});
   const StreetSegments streets = street_segments(roads);
   for (const Road& road : roads) {
     if (std::ranges::binary_search(private_ways, road.id.osm)) continue;

@@ -213,7 +213,7 @@ struct LotPlanner {
     lot.main = main_of(lot.footprints);
     const map::Footprint& main = features.footprints[lot.main];
     const Vec2 middle = centroid(main.polygon);
-    const std::optional<Frame> frame = frame_of(parcel.front, land.land.lines[parcel.front.line], middle);
+    const std::optional<Frame> frame = frame_of(parcel.frontage, land.land.lines[parcel.frontage.line], middle);
     if (!frame) return std::nullopt;
     const Ring& ring = main.polygon.outer;
     const bool is_attached = shared_length_m(walls, lot.main, ring) >= kLeastShared_m;
@@ -232,13 +232,13 @@ struct LotPlanner {
 
 }  // namespace
 
-std::optional<Frame> frame_of(const parcels::Front& front, const parcels::Line& line, Vec2 to) {
+std::optional<Frame> frame_of(const parcels::Frontage& front, const parcels::Line& line, Vec2 to) {
   const auto [from, end] = std::minmax(front.from, front.to, [](const auto& a, const auto& b) {
     return std::pair(a.segment, a.at_m) < std::pair(b.segment, b.at_m);
   });
   const double sign = front.side == parcels::Side::kLeft ? 1 : -1;
   const double half_m =
-      std::max(parcels::kLeastStrip_m, front.side == parcels::Side::kLeft ? line.left_m : line.right_m);
+      std::max(parcels::kLeastRightOfWay_m, front.side == parcels::Side::kLeft ? line.left_m : line.right_m);
   std::optional<Frame> nearest;
   double least_m = std::numeric_limits<double>::infinity();
   for (std::uint32_t s = from.segment; s <= end.segment && s + 1 < line.axis.size(); ++s) {

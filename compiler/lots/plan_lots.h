@@ -53,7 +53,7 @@ struct Frame {
 /// Returns the frame at the place of a front that is nearest to the point `to`; nothing if no segment of the line has a
 /// length.
 /// @param line  The line that the front lies along.
-std::optional<Frame> frame_of(const parcels::Front& front, const parcels::Line& line, Vec2 to);
+std::optional<Frame> frame_of(const parcels::Frontage& front, const parcels::Line& line, Vec2 to);
 
 /// The door from which the path to the street begins.
 struct Door {

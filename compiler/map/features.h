@@ -93,7 +93,7 @@ struct Track {
   std::uint8_t tagged_pavements = 0;  ///< Sides on which tags say whether there is a pavement: bits of RoadSide.
   std::uint8_t tagged_verges = 0;     ///< Sides on which tags say whether there is a verge.
   std::uint8_t tagged_parking = 0;    ///< Sides on which tags say whether cars park.
-  std::uint8_t assumed_strips = 0;    ///< Sides on which a pavement or verge is assumed.
+  std::uint8_t assumed_sides = 0;    ///< Sides on which a pavement or verge is assumed.
   bool is_piece = false;              ///< True for a part of a way that was cut: for assumptions, or at a street.
   DrivingSide side{};                 ///< The side on which its traffic drives.
   TreeSides trees{};                  ///< Sides with trees; left and right as seen along the axis.

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/parcels/edge_owners.h"
 #include "compiler/parcels/empty_lots.h"
 #include "compiler/parcels/faces.h"
-#include "compiler/parcels/fronts.h"
 #include "compiler/parcels/lot_borders.h"
 #include "compiler/parcels/lots_of_faces.h"
 
@@ -30,20 +30,20 @@ void add_crossings(double a, double b, double length_m, std::vector<double>& pla
     if (at > low) places.push_back(length_m * (at - a) / (b - a));
 }
 
-// Cuts free spans where a frontage leaves a cell, except near a corner or a building's land.
-void cut_spans(const Strips& strips, std::uint32_t f, double front_m, std::vector<Span>& spans) {
-  const Frontage& frontage = strips.frontages[f];
-  const double length = frontage.length_m();
+// Cuts free spans where a street edge leaves a cell, except near a corner or a building's land.
+void cut_spans(const RightsOfWay& ways, std::uint32_t f, double frontage_m, std::vector<Span>& spans) {
+  const StreetEdge& street_edge = ways.street_edges[f];
+  const double length = street_edge.length_m();
   std::vector<double> places;
-  add_crossings(frontage.a.x, frontage.b.x, length, places);
-  add_crossings(frontage.a.y, frontage.b.y, length, places);
+  add_crossings(street_edge.a.x, street_edge.b.x, length, places);
+  add_crossings(street_edge.a.y, street_edge.b.y, length, places);
   std::ranges::sort(places);
-  const bool goes_on = frontage.next != kNoIndex && !frontage.is_corner;
-  const bool comes_from = frontage.previous != kNoIndex && !strips.frontages[frontage.previous].is_corner;
+  const bool goes_on = street_edge.next != kNoIndex && !street_edge.is_corner;
+  const bool comes_from = street_edge.previous != kNoIndex && !ways.street_edges[street_edge.previous].is_corner;
   std::vector<Span> cut;
   for (Span span : spans) {
-    const double first = span.from_m > 0 || !comes_from ? span.from_m + front_m : 0;
-    const double last = span.to_m < length || !goes_on ? span.to_m - front_m : length;
+    const double first = span.from_m > 0 || !comes_from ? span.from_m + frontage_m : 0;
+    const double last = span.to_m < length || !goes_on ? span.to_m - frontage_m : length;
     for (const double at : places) {
       if (span.label != kRest || at <= std::max(first, span.from_m) || at >= last) continue;
       Span part = span;
@@ -57,38 +57,38 @@ void cut_spans(const Strips& strips, std::uint32_t f, double front_m, std::vecto
 
 // Cuts the spans without an owner (kRest) into sections, gives each section a label from first_label on, and returns
 // the usual size of lots of each. Sections end at corners, at buildings' land, and where they leave a cell of
-// kSection_m that begins at whole multiples of it, so that they are local. They do not end within a usual front of a
+// kSection_m that begins at whole multiples of it, so that they are local. They do not end within a usual frontage of a
 // corner or a building's land.
-// @param fronts  The spans, which are cut and labelled.
-std::vector<LotSize> label_sections(const Strips& strips, const std::vector<LotSize>& sizes, std::uint32_t first_label,
-                                    Fronts& fronts) {
+// @param owners  The spans, which are cut and labelled.
+std::vector<LotSize> label_sections(const RightsOfWay& ways, const std::vector<LotSize>& sizes,
+                                    std::uint32_t first_label, EdgeOwners& owners) {
   const auto size_at = [&](std::uint32_t f) {
-    return sizes[std::min<std::size_t>(strips.frontages[f].size, sizes.size() - 1)];
+    return sizes[std::min<std::size_t>(ways.street_edges[f].size, sizes.size() - 1)];
   };
-  for (std::uint32_t f = 0; f < fronts.size(); ++f) cut_spans(strips, f, size_at(f).front_m, fronts[f]);
+  for (std::uint32_t f = 0; f < owners.size(); ++f) cut_spans(ways, f, size_at(f).frontage_m, owners[f]);
   std::vector<LotSize> of_labels;
   const auto may_join = [&](std::uint32_t f, std::uint32_t next) {
-    return next != kNoIndex && !strips.frontages[f].is_corner;
+    return next != kNoIndex && !ways.street_edges[f].is_corner;
   };
   // labels run on along the street: begin where a section begins, then at what is left, which are loops
   for (const bool is_loop : {false, true})
-    for (std::uint32_t f = 0; f < fronts.size(); ++f)
-      for (std::size_t i = 0; i < fronts[f].size(); ++i) {
-        if (fronts[f][i].label != kRest) continue;
-        const std::uint32_t before = strips.frontages[f].previous;
+    for (std::uint32_t f = 0; f < owners.size(); ++f)
+      for (std::size_t i = 0; i < owners[f].size(); ++i) {
+        if (owners[f][i].label != kRest) continue;
+        const std::uint32_t before = ways.street_edges[f].previous;
         if (!is_loop && i == 0 && before != kNoIndex && may_join(before, f) &&
-            (fronts[before].empty() || fronts[before].back().label == kRest))
+            (owners[before].empty() || owners[before].back().label == kRest))
           continue;
         const auto label = static_cast<std::uint32_t>(first_label + of_labels.size());
         of_labels.push_back(size_at(f));
         std::uint32_t at = f;
         for (std::size_t k = i;;) {
-          if (!fronts[at].empty()) {
-            if (fronts[at][k].label != kRest) break;
-            fronts[at][k].label = label;
-            if (k + 1 < fronts[at].size()) break;
+          if (!owners[at].empty()) {
+            if (owners[at][k].label != kRest) break;
+            owners[at][k].label = label;
+            if (k + 1 < owners[at].size()) break;
           }
-          const std::uint32_t next = strips.frontages[at].next;
+          const std::uint32_t next = ways.street_edges[at].next;
           if (!may_join(at, next) || next == f) break;
           at = next, k = 0;
         }
@@ -144,7 +144,7 @@ void renumber(Parcels& parcels, const std::vector<std::uint32_t>& lines, const s
       for (Border& border : ring)
         if (border.kind == BorderKind::kLine) border.line = lines[border.line];
   for (Lot& lot : parcels.lots) {
-    lot.front.line = lines[lot.front.line];
+    lot.frontage.line = lines[lot.frontage.line];
     for (std::uint32_t& f : lot.footprints) f = footprints[f];
     std::ranges::sort(lot.footprints);
   }
@@ -168,7 +168,7 @@ std::vector<LotSize> limited(std::vector<LotSize> sizes) {
   if (sizes.empty()) sizes.emplace_back();
   for (LotSize& size : sizes) {
     size.area_m2 = std::max(size.area_m2, 20.0);
-    size.front_m = std::clamp(size.front_m, 2.0, kDepth_m);
+    size.frontage_m = std::clamp(size.frontage_m, 2.0, kDepth_m);
     size.depth_m = std::clamp(size.depth_m, 5.0, kDepth_m);
   }
   return sizes;
@@ -184,7 +184,7 @@ Splits splits_of(const LabelledParcels& labelled, const std::vector<LotSize>& se
     const Ring& ring = labelled.parcels.lots[i].polygon.outer;
     if (const double area = signed_area_m2(ring); area > largest[section]) {
       largest[section] = area;
-      splits.trees[section] = split(ring, labelled.fronts[i], sections[section]);
+      splits.trees[section] = split(ring, labelled.frontages[i], sections[section]);
     }
   }
   std::uint32_t next = first_label;
@@ -213,16 +213,16 @@ Parcels divide(const Land& land, int threads) {
   for (Footprint& footprint : footprints) footprint.ring = clean_ring(footprint.ring, 1);
   const std::vector<Polygon> taken = clean_polygons(land.taken);
 
-  const Strips strips = strips_of(lines);
+  const RightsOfWay ways = rights_of_way_of(lines);
   const Obstacles obstacles = obstacles_of(lines, taken);
   const std::vector<LotSize> sizes = limited(land.sizes);
-  Fronts fronts = fronts_of(strips, footprints, sizes, obstacles);
+  EdgeOwners owners = edge_owners_of(ways, footprints, sizes, obstacles);
   const std::uint32_t first_section = label_of_building(static_cast<std::uint32_t>(footprints.size()));
   std::vector<LotSize> sections;
-  if (land.split_empty) sections = label_sections(strips, sizes, first_section, fronts);
-  const Field field = field_of(pieces_of(strips, fronts), obstacles);
+  if (land.split_empty) sections = label_sections(ways, sizes, first_section, owners);
+  const Field field = field_of(pieces_of(ways, owners), obstacles);
   auto borders = lot_borders(field, threads);
-  Layout layout{land.extent, strips.pieces, taken, footprints, borders, &field};
+  Layout layout{land.extent, ways.pieces, taken, footprints, borders, &field};
   LabelledParcels labelled = lots_of_faces(faces_of(layout, threads), lines, footprints);
   if (!sections.empty()) {
     const Splits splits = splits_of(labelled, sections, first_section);

@@ -9,19 +9,19 @@
 namespace citykiln::parcels {
 namespace {
 
-// Parts of lots have at least this share of the usual front.
+// Parts of lots have at least this share of the usual frontage.
 constexpr double kLeastShare = 0.4;
 // Lots within this factor of the usual area are not split.
 constexpr double kNearUsual = 1.25;
 
-// A part of a lot while it is split: its outline, which may touch itself, and its fronts.
+// A part of a lot while it is split: its outline, which may touch itself, and its frontages.
 struct Part {
   Ring ring;
-  std::vector<FrontEdge> fronts;
+  std::vector<FrontageEdge> frontages;
 
-  double front_m() const {
+  double frontage_m() const {
     double sum = 0;
-    for (const FrontEdge& edge : fronts) sum += distance(edge.first, edge.second);
+    for (const FrontageEdge& edge : frontages) sum += distance(edge.first, edge.second);
     return sum;
   }
 };
@@ -36,10 +36,10 @@ Part left_part(const Part& part, Vec2 at, Vec2 along) {
     if (side(p) >= 0) left.ring.push_back(p);
     if ((side(p) >= 0) != (side(q) >= 0)) left.ring.push_back(meet(p, q));
   }
-  for (const auto& [p, q] : part.fronts) {
+  for (const auto& [p, q] : part.frontages) {
     if (side(p) < 0 && side(q) < 0) continue;
     const Vec2 from = side(p) < 0 ? meet(p, q) : p, to = side(q) < 0 ? meet(p, q) : q;
-    left.fronts.emplace_back(from, to);
+    left.frontages.emplace_back(from, to);
   }
   return left;
 }
@@ -77,7 +77,7 @@ class Splitter {
     for (const Vec2 axis : {box.along, left_of(box.along)}) {
       const Vec2 along = left_of(axis);
       const Part left = left_part(part, box.centre, along), right = left_part(part, box.centre, along * -1);
-      if (std::min(left.front_m(), right.front_m()) < size_.front_m * kLeastShare) continue;
+      if (std::min(left.frontage_m(), right.frontage_m()) < size_.frontage_m * kLeastShare) continue;
       const auto node = static_cast<std::uint32_t>(tree_.nodes.size());
       tree_.nodes.push_back({box.centre, along});
       add_cuts(part.ring, box.centre, along);
@@ -108,10 +108,10 @@ class Splitter {
 
 }  // namespace
 
-SplitTree split(const Ring& lot, const std::vector<FrontEdge>& fronts, const LotSize& size) {
+SplitTree split(const Ring& lot, const std::vector<FrontageEdge>& frontages, const LotSize& size) {
   SplitTree tree;
   // 2^12 parts: more than a section can have
-  Splitter(size, tree).split({lot, fronts}, 12);
+  Splitter(size, tree).split({lot, frontages}, 12);
   return tree;
 }
 

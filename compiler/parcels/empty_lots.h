@@ -2,7 +2,7 @@
 //
 //    ┌───────┬───────┐   the smallest rectangle about a lot is split square to its longer
 //    │       │       │   axis, then its halves, until lots have the usual area; a split that
-//    ├───┬───┼───┬───┤   leaves a part without a front is made along the other axis instead
+//    ├───┬───┼───┬───┤   leaves a part without a frontage is made along the other axis instead
 //    ══════ street ═══
 #pragma once
 
@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/parcels/fronts.h"
+#include "compiler/parcels/edge_owners.h"
 
 namespace citykiln::parcels {
 
-/// A part of a front: the street's edge.
-using FrontEdge = std::pair<Vec2, Vec2>;
+/// A part of a frontage: the street's edge.
+using FrontageEdge = std::pair<Vec2, Vec2>;
 
 /// A lot that is split by lines, as a tree. A place is to the left of a node's line or to the right.
 struct SplitTree {
@@ -29,9 +29,9 @@ struct SplitTree {
 };
 
 /// Splits a lot until each part has at most 1.25 times the usual area, or no split leaves both parts at least 0.4 times
-/// the usual front. Source: Vanegas, Kelly, Weber, Halatsch, Aliaga, Müller, "Procedural Generation of Parcels in Urban
-/// Modeling", Computer Graphics Forum 31, 2012, section 4.1 (without their random offsets). O(n) for each part.
-SplitTree split(const Ring& lot, const std::vector<FrontEdge>& fronts, const LotSize& size);
+/// the usual frontage. Source: Vanegas, Kelly, Weber, Halatsch, Aliaga, Müller, "Procedural Generation of Parcels in
+/// Urban Modeling", Computer Graphics Forum 31, 2012, section 4.1 (without their random offsets). O(n) for each part.
+SplitTree split(const Ring& lot, const std::vector<FrontageEdge>& frontages, const LotSize& size);
 
 /// Returns the number of the leaf that a place is in, below leaf_limit(); 0 if the lot is not split.
 std::uint32_t leaf_at(const SplitTree& tree, Vec2 p);

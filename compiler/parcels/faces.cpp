@@ -9,7 +9,7 @@
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/polygon.h"
 #include "compiler/geometry/triangles/delaunay.h"
-#include "compiler/parcels/fronts.h"
+#include "compiler/parcels/edge_owners.h"
 
 namespace citykiln::parcels {
 namespace {
@@ -22,7 +22,7 @@ constexpr double kLeastOtherShare = 0.01;
 
 // Indexes of all that faces_of() looks up by place.
 struct Indexes {
-  BoxGrid strips, taken, footprints, borders;
+  BoxGrid ways, taken, footprints, borders;
 };
 
 template <typename Things, typename BoxOf>
@@ -33,7 +33,7 @@ BoxGrid index_of(const Things& things, BoxOf box_of_thing) {
 }
 
 Indexes indexes_of(const Layout& layout) {
-  return {index_of(layout.strips, [](const StripPiece& s) { return box_of(s.ring); }),
+  return {index_of(layout.ways, [](const RightOfWayPiece& s) { return box_of(s.ring); }),
           index_of(layout.taken, [](const Polygon& p) { return box_of(p.outer); }),
           index_of(layout.footprints, [](const Footprint& f) { return box_of(f.ring); }),
           index_of(layout.borders, [](const auto& b) { return box_of_segment(b.first, b.second); })};
@@ -42,7 +42,7 @@ Indexes indexes_of(const Layout& layout) {
 // The parts of a layout in or near one cell.
 struct CellParts {
   Box2 cell;
-  std::vector<std::uint32_t> strips, footprints;
+  std::vector<std::uint32_t> ways, footprints;
   std::vector<std::vector<Ring>> taken;  // the rings of each polygon near the cell
   std::vector<OwnedSegment> segments;
   std::vector<Border> owners;
@@ -70,10 +70,10 @@ std::vector<Ring> trimmed_rings(const Polygon& polygon, const Box2& box) {
 CellParts parts_of(const Layout& layout, const Indexes& indexes, const Box2& cell) {
   CellParts parts{cell, {}, {}, {}, {}, {}};
   const Box2 near = cell.widened(1);
-  parts.strips = boxes_about(indexes.strips, near);
-  for (const std::uint32_t i : parts.strips)
-    for (std::size_t k = 0, n = layout.strips[i].ring.size(); k < n; ++k)
-      add_segment(parts, layout.strips[i].ring[k], layout.strips[i].ring[(k + 1) % n], layout.strips[i].borders[k]);
+  parts.ways = boxes_about(indexes.ways, near);
+  for (const std::uint32_t i : parts.ways)
+    for (std::size_t k = 0, n = layout.ways[i].ring.size(); k < n; ++k)
+      add_segment(parts, layout.ways[i].ring[k], layout.ways[i].ring[(k + 1) % n], layout.ways[i].borders[k]);
   for (const std::uint32_t i : boxes_about(indexes.taken, near))
     parts.taken.push_back(trimmed_rings(layout.taken[i], near));
   for (const std::vector<Ring>& rings : parts.taken)
@@ -95,7 +95,7 @@ std::uint32_t label_at_place(const Layout& layout, Vec2 p) {
 
 Face face_at(const Layout& layout, const CellParts& parts, Vec2 p) {
   Face face;
-  const auto is_strip = [&](std::uint32_t i) { return is_in_convex(layout.strips[i].ring, p); };
+  const auto is_right_of_way = [&](std::uint32_t i) { return is_in_convex(layout.ways[i].ring, p); };
   const auto is_around = [&](const Ring& ring) { return winding_number(ring, p) != 0; };
   const auto is_taken = [&](const std::vector<Ring>& rings) {
     int winding = 0;
@@ -106,7 +106,7 @@ Face face_at(const Layout& layout, const CellParts& parts, Vec2 p) {
     if (face.footprint == kNoIndex && is_around(layout.footprints[i].ring)) face.footprint = i;
   if (!layout.extent.contains(p))
     face.kind = FaceKind::kOutside;
-  else if (std::ranges::any_of(parts.strips, is_strip))
+  else if (std::ranges::any_of(parts.ways, is_right_of_way))
     face.kind = FaceKind::kLine;
   else if (std::ranges::any_of(parts.taken, is_taken))
     face.kind = FaceKind::kTaken;

@@ -1,4 +1,4 @@
-// Faces: the plane divided by strips, taken land, footprints and the borders of lots, cell by cell.
+// Faces: the plane divided by rights-of-way, taken land, footprints and the borders of lots, cell by cell.
 //
 // All lines are snap-rounded together (geometry/arrangement.h), so faces cover the extent and share no area, whatever
 // the lines are. A point inside each face says what it is.
@@ -12,7 +12,7 @@
 #include "compiler/geometry/arrangement.h"
 #include "compiler/parcels/empty_lots.h"
 #include "compiler/parcels/field.h"
-#include "compiler/parcels/strips.h"
+#include "compiler/parcels/rights_of_way.h"
 
 namespace citykiln::parcels {
 
@@ -23,7 +23,7 @@ enum class FaceKind : std::uint8_t { kOutside, kLine, kTaken, kLand };
 
 struct Face {
   FaceKind kind = FaceKind::kLand;
-  std::uint32_t label = 0;             ///< By the field (fronts.h).
+  std::uint32_t label = 0;             ///< By the field (edge_owners.h).
   std::uint32_t footprint = kNoIndex;  ///< The footprint that it lies in, the first of several.
   double area_m2 = 0;
 };
@@ -44,7 +44,7 @@ struct Faces {
 /// The lines that divide the plane. Refers to its parts.
 struct Layout {
   Box2 extent;
-  std::span<const StripPiece> strips;
+  std::span<const RightOfWayPiece> ways;
   std::span<const Polygon> taken;
   std::span<const Footprint> footprints;
   std::span<const std::pair<Vec2, Vec2>> borders;

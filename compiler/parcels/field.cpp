@@ -81,17 +81,17 @@ std::uint32_t nearest_seen(const Field& field, Vec2 p, double most_m, IsIn is_in
   }
 }
 
-void add_wedge(std::vector<Piece>& pieces, Vec2 tip, Vec2 from, Vec2 to, double depth_m, std::uint32_t frontage,
+void add_wedge(std::vector<Piece>& pieces, Vec2 tip, Vec2 from, Vec2 to, double depth_m, std::uint32_t street_edge,
                std::uint32_t label) {
   if (dot(from, to) < kWedgeCosine) {
     const Vec2 sum = from + to;
     const Vec2 middle = dot(sum, sum) > 1e-6 ? unit(sum) : left_of(from) * -1;
-    add_wedge(pieces, tip, from, middle, depth_m, frontage, label);
-    add_wedge(pieces, tip, middle, to, depth_m, frontage, label);
+    add_wedge(pieces, tip, from, middle, depth_m, street_edge, label);
+    add_wedge(pieces, tip, middle, to, depth_m, street_edge, label);
     return;
   }
   if (cross(from, to) > -1e-6) return;
-  pieces.push_back({tip, unit(from + to), {}, {tip, tip + to * depth_m, tip + from * depth_m}, frontage, label});
+  pieces.push_back({tip, unit(from + to), {}, {tip, tip + to * depth_m, tip + from * depth_m}, street_edge, label});
 }
 
 }  // namespace
@@ -104,20 +104,20 @@ Field field_of(std::vector<Piece> pieces, const Obstacles& obstacles) {
   return field;
 }
 
-void add_piece(std::vector<Piece>& pieces, const Strips& strips, std::uint32_t frontage, double from_m, double to_m,
-               double depth_m, std::uint32_t label) {
-  const Frontage& f = strips.frontages[frontage];
+void add_piece(std::vector<Piece>& pieces, const RightsOfWay& ways, std::uint32_t street_edge, double from_m,
+               double to_m, double depth_m, std::uint32_t label) {
+  const StreetEdge& f = ways.street_edges[street_edge];
   const Vec2 along = unit(f.b - f.a);
   const Vec2 a = from_m <= 0 ? f.a : f.a + along * from_m, b = to_m >= f.length_m() ? f.b : f.a + along * to_m;
   if (a == b || depth_m <= 0) return;
-  pieces.push_back({a, f.normal, along, {a, b, b + f.normal * depth_m, a + f.normal * depth_m}, frontage, label});
+  pieces.push_back({a, f.normal, along, {a, b, b + f.normal * depth_m, a + f.normal * depth_m}, street_edge, label});
 }
 
-void add_wedges(std::vector<Piece>& pieces, const Strips& strips, std::uint32_t frontage, double depth_m,
+void add_wedges(std::vector<Piece>& pieces, const RightsOfWay& ways, std::uint32_t street_edge, double depth_m,
                 std::uint32_t label) {
-  const Frontage& f = strips.frontages[frontage];
+  const StreetEdge& f = ways.street_edges[street_edge];
   if (!f.turns_outward || f.next == kNoIndex || depth_m <= 0) return;
-  add_wedge(pieces, f.b, f.normal, strips.frontages[f.next].normal, depth_m, frontage, label);
+  add_wedge(pieces, f.b, f.normal, ways.street_edges[f.next].normal, depth_m, street_edge, label);
 }
 
 bool is_seen_by(const Field& field, const Piece& piece, Vec2 p) {
@@ -128,8 +128,8 @@ std::uint32_t nearest_piece(const Field& field, Vec2 p) {
   return nearest_seen(field, p, 4 * kDepth_m, [](const Piece&) { return true; });
 }
 
-std::uint32_t nearest_other(const Field& field, Vec2 p, std::uint32_t frontage, double most_m) {
-  return nearest_seen(field, p, most_m, [&](const Piece& piece) { return piece.frontage != frontage; });
+std::uint32_t nearest_other(const Field& field, Vec2 p, std::uint32_t street_edge, double most_m) {
+  return nearest_seen(field, p, most_m, [&](const Piece& piece) { return piece.street_edge != street_edge; });
 }
 
 }  // namespace citykiln::parcels

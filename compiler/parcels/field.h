@@ -12,7 +12,7 @@
 
 #include "compiler/geometry/box_grid.h"
 #include "compiler/parcels/parcels.h"
-#include "compiler/parcels/strips.h"
+#include "compiler/parcels/rights_of_way.h"
 
 namespace citykiln::parcels {
 
@@ -34,14 +34,14 @@ bool is_seen(const Obstacles& obstacles, Vec2 a, Vec2 b);
 /// @param towards  Length 1.
 double distance_to_obstacle(const Obstacles& obstacles, Vec2 p, Vec2 towards, double most_m);
 
-/// Land in front of a part of a frontage: a rectangle, or a wedge where the frontage turns outward. The distance of a
-/// place p is dot(p - foot, normal). In a wedge this is up to 3.4 % less than the distance from its tip.
+/// Land in front of a part of a street edge: a rectangle, or a wedge where the street edge turns outward. The distance
+/// of a place p is dot(p - foot, normal). In a wedge this is up to 3.4 % less than the distance from its tip.
 struct Piece {
-  Vec2 foot, normal;  ///< A point of the frontage, and the direction away from it, length 1.
-  Vec2 along;         ///< The direction of the frontage; {0, 0} for a wedge.
+  Vec2 foot, normal;  ///< A point of the street edge, and the direction away from it, length 1.
+  Vec2 along;         ///< The direction of the street edge; {0, 0} for a wedge.
   Ring land;          ///< Convex, counter-clockwise.
-  std::uint32_t frontage = 0;
-  std::uint32_t label = 0;  ///< The owner of places in it (fronts.h).
+  std::uint32_t street_edge = 0;
+  std::uint32_t label = 0;  ///< The owner of places in it (edge_owners.h).
 };
 
 /// Pieces with an index of their boxes.
@@ -54,24 +54,24 @@ struct Field {
 /// Returns the field of these pieces.
 Field field_of(std::vector<Piece> pieces, const Obstacles& obstacles);
 
-/// Appends the land in front of a part of a frontage.
-/// @param from_m, to_m  Distances from the frontage's first point.
-void add_piece(std::vector<Piece>& pieces, const Strips& strips, std::uint32_t frontage, double from_m, double to_m,
-               double depth_m, std::uint32_t label);
-/// Appends the wedges between the ends of a frontage and of the next one, if it turns outward.
-void add_wedges(std::vector<Piece>& pieces, const Strips& strips, std::uint32_t frontage, double depth_m,
+/// Appends the land in front of a part of a street edge.
+/// @param from_m, to_m  Distances from the street edge's first point.
+void add_piece(std::vector<Piece>& pieces, const RightsOfWay& ways, std::uint32_t street_edge, double from_m,
+               double to_m, double depth_m, std::uint32_t label);
+/// Appends the wedges between the ends of a street edge and of the next one, if it turns outward.
+void add_wedges(std::vector<Piece>& pieces, const RightsOfWay& ways, std::uint32_t street_edge, double depth_m,
                 std::uint32_t label);
 
-/// True if no obstacle lies between a place and the piece's frontage.
+/// True if no obstacle lies between a place and the piece's street edge.
 bool is_seen_by(const Field& field, const Piece& piece, Vec2 p);
 
 inline double distance_m(const Piece& piece, Vec2 p) { return dot(p - piece.foot, piece.normal); }
 
-/// Returns the index of the nearest piece that contains p and whose frontage no obstacle hides from p; kNoIndex if
+/// Returns the index of the nearest piece that contains p and whose street edge no obstacle hides from p; kNoIndex if
 /// there is none. The lowest index of equal distances.
 std::uint32_t nearest_piece(const Field& field, Vec2 p);
-/// Returns the like except pieces of a frontage, and only pieces nearer than `most_m`.
-std::uint32_t nearest_other(const Field& field, Vec2 p, std::uint32_t frontage, double most_m);
+/// Returns nearest_piece() among the pieces of other street edges that are nearer than `most_m`.
+std::uint32_t nearest_other(const Field& field, Vec2 p, std::uint32_t street_edge, double most_m);
 
 /// True if p is in a convex counter-clockwise ring or on its border.
 inline bool is_in_convex(std::span<const Vec2> ring, Vec2 p) {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "compiler/contract/system/for_each_slot.h"
-#include "compiler/parcels/fronts.h"
+#include "compiler/parcels/edge_owners.h"
 
 namespace citykiln::parcels {
 namespace {
@@ -104,7 +104,7 @@ void keep_parts(const Field& field, const Piece& own, Vec2 a, Vec2 b, std::vecto
   flush();
 }
 
-// Appends the shadows of obstacles' ends: lines away from a frontage, behind which the land is not seen from it.
+// Appends the shadows of obstacles' ends: lines away from a street edge, behind which the land is not seen from it.
 void add_shadows(const Field& field, const Piece& piece, const Box2& box, std::vector<Cut>& cuts) {
   if (piece.along == Vec2{}) return;
   const double depth = distance(piece.land[1], piece.land[2]);
@@ -123,7 +123,7 @@ bool overlap(const Box2& a, const Box2& b) { return a.touches(b); }
 std::vector<Cut> borders_of_piece(const Field& field, const std::vector<Box2>& boxes, std::uint32_t number) {
   std::vector<Cut> cuts;
   const Piece& piece = field.pieces[number];
-  // the first edge of a piece of a frontage is the frontage itself, those of a wedge begin at its tip
+  // the first edge of a piece of a street edge is the street edge itself, those of a wedge begin at its tip
   for (std::size_t i = piece.along == Vec2{} ? 0 : 1; i < piece.land.size(); ++i)
     keep_parts(field, piece, piece.land[i], piece.land[(i + 1) % piece.land.size()], cuts);
   for (const std::uint32_t other : boxes_about(field.grid, boxes[number])) {

@@ -6,17 +6,17 @@
 #include <tuple>
 
 #include "compiler/contract/disjoint_sets.h"
-#include "compiler/parcels/fronts.h"
+#include "compiler/parcels/edge_owners.h"
 #include "compiler/parcels/straight_points.h"
 #include "compiler/parcels/trace_rings.h"
 
 namespace citykiln::parcels {
 namespace {
 
-// Smaller blocks are gaps between strips, and belong to these.
+// Smaller blocks are gaps between rights-of-way, and belong to these.
 constexpr double kLeastBlock_m2 = 1;
-// Shorter fronts give no access: a path needs about a metre.
-constexpr double kLeastFront_m = 1;
+// Shorter frontages give no access: a path needs about a metre.
+constexpr double kLeastFrontage_m = 1;
 // Smaller lots without buildings are rest.
 constexpr double kLeastEmpty_m2 = 20;
 
@@ -87,7 +87,7 @@ Labels labels_of(const Faces& faces, std::size_t footprint_count) {
   return labels;
 }
 
-bool is_front(const Faces& faces, const std::vector<Line>& lines, const FaceEdge& edge) {
+bool is_on_street(const Faces& faces, const std::vector<Line>& lines, const FaceEdge& edge) {
   return edge.beyond != kNoIndex && faces.faces[edge.beyond].kind == FaceKind::kLine &&
          edge.border.kind == BorderKind::kLine && lines[edge.border.line].kind == LineKind::kStreet;
 }
@@ -95,7 +95,7 @@ bool is_front(const Faces& faces, const std::vector<Line>& lines, const FaceEdge
 double length_m(const FaceEdge& edge) { return distance(plane_point(edge.from), plane_point(edge.to)); }
 
 struct Component {
-  double area_m2 = 0, front_m = 0;
+  double area_m2 = 0, frontage_m = 0;
   bool has_footprint = false;
 };
 
@@ -115,8 +115,8 @@ Components measured(const Faces& faces, const std::vector<Line>& lines, const La
     c.has_footprint = c.has_footprint || faces.faces[i].footprint != kNoIndex;
   }
   for (const FaceEdge& edge : faces.edges)
-    if (labels[edge.face] > kRest && is_front(faces, lines, edge))
-      all.at[all.roots[edge.face]].front_m += length_m(edge);
+    if (labels[edge.face] > kRest && is_on_street(faces, lines, edge))
+      all.at[all.roots[edge.face]].frontage_m += length_m(edge);
   return all;
 }
 
@@ -124,12 +124,12 @@ Components measured(const Faces& faces, const std::vector<Line>& lines, const La
 void mend_landlocked(const Faces& faces, const std::vector<Line>& lines, Labels& labels) {
   const Components first = measured(faces, lines, labels);
   for (std::uint32_t i = 0; i < labels.size(); ++i)
-    if (labels[i] > kRest && first.at[first.roots[i]].front_m < kLeastFront_m)
+    if (labels[i] > kRest && first.at[first.roots[i]].frontage_m < kLeastFrontage_m)
       labels[i] = labels[i] != faces.faces[i].label ? faces.faces[i].label : kRest;
   const Components second = measured(faces, lines, labels);
   for (std::uint32_t i = 0; i < labels.size(); ++i) {
     const Component& c = second.at[second.roots[i]];
-    if (labels[i] > kRest && (c.front_m < kLeastFront_m || (c.area_m2 < kLeastEmpty_m2 && !c.has_footprint)))
+    if (labels[i] > kRest && (c.frontage_m < kLeastFrontage_m || (c.area_m2 < kLeastEmpty_m2 && !c.has_footprint)))
       labels[i] = kRest;
   }
 }
@@ -173,9 +173,9 @@ bool is_earlier(const LinePlace& a, const LinePlace& b) {
   return std::tie(a.segment, a.at_m) < std::tie(b.segment, b.at_m);
 }
 
-// The line and side along which a lot has most of its front.
-Front front_of(const std::vector<TracedRing>& rings, const std::vector<Line>& lines) {
-  std::map<std::pair<std::uint32_t, Side>, Front> fronts;
+// The line and side along which a lot has most of its frontage.
+Frontage frontage_of(const std::vector<TracedRing>& rings, const std::vector<Line>& lines) {
+  std::map<std::pair<std::uint32_t, Side>, Frontage> frontages;
   for (const TracedRing& ring : rings)
     for (std::size_t i = 0, n = ring.points.size(); i < n; ++i) {
       const Border& border = ring.borders[i];
@@ -185,20 +185,20 @@ Front front_of(const std::vector<TracedRing>& rings, const std::vector<Line>& li
                 to = place_on(lines[border.line], border.segment, b);
       if (is_earlier(to, from)) std::swap(from, to);
       const auto [at, is_new] =
-          fronts.try_emplace({border.line, border.side}, Front{border.line, border.side, from, to, 0});
-      Front& front = at->second;
-      if (is_earlier(from, front.from)) front.from = from;
-      if (is_earlier(front.to, to)) front.to = to;
-      front.length_m += distance(a, b);
+          frontages.try_emplace({border.line, border.side}, Frontage{border.line, border.side, from, to, 0});
+      Frontage& frontage = at->second;
+      if (is_earlier(from, frontage.from)) frontage.from = from;
+      if (is_earlier(frontage.to, to)) frontage.to = to;
+      frontage.length_m += distance(a, b);
     }
-  Front best;
-  for (const auto& [key, front] : fronts)
-    if (front.length_m > best.length_m) best = front;
+  Frontage best;
+  for (const auto& [key, frontage] : frontages)
+    if (frontage.length_m > best.length_m) best = frontage;
   return best;
 }
 
-std::vector<FrontEdge> front_edges(const std::vector<TracedRing>& rings, const std::vector<Line>& lines) {
-  std::vector<FrontEdge> edges;
+std::vector<FrontageEdge> frontage_edges(const std::vector<TracedRing>& rings, const std::vector<Line>& lines) {
+  std::vector<FrontageEdge> edges;
   for (const TracedRing& ring : rings)
     for (std::size_t i = 0, n = ring.points.size(); i < n; ++i)
       if (ring.borders[i].kind == BorderKind::kLine && lines[ring.borders[i].line].kind == LineKind::kStreet)
@@ -206,24 +206,24 @@ std::vector<FrontEdge> front_edges(const std::vector<TracedRing>& rings, const s
   return edges;
 }
 
-// The lowest first point of a front's edges. Another lot's edge cannot begin there.
-GridPoint start_of(const std::vector<TracedRing>& rings, const Front& front) {
+// The lowest first point of a frontage's edges. Another lot's edge cannot begin there.
+GridPoint start_of(const std::vector<TracedRing>& rings, const Frontage& frontage) {
   GridPoint start{INT64_MAX, INT64_MAX};
   for (const TracedRing& ring : rings)
     for (std::size_t i = 0; i < ring.points.size(); ++i)
       if (const Border& border = ring.borders[i];
-          border.kind == BorderKind::kLine && border.line == front.line && border.side == front.side)
+          border.kind == BorderKind::kLine && border.line == frontage.line && border.side == frontage.side)
         start = std::min(start, ring.points[i]);
   return start;
 }
 
-StableId id_of(const Front& front, GridPoint start, const std::vector<Line>& lines) {
-  const Line& line = lines[front.line];
+StableId id_of(const Frontage& frontage, GridPoint start, const std::vector<Line>& lines) {
+  const Line& line = lines[frontage.line];
   const auto number = [](GridPoint g) {
     return static_cast<std::uint64_t>(g.x) << 32 ^ (static_cast<std::uint64_t>(g.y) & 0xffffffffu);
   };
-  const auto end_of = [&](std::uint32_t i) { return number(grid_point(line.axis[front.from.segment + i])); };
-  StableId id = stable_id(line.id, front.side == Side::kLeft ? "left" : "right", end_of(0));
+  const auto end_of = [&](std::uint32_t i) { return number(grid_point(line.axis[frontage.from.segment + i])); };
+  StableId id = stable_id(line.id, frontage.side == Side::kLeft ? "left" : "right", end_of(0));
   id = stable_id(id, "segment", end_of(1));
   return stable_id(id, "lot", number(start));
 }
@@ -307,11 +307,11 @@ LabelledParcels lots_of_faces(const Faces& given, const std::vector<Line>& lines
     Lot lot{.id = {},
             .polygon = polygon_of(lot_rings[i]).first,
             .block = block_of[i],
-            .front = front_of(lot_rings[i], lines),
+            .frontage = frontage_of(lot_rings[i], lines),
             .footprints = {}};
-    lot.id = id_of(lot.front, start_of(lot_rings[i], lot.front), lines);
+    lot.id = id_of(lot.frontage, start_of(lot_rings[i], lot.frontage), lines);
     parcels.lots.push_back(std::move(lot));
-    labelled.fronts.push_back(front_edges(lot_rings[i], lines));
+    labelled.frontages.push_back(frontage_edges(lot_rings[i], lines));
   }
   for (const auto& rings : trace_rings(faces, rests, rest_count, dropped))
     parcels.rest.push_back(polygon_of(rings).first);

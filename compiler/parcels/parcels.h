@@ -2,7 +2,7 @@
 //
 //    ══════════ street ══════════     a block is land that no line or mapped land cuts;
 //      ┌────┬────┬──┬──┬──────┐       a lot is the part of a block that belongs to a
-//      │ ▟▙ │ ▟▙ │▟▙│▟▙│  ▟▙  │       building, with a front on a street
+//      │ ▟▙ │ ▟▙ │▟▙│▟▙│  ▟▙  │       building, with a frontage on a street
 //      ├────┴──┬─┴──┴──┴──┬───┤
 //    ══════════ street ══════════
 #pragma once
@@ -24,11 +24,11 @@ enum class LineKind : std::uint8_t {
 /// Seen along a line's axis.
 enum class Side : std::uint8_t { kLeft, kRight };
 
-/// A line and the strip of land along it that no lot can have: the carriageway and its pavements.
+/// A line and its right-of-way: the land along it that no lot can have, such as a carriageway and its pavements.
 struct Line {
   StableId id;                     ///< Unique among lines.
   Polyline axis;                   ///< Plane metres, snapped. Lines meet where their axes share a point.
-  double left_m = 0, right_m = 0;  ///< From the axis to the strip's edges; at least kLeastStrip_m is used.
+  double left_m = 0, right_m = 0;  ///< From the axis to the right-of-way's edges; at least kLeastRightOfWay_m is used.
   LineKind kind = LineKind::kStreet;
   std::uint8_t left_size = 0, right_size = 0;  ///< The usual size of lots on each side: an index into Land::sizes.
 };
@@ -40,9 +40,9 @@ struct Footprint {
 
 /// The usual size of lots of one kind. Lengths are limited to kDepth_m.
 struct LotSize {
-  double area_m2 = 600;  ///< Land without buildings is split until lots have at most 1.25 times this area.
-  double front_m = 18;   ///< Land beside a building belongs to it up to this distance along the street.
-  double depth_m = 40;   ///< Distance of the rear border from the street; more where the building is deeper.
+  double area_m2 = 600;    ///< Land without buildings is split until lots have at most 1.25 times this area.
+  double frontage_m = 18;  ///< Land beside a building belongs to it up to this distance along the street.
+  double depth_m = 40;     ///< Distance of the rear border from the street; more where the building is deeper.
 };
 
 /// The input of divide().
@@ -56,7 +56,7 @@ struct Land {
 };
 
 enum class BorderKind : std::uint8_t {
-  kLine,    ///< The strip of a line.
+  kLine,    ///< The right-of-way of a line.
   kTaken,   ///< Taken land.
   kExtent,  ///< The border of the extent.
   kInner    ///< A lot or block on both sides.
@@ -79,27 +79,27 @@ struct Block {
 };
 
 /// A place on a line: the distance from the first point of an axis segment, along it. It may lie a little beyond the
-/// segment's ends, at the edge of the strip of a bend.
+/// segment's ends, at the edge of the right-of-way of a bend.
 struct LinePlace {
   std::uint32_t segment = 0;
   double at_m = 0;
   bool operator==(const LinePlace&) const = default;
 };
 
-/// The part of a strip's edge from which a lot is entered.
-struct Front {
+/// The part of a right-of-way's edge from which a lot is entered.
+struct Frontage {
   std::uint32_t line = 0;
   Side side = Side::kLeft;
   LinePlace from, to;
   double length_m = 0;
-  bool operator==(const Front&) const = default;
+  bool operator==(const Frontage&) const = default;
 };
 
 struct Lot {
-  StableId id;  ///< Made of the line's id, its side, the ends of the axis segment, and the start of the front there.
+  StableId id;  ///< Made of the line's id, its side, the ends of the axis segment, and the start of the frontage there.
   Polygon polygon;  ///< Its outer ring is simple. Holes are rare: taken land or a landlocked lot inside.
   std::uint32_t block = 0;
-  Front front;
+  Frontage frontage;
   std::vector<std::uint32_t> footprints;  ///< Indices of footprints, ascending; empty if nothing is built there.
   bool operator==(const Lot&) const = default;
 };
@@ -128,8 +128,8 @@ struct Parcels {
   std::vector<Failure> failures;  ///< Sorted by footprint.
 };
 
-/// The narrowest strip beside an axis.
-inline constexpr double kLeastStrip_m = 0.25;
+/// The narrowest right-of-way beside an axis.
+inline constexpr double kLeastRightOfWay_m = 0.25;
 /// The largest distance of a lot's points from its street.
 inline constexpr double kDepth_m = 64;
 

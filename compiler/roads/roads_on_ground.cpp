@@ -23,7 +23,7 @@ Road road_of(const map::Track& track) {
           .width_limits = {},
           .country = track.country,
           .assumed = track.assumed,
-          .assumed_strips = track.assumed_strips};
+          .assumed_sides = track.assumed_sides};
 }
 
 namespace {

@@ -44,7 +44,7 @@ void serialise(auto& io, RoadKind& k) {
   const bool drifts = k.section.axis_drift != 0;
   auto traits =
       static_cast<std::uint64_t>(drives_left | k.is_lit << 1 | k.is_link << 2 | k.is_roundabout << 3 | drifts << 4);
-  traits += 32 * std::uint64_t{k.assumed_strips} + 128 * std::uint64_t{k.assumed};
+  traits += 32 * std::uint64_t{k.assumed_sides} + 128 * std::uint64_t{k.assumed};
   io.number("road traits", traits);
   enumerator(io, "road country", k.country, map::CountryGroup::kCount);
   k.side = (traits & 1) != 0 ? map::DrivingSide::kLeft : map::DrivingSide::kRight;
@@ -54,7 +54,7 @@ void serialise(auto& io, RoadKind& k) {
   list(io, "lanes", k.section.lanes, 1, [&](map::Lane& l) { serialise(io, l); });
   if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
     if (traits / 128 > kAllAssumptions) io.fail("road traits");
-    k.assumed_strips = static_cast<std::uint8_t>(traits / 32 % 4);
+    k.assumed_sides = static_cast<std::uint8_t>(traits / 32 % 4);
     k.assumed = static_cast<Assumptions>(traits / 128);
     if (!is_sound(k.section)) io.fail("lanes");
   }

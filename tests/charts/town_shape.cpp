@@ -181,7 +181,7 @@ std::vector<TownValues> measure_town(const TownMap& map, int threads) {
     if (const double block_m2 = area_m2(block.polygon); !block.is_at_extent && block_m2 < kLargestBlock_m2)
       of(TownMeasure::kBlockArea).push_back(block_m2);
   for (const parcels::Lot& lot : parcels.lots)
-    if (!lot.footprints.empty()) of(TownMeasure::kLotFront).push_back(lot.front.length_m);
+    if (!lot.footprints.empty()) of(TownMeasure::kLotFront).push_back(lot.frontage.length_m);
   for (const Ring& ring : map.buildings) of(TownMeasure::kFootprintArea).push_back(signed_area_m2(ring));
   of(TownMeasure::kHeight) = map.heights_m;
   for (TownValues& sample : values) std::ranges::sort(sample);

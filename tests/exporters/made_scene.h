@@ -241,7 +241,7 @@ class SceneMaker {
     r.is_roundabout = below(2) == 0;
     r.country = pick(map::CountryGroup::kCount);
     r.assumed = static_cast<Assumptions>(below(kAllAssumptions + 1));
-    r.assumed_strips = static_cast<std::uint8_t>(below(4));
+    r.assumed_sides = static_cast<std::uint8_t>(below(4));
     if (below(3) == 0) r.start_along_m = metres(9000);
     for (auto i = below(3); i > 0; --i)
       r.points.push_back({below(2), pick(map::TrackPointKind::kCount), static_cast<std::int8_t>(below(3))});

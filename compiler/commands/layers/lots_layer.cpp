@@ -29,7 +29,7 @@ Layer lots_layer(const map::FeatureView& mapped, std::span<const OsmId> private_
     LayerFeature& feature = layer.emplace_back(LayerFeature{
         id, std::string(lots::name_of(lot.kind)), GeometryKind::kPolygon, flat(std::span(&lot.parcel.polygon, 1))});
     feature.properties.add("area_m2", area_m2(lot.parcel.polygon));
-    feature.properties.add("front_m", lot.parcel.front.length_m);
+    feature.properties.add("front_m", lot.parcel.frontage.length_m);
     feature.properties.add("setback_m", lot.setback_m);
     feature.properties.add("buildings", lot.footprints.size());
     feature.properties.add("country_group", map::name_of(lot.country));

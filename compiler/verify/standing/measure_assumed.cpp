@@ -144,7 +144,7 @@ void test_pavements(const Mapped& mapped, const Road& road, const Box2& box, Ass
       const double offsets_m[] = {(edges.kerb_left_m + edges.left_m) / 2, -(edges.kerb_right_m + edges.right_m) / 2};
       const double widths_m[] = {edges.left_m - edges.kerb_left_m, edges.right_m - edges.kerb_right_m};
       for (const int side : {0, 1}) {
-        if ((road.assumed_strips & (side == 0 ? map::kLeftSide : map::kRightSide)) == 0) continue;
+        if ((road.assumed_sides & (side == 0 ? map::kLeftSide : map::kRightSide)) == 0) continue;
         const PavementPlace place{road, on_axis, on_axis + left * offsets_m[side]};
         if (widths_m[side] >= kLeastMeasured_m && box.contains_half_open(place.at)) test_place(mapped, place, found);
       }
@@ -391,7 +391,7 @@ OsmId no_place_for_house(const scene::Chunk& chunk, const ground::LandCoverIndex
   return {};
 }
 
-bool has_assumed_strips(const Road& road) {
+bool has_assumed_sides(const Road& road) {
   return has(road.assumed, Assumption::kPavements) || has(road.assumed, Assumption::kVerges);
 }
 
@@ -399,7 +399,7 @@ bool has_assumed_strips(const Road& road) {
 
 AssumedTests measure_assumed_pavements(const scene::Chunk& chunk, const Box2& box) {
   AssumedTests found;
-  const auto has_any = [](const Road& road) { return has_assumed_strips(road); };
+  const auto has_any = [](const Road& road) { return has_assumed_sides(road); };
   if (std::ranges::none_of(chunk.roads, has_any)) return found;
   Mapped mapped{chunk, areas_to_avoid(chunk), {}};
   mapped.index = ground::index_land_cover(mapped.areas, box.widened(scene::kHalo_m));

@@ -64,9 +64,9 @@ TEST(Divide, ADeadEndBoundsNoBlockAndGivesAccess) {
   ASSERT_EQ(inner_blocks(parcels).size(), 1u);
   // the end is round
   EXPECT_NEAR(area_of_blocks(inner_blocks(parcels)), 192.0 * 192 - 96 * 8 - 25, 1);
-  EXPECT_EQ(lot_of(parcels, 0)->front.line, 4u);
-  EXPECT_EQ(lot_of(parcels, 0)->front.side, Side::kRight);
-  EXPECT_EQ(lot_of(parcels, 1)->front.side, Side::kLeft);
+  EXPECT_EQ(lot_of(parcels, 0)->frontage.line, 4u);
+  EXPECT_EQ(lot_of(parcels, 0)->frontage.side, Side::kRight);
+  EXPECT_EQ(lot_of(parcels, 1)->frontage.side, Side::kLeft);
 }
 
 TEST(Divide, ALoopIsABlockWithinABlock) {
@@ -113,7 +113,7 @@ TEST(Divide, TerracesHaveLotsAsWideAsTheHouses) {
   for (std::uint64_t i = 0; i < 5; ++i) land.footprints.push_back(house(i, 30 + 6.0 * static_cast<double>(i), 8, 6, 9));
   const Parcels parcels = divided(land);
   EXPECT_EQ(parcels.lots.size(), 5u);
-  for (std::uint32_t i = 1; i < 4; ++i) EXPECT_NEAR(lot_of(parcels, i)->front.length_m, 6, 0.01);
+  for (std::uint32_t i = 1; i < 4; ++i) EXPECT_NEAR(lot_of(parcels, i)->frontage.length_m, 6, 0.01);
 }
 
 TEST(Divide, BordersLieHalfwayAndSquareToTheStreet) {
@@ -124,9 +124,9 @@ TEST(Divide, BordersLieHalfwayAndSquareToTheStreet) {
   ASSERT_NE(lot, nullptr);
   const Box2 box = box_of(lot->polygon.outer);
   EXPECT_NEAR(box.max.x, 48, 0.01);
-  EXPECT_NEAR(box.min.x, 12, 0.01);  // a usual front of 18 m beside the house
-  EXPECT_EQ(lot->front.line, 0u);
-  EXPECT_NEAR(lot->front.to.at_m, 48, 0.01);
+  EXPECT_NEAR(box.min.x, 12, 0.01);  // a usual frontage of 18 m beside the house
+  EXPECT_EQ(lot->frontage.line, 0u);
+  EXPECT_NEAR(lot->frontage.to.at_m, 48, 0.01);
 }
 
 TEST(Divide, AShedBelongsToTheHouseBeforeIt) {

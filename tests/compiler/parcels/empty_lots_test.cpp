@@ -9,7 +9,7 @@
 namespace citykiln::parcels {
 namespace {
 
-constexpr LotSize kUsual{.area_m2 = 600, .front_m = 18, .depth_m = 40};
+constexpr LotSize kUsual{.area_m2 = 600, .frontage_m = 18, .depth_m = 40};
 
 TEST(EmptyLots, ASplitIsSquareToTheLongerAxis) {
   const Ring lot = rectangle(0, 0, 40, 25);
@@ -53,7 +53,7 @@ TEST(EmptyLots, LandWithoutBuildingsBecomesLotsOfUsualSize) {
   EXPECT_GT(parcels.lots.size(), 15u);
   for (const Lot& lot : parcels.lots) {
     EXPECT_LE(area_m2(lot.polygon), 600 * 1.25 + 1);
-    EXPECT_GE(lot.front.length_m, 7);
+    EXPECT_GE(lot.frontage.length_m, 7);
     EXPECT_TRUE(lot.footprints.empty());
   }
 }

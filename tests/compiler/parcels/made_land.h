@@ -27,8 +27,8 @@ inline Footprint house(std::uint64_t id, double x, double y, double width = 10, 
 Land random_land(std::uint64_t seed, double side_m);
 
 /// Expects of all rings that they are simple; of lots that they have area, lie in their block, share no area with each
-/// other, and have a front on a street; of areas that lots and rest are as large as blocks; of each footprint that it
-/// is in one lot or failure; of ids that they are unique.
+/// other, and have a frontage on a street; of areas that lots and rest are as large as blocks; of each footprint that
+/// it is in one lot or failure; of ids that they are unique.
 void expect_properties(const Land& land, const Parcels& parcels, const std::string& what);
 
 }  // namespace citykiln::parcels

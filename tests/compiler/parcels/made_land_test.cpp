@@ -141,8 +141,8 @@ void expect_no_overlap(const std::vector<Lot>& lots, const std::string& what) {
     }
 }
 
-// How far a strip's edge may lie from where the line's width says: at a bend, at an end, or at a joint with wider
-// lines.
+// How far a right-of-way's edge may lie from where the line's width says: at a bend, at an end, or at a joint with
+// wider lines.
 double widest_joint_m(const Land& land, const Line& line) {
   double widest_m = line.left_m + line.right_m;
   for (const Line& other : land.lines)
@@ -152,10 +152,10 @@ double widest_joint_m(const Land& land, const Line& line) {
   return widest_m;
 }
 
-// True if some edge of the lot lies on the edge of its front's strip.
+// True if some edge of the lot lies on the edge of its frontage's right-of-way.
 bool is_front_on_strip(const Land& land, const Lot& lot) {
-  const Line& line = land.lines[lot.front.line];
-  const double half = std::max(lot.front.side == Side::kLeft ? line.left_m : line.right_m, kLeastStrip_m);
+  const Line& line = land.lines[lot.frontage.line];
+  const double half = std::max(lot.frontage.side == Side::kLeft ? line.left_m : line.right_m, kLeastRightOfWay_m);
   const Ring& ring = lot.polygon.outer;
   double least = 1e9;
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
@@ -166,11 +166,11 @@ bool is_front_on_strip(const Land& land, const Lot& lot) {
 void expect_fronts(const Land& land, const std::vector<Lot>& lots, const std::string& what) {
   std::size_t off_strip = 0;
   for (const Lot& lot : lots) {
-    EXPECT_EQ(land.lines[lot.front.line].kind, LineKind::kStreet) << what;
-    EXPECT_GT(lot.front.length_m, 0) << what;
+    EXPECT_EQ(land.lines[lot.frontage.line].kind, LineKind::kStreet) << what;
+    EXPECT_GT(lot.frontage.length_m, 0) << what;
     off_strip += !is_front_on_strip(land, lot);
   }
-  // strips that overlap share edges, and an edge names one of them
+  // rights-of-way that overlap share edges, and an edge names one of them
   EXPECT_LE(off_strip, 5 + lots.size() / 1000) << what;
 }
 

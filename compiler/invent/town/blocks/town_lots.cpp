@@ -158,17 +158,18 @@ class Division {
   }
 
   std::optional<TownLot> lot_of(const parcels::Lot& lot) const {
-    if (lot.front.line >= edges_.size() || lot.polygon.outer.size() < 3 || !lot.polygon.holes.empty())
+    if (lot.frontage.line >= edges_.size() || lot.polygon.outer.size() < 3 || !lot.polygon.holes.empty())
       return std::nullopt;
     TownLot town_lot;
     town_lot.ring = lot.polygon.outer;
-    town_lot.edge = lot.front.line;
-    town_lot.is_on_left = lot.front.side == parcels::Side::kLeft;
-    town_lot.use = static_cast<BlockUse>(town_lot.is_on_left ? land_.lines[lot.front.line].left_size
-                                                             : land_.lines[lot.front.line].right_size);
+    town_lot.edge = lot.frontage.line;
+    town_lot.is_on_left = lot.frontage.side == parcels::Side::kLeft;
+    town_lot.use = static_cast<BlockUse>(town_lot.is_on_left ? land_.lines[lot.frontage.line].left_size
+                                                             : land_.lines[lot.frontage.line].right_size);
     if (!find_front(town_lot)) return std::nullopt;
     const StreetEdge& edge = edges_[town_lot.edge];
-    town_lot.at_m = distances_on(edge.axis)[lot.front.from.segment] + (lot.front.from.at_m + lot.front.to.at_m) / 2;
+    town_lot.at_m =
+        distances_on(edge.axis)[lot.frontage.from.segment] + (lot.frontage.from.at_m + lot.frontage.to.at_m) / 2;
     town_lot.density = plan_.density.at((town_lot.from + town_lot.to) * 0.5);
     if (town_lot.density <= kTownEdge || is_wet(town_lot.ring)) return std::nullopt;
     return town_lot;

@@ -29,7 +29,7 @@ scene::Chunk street_with_pavements() {
   roads::Road street = way_along(kMainStreet, {{0, 50}, {120, 50}}, LandCoverClass::kResidentialRoad, 6);
   const map::Lane pavement{.kind = map::LaneKind::kSidewalk, .width_m = 2, .is_raised = true};
   street.section.lanes = {pavement, street.section.lanes.front(), pavement};
-  street.assumed = bit_of(Assumption::kPavements), street.assumed_strips = map::kBothSides;
+  street.assumed = bit_of(Assumption::kPavements), street.assumed_sides = map::kBothSides;
   chunk.roads = {street};
   return chunk;
 }

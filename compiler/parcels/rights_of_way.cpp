@@ -1,4 +1,4 @@
-#include "compiler/parcels/strips.h"
+#include "compiler/parcels/rights_of_way.h"
 
 #include <algorithm>
 #include <array>
@@ -11,10 +11,10 @@
 namespace citykiln::parcels {
 namespace {
 
-// The cosine of the largest outward turn at which edges are continued to their crossing, 40°. Beyond it the strip is
-// round, so that lots about dead ends have a front each.
+// The cosine of the largest outward turn at which edges are continued to their crossing, 40°. Beyond it the
+// right-of-way is round, so that lots about dead ends have a frontage each.
 constexpr double kLeastMitre = 0.766;
-// The cosine of the largest turn between two edges of a round strip, 30°.
+// The cosine of the largest turn between two edges of a round right-of-way, 30°.
 constexpr double kArcStep = 0.866;
 
 // A segment's end at a node, seen outward.
@@ -32,12 +32,12 @@ struct Edge {
 struct Segment {
   std::uint32_t line = 0, index = 0;
   Vec2 from, to, along;
-  std::array<Edge, 2> edges;                                     // left, right; the land is to the left of a → b
-  std::array<std::uint32_t, 2> frontage = {kNoIndex, kNoIndex};  // by side
+  std::array<Edge, 2> edges;                                        // left, right; the land is to the left of a → b
+  std::array<std::uint32_t, 2> street_edge = {kNoIndex, kNoIndex};  // by side
 };
 
 double width_of(const Line& line, Side side) {
-  return std::max(side == Side::kLeft ? line.left_m : line.right_m, kLeastStrip_m);
+  return std::max(side == Side::kLeft ? line.left_m : line.right_m, kLeastRightOfWay_m);
 }
 
 Segment segment_of(const Line& line, std::uint32_t number, std::uint32_t index) {
@@ -60,7 +60,7 @@ std::vector<Segment> segments_of(const std::vector<Line>& lines) {
   return segments;
 }
 
-StripPiece quad_of(const Segment& s) {
+RightOfWayPiece quad_of(const Segment& s) {
   const Border left{BorderKind::kLine, Side::kLeft, s.line, s.index},
       right{BorderKind::kLine, Side::kRight, s.line, s.index};
   const auto& [l, r] = s.edges;
@@ -102,14 +102,14 @@ std::optional<Vec2> crossing_of_lines(Vec2 p, Vec2 u, Vec2 q, Vec2 v) {
   return p + u * (cross(q - p, v) / area);
 }
 
-// Builds frontages and joints node by node.
+// Builds street edges and joints node by node.
 class Linker {
  public:
   Linker(const std::vector<Line>& lines, std::vector<Segment>& segments) : lines_(lines), segments_(segments) {
     for (Segment& s : segments_) {
-      strips_.pieces.push_back(quad_of(s));
+      ways_.pieces.push_back(quad_of(s));
       if (lines_[s.line].kind != LineKind::kStreet) continue;
-      for (const Side side : {Side::kLeft, Side::kRight}) s.frontage[index(side)] = add(s, side, edge(s, side));
+      for (const Side side : {Side::kLeft, Side::kRight}) s.street_edge[index(side)] = add(s, side, edge(s, side));
     }
   }
 
@@ -122,7 +122,7 @@ class Linker {
     }
   }
 
-  Strips take() { return std::move(strips_); }
+  RightsOfWay take() { return std::move(ways_); }
 
  private:
   static std::size_t index(Side side) { return static_cast<std::size_t>(side); }
@@ -130,17 +130,17 @@ class Linker {
 
   std::uint32_t add(const Segment& s, Side side, Edge e) {
     const Line& line = lines_[s.line];
-    Frontage f{
+    StreetEdge f{
         .line = s.line, .segment = s.index, .side = side, .a = e.a, .b = e.b, .normal = left_of(unit(e.b - e.a))};
     f.size = side == Side::kLeft ? line.left_size : line.right_size;
-    strips_.frontages.push_back(f);
-    return static_cast<std::uint32_t>(strips_.frontages.size() - 1);
+    ways_.street_edges.push_back(f);
+    return static_cast<std::uint32_t>(ways_.street_edges.size() - 1);
   }
 
   void connect(std::uint32_t from, std::uint32_t to) {
     if (from == kNoIndex || to == kNoIndex) return;
-    strips_.frontages[from].next = to;
-    strips_.frontages[to].previous = from;
+    ways_.street_edges[from].next = to;
+    ways_.street_edges[to].previous = from;
   }
 
   // The land between two neighbouring arms: one arrives along `in`, with the land to the left, and leaves along `out`.
@@ -148,7 +148,7 @@ class Linker {
     const Segment &arriving = segments_[in.segment], &leaving = segments_[out.segment];
     const Side in_side = outward_right(in), out_side = outward_left(out);
     const Edge e = edge(arriving, in_side), f = edge(leaving, out_side);
-    const std::uint32_t from = arriving.frontage[index(in_side)], to = leaving.frontage[index(out_side)];
+    const std::uint32_t from = arriving.street_edge[index(in_side)], to = leaving.street_edge[index(out_side)];
     const Vec2 u = unit(e.b - e.a), v = unit(f.b - f.a);
     const double turn_left = cross(u, v);
     if (is_end || turn_left < 0)
@@ -161,18 +161,18 @@ class Linker {
     const Vec2 u = unit(edges[0].b - edges[0].a), v = unit(edges[1].b - edges[1].a);
     if (turn_left > 0.02)
       if (const auto x = crossing_of_lines(edges[0].a, u, edges[1].a, v)) {
-        if (ids[0] != kNoIndex) cut_end(strips_.frontages[ids[0]], *x);
-        if (ids[1] != kNoIndex) cut_start(strips_.frontages[ids[1]], *x);
+        if (ids[0] != kNoIndex) cut_end(ways_.street_edges[ids[0]], *x);
+        if (ids[1] != kNoIndex) cut_start(ways_.street_edges[ids[1]], *x);
       }
     connect(ids[0], ids[1]);
-    if (ids[0] != kNoIndex) strips_.frontages[ids[0]].is_corner = ahead < 0.766;
+    if (ids[0] != kNoIndex) ways_.street_edges[ids[0]].is_corner = ahead < 0.766;
   }
 
-  static void cut_end(Frontage& f, Vec2 x) {
+  static void cut_end(StreetEdge& f, Vec2 x) {
     const double at = dot(x - f.a, f.b - f.a);
     f.b = at <= 0 ? f.a : at < dot(f.b - f.a, f.b - f.a) ? x : f.b;
   }
-  static void cut_start(Frontage& f, Vec2 x) {
+  static void cut_start(StreetEdge& f, Vec2 x) {
     const double at = dot(x - f.b, f.a - f.b);
     f.a = at <= 0 ? f.b : at < dot(f.a - f.b, f.a - f.b) ? x : f.a;
   }
@@ -191,13 +191,13 @@ class Linker {
       if (tip && dot(*tip - from, u) > 0 && dot(*tip - to, v) < 0)
         return add_mitre({node, to, snapped(*tip), from}, ids, border);
       // nearly straight: the gap is a few steps of the grid wide, and its direction means nothing
-      strips_.pieces.push_back({{node, to, from}, {border, border, border}});
+      ways_.pieces.push_back({{node, to, from}, {border, border, border}});
       return connect_outward(ids[0], ids[1]);
     }
     points.push_back(to);
     for (std::size_t i = 1; i < points.size(); ++i) {
       if (points[i - 1] == points[i]) continue;
-      strips_.pieces.push_back({{node, points[i], points[i - 1]}, {border, border, border}});
+      ways_.pieces.push_back({{node, points[i], points[i - 1]}, {border, border, border}});
       if (ids[0] == kNoIndex) continue;
       const std::uint32_t next = add(arriving, side, {points[i - 1], points[i]});
       connect_outward(ids[0], next);
@@ -207,9 +207,9 @@ class Linker {
   }
 
   void add_mitre(const Ring& joint, std::array<std::uint32_t, 2> ids, const Border& border) {
-    strips_.pieces.push_back({joint, {border, border, border, border}});
-    if (ids[0] != kNoIndex) strips_.frontages[ids[0]].b = joint[2];
-    if (ids[1] != kNoIndex) strips_.frontages[ids[1]].a = joint[2];
+    ways_.pieces.push_back({joint, {border, border, border, border}});
+    if (ids[0] != kNoIndex) ways_.street_edges[ids[0]].b = joint[2];
+    if (ids[1] != kNoIndex) ways_.street_edges[ids[1]].a = joint[2];
     connect_outward(ids[0], ids[1]);
   }
 
@@ -228,17 +228,17 @@ class Linker {
 
   void connect_outward(std::uint32_t from, std::uint32_t to) {
     connect(from, to);
-    if (from != kNoIndex) strips_.frontages[from].turns_outward = true;
+    if (from != kNoIndex) ways_.street_edges[from].turns_outward = true;
   }
 
   const std::vector<Line>& lines_;
   std::vector<Segment>& segments_;
-  Strips strips_;
+  RightsOfWay ways_;
 };
 
 }  // namespace
 
-Strips strips_of(const std::vector<Line>& lines) {
+RightsOfWay rights_of_way_of(const std::vector<Line>& lines) {
   std::vector<Segment> segments = segments_of(lines);
   Linker linker(lines, segments);
   linker.link_all(arms_of(segments));

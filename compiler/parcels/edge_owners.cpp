@@ -1,4 +1,4 @@
-#include "compiler/parcels/fronts.h"
+#include "compiler/parcels/edge_owners.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ struct FootprintEdge {
 struct Buildings {
   const std::vector<Footprint>* footprints;
   std::vector<Box2> boxes;
-  std::vector<bool> is_front;  // false: a shed
+  std::vector<bool> is_main;  // false: a shed
   std::vector<FootprintEdge> edges;
   BoxGrid grid, edge_grid;
 };
@@ -60,7 +60,7 @@ Buildings buildings_of(const std::vector<Footprint>& footprints) {
   buildings.grid = grid_of(buildings.boxes, 32);
   buildings.edge_grid = grid_of(edge_boxes, 16);
   for (std::uint32_t i = 0; i < footprints.size(); ++i)
-    buildings.is_front.push_back(areas[i] >= kShed_m2 || !has_larger_near(buildings, areas, i));
+    buildings.is_main.push_back(areas[i] >= kShed_m2 || !has_larger_near(buildings, areas, i));
   return buildings;
 }
 
@@ -69,62 +69,62 @@ struct Hit {
   double distance_m = 0;
 };
 
-// The first building that a ray meets, sheds or fronts only.
+// The first building that a ray meets, sheds or main buildings only.
 Hit first_hit(const Buildings& buildings, Vec2 p, Vec2 towards, double most_m, bool sheds) {
   Hit hit{kNoIndex, most_m};
   const auto meet = [&](std::uint32_t i, double at_m) {
     if (at_m < hit.distance_m || (at_m == hit.distance_m && i < hit.footprint)) hit = {i, at_m};
   };
   for (const std::uint32_t i : boxes_about(buildings.grid, p))
-    if (buildings.is_front[i] != sheds && buildings.boxes[i].contains(p) &&
+    if (buildings.is_main[i] != sheds && buildings.boxes[i].contains(p) &&
         winding_number((*buildings.footprints)[i].ring, p) != 0)
       meet(i, 0);
   const Vec2 end = p + towards * most_m;
   any_about(buildings.edge_grid, box_of_segment(p, end), [&](std::uint32_t k) {
     const FootprintEdge& e = buildings.edges[k];
-    if (buildings.is_front[e.footprint] != sheds)
+    if (buildings.is_main[e.footprint] != sheds)
       if (const auto shares = crossing_shares(p, end, e.a, e.b)) meet(e.footprint, shares->first * most_m);
     return false;
   });
   return hit;
 }
 
-// A part of a frontage from which a building is seen.
+// A part of a street edge from which a building is seen.
 struct Run {
   double from_m = 0, to_m = 0;
   std::uint32_t footprint = 0;
 };
 
 struct View {
-  const Strips& strips;
+  const RightsOfWay& ways;
   const Buildings& buildings;
-  const Field& field;  // of whole frontages
+  const Field& field;  // of whole street edges
   const Obstacles& obstacles;
 };
 
 // False if another street that the building faces is nearer.
-bool belongs_here(const View& view, std::uint32_t frontage, Vec2 at, double distance_m) {
-  const std::uint32_t other = nearest_other(view.field, at, frontage, distance_m - 0.01);
+bool belongs_here(const View& view, std::uint32_t street_edge, Vec2 at, double distance_m) {
+  const std::uint32_t other = nearest_other(view.field, at, street_edge, distance_m - 0.01);
   if (other == kNoIndex) return true;
-  const double facing = dot(view.field.pieces[other].normal, view.strips.frontages[frontage].normal);
+  const double facing = dot(view.field.pieces[other].normal, view.ways.street_edges[street_edge].normal);
   return distance_m <= kCorner_m && facing > -0.3;
 }
 
-std::optional<std::uint32_t> seen_from(const View& view, std::uint32_t frontage, Vec2 p, Vec2 towards) {
+std::optional<std::uint32_t> seen_from(const View& view, std::uint32_t street_edge, Vec2 p, Vec2 towards) {
   const double most_m = distance_to_obstacle(view.obstacles, p, towards, kDepth_m);
   const Hit hit = first_hit(view.buildings, p, towards, most_m, false);
-  if (hit.footprint == kNoIndex || !belongs_here(view, frontage, p + towards * hit.distance_m, hit.distance_m))
+  if (hit.footprint == kNoIndex || !belongs_here(view, street_edge, p + towards * hit.distance_m, hit.distance_m))
     return {};
   return hit.footprint;
 }
 
-// The places along a frontage where the first building can change.
-std::vector<double> breaks_of(const View& view, const Frontage& f, const Ring& land) {
+// The places along a street edge where the first building can change.
+std::vector<double> breaks_of(const View& view, const StreetEdge& f, const Ring& land) {
   const double length = f.length_m();
   const Vec2 along = unit(f.b - f.a);
   std::vector<double> breaks = {0, length};
   for (const std::uint32_t i : boxes_about(view.buildings.grid, box_of(land))) {
-    if (!view.buildings.is_front[i]) continue;
+    if (!view.buildings.is_main[i]) continue;
     for (const Vec2 p : (*view.buildings.footprints)[i].ring) {
       const double at = dot(p - f.a, along), d = dot(p - f.a, f.normal);
       if (at > 0 && at < length && d > -kDepth_m && d < kDepth_m) breaks.push_back(at);
@@ -134,15 +134,15 @@ std::vector<double> breaks_of(const View& view, const Frontage& f, const Ring& l
   return breaks;
 }
 
-std::vector<Run> runs_of(const View& view, std::uint32_t frontage) {
-  const Frontage& f = view.strips.frontages[frontage];
+std::vector<Run> runs_of(const View& view, std::uint32_t street_edge) {
+  const StreetEdge& f = view.ways.street_edges[street_edge];
   std::vector<Run> runs;
   if (f.a == f.b) return runs;
   const Vec2 along = unit(f.b - f.a), rear = f.normal * kDepth_m;
   const std::vector<double> breaks = breaks_of(view, f, {f.a, f.b, f.b + rear, f.a + rear});
   for (std::size_t i = 1; i < breaks.size(); ++i) {
     if (breaks[i] - breaks[i - 1] < kLeastSpan_m) continue;
-    const auto seen = seen_from(view, frontage, f.a + along * ((breaks[i - 1] + breaks[i]) / 2), f.normal);
+    const auto seen = seen_from(view, street_edge, f.a + along * ((breaks[i - 1] + breaks[i]) / 2), f.normal);
     if (!seen) continue;
     if (!runs.empty() && runs.back().footprint == *seen && breaks[i - 1] - runs.back().to_m < 2 * kLeastSpan_m)
       runs.back().to_m = breaks[i];
@@ -152,11 +152,11 @@ std::vector<Run> runs_of(const View& view, std::uint32_t frontage) {
   return runs;
 }
 
-// The extent of a building along a frontage and away from it.
+// The extent of a building along a street edge and away from it.
 struct Shadow {
   double from_m, to_m, rear_m;
 };
-Shadow shadow_of(const Frontage& f, const Ring& ring) {
+Shadow shadow_of(const StreetEdge& f, const Ring& ring) {
   const Vec2 along = unit(f.b - f.a);
   Shadow shadow{1e9, -1e9, 0};
   for (const Vec2 p : ring) {
@@ -168,7 +168,7 @@ Shadow shadow_of(const Frontage& f, const Ring& ring) {
 }
 
 // Drops runs of buildings behind others, of which little is seen.
-void drop_glimpses(const Frontage& f, std::vector<Run>& runs, const Buildings& buildings) {
+void drop_glimpses(const StreetEdge& f, std::vector<Run>& runs, const Buildings& buildings) {
   std::erase_if(runs, [&](const Run& run) {
     const Shadow shadow = shadow_of(f, (*buildings.footprints)[run.footprint].ring);
     const double whole = std::min(shadow.to_m, f.length_m()) - std::max(shadow.from_m, 0.0);
@@ -176,9 +176,9 @@ void drop_glimpses(const Frontage& f, std::vector<Run>& runs, const Buildings& b
   });
 }
 
-// A stretch of one frontage within a gap.
+// A stretch of one street edge within a gap.
 struct Stretch {
-  std::uint32_t frontage;
+  std::uint32_t street_edge;
   double from_m, to_m;
 };
 
@@ -186,15 +186,15 @@ struct Stretch {
 struct Gap {
   std::vector<Stretch> stretches;
   double length_m = 0;
-  std::uint32_t next_frontage = kNoIndex, next_run = 0;  // kNoIndex: none within reach
+  std::uint32_t next_edge = kNoIndex, next_run = 0;  // kNoIndex: none within reach
 };
 
 class Divider {
  public:
   Divider(const View& view, std::vector<std::vector<Run>> runs, const std::vector<LotSize>& sizes)
-      : view_(view), runs_(std::move(runs)), sizes_(sizes), fronts_(runs_.size()), has_before_(runs_.size()) {}
+      : view_(view), runs_(std::move(runs)), sizes_(sizes), owners_(runs_.size()), has_before_(runs_.size()) {}
 
-  Fronts divide() {
+  EdgeOwners divide() {
     for (std::uint32_t f = 0; f < runs_.size(); ++f) {
       has_before_[f].resize(runs_[f].size());
       for (const Run& run : runs_[f]) put(f, run.from_m, run.to_m, run.footprint);
@@ -205,19 +205,19 @@ class Divider {
       for (std::uint32_t r = 0; r < runs_[f].size(); ++r)
         if (!has_before_[f][r]) extend_before(f, r);
     for (std::uint32_t f = 0; f < runs_.size(); ++f) complete(f);
-    return std::move(fronts_);
+    return std::move(owners_);
   }
 
  private:
-  const Frontage& frontage(std::uint32_t f) const { return view_.strips.frontages[f]; }
+  const StreetEdge& street_edge(std::uint32_t f) const { return view_.ways.street_edges[f]; }
   const LotSize& size(std::uint32_t f) const {
-    return sizes_[std::min<std::size_t>(frontage(f).size, sizes_.size() - 1)];
+    return sizes_[std::min<std::size_t>(street_edge(f).size, sizes_.size() - 1)];
   }
 
   void put(std::uint32_t f, double from_m, double to_m, std::uint32_t footprint) {
     if (to_m <= from_m) return;
-    const double rear = shadow_of(frontage(f), (*view_.buildings.footprints)[footprint].ring).rear_m + kBackyard_m;
-    fronts_[f].push_back({from_m, to_m, label_of_building(footprint), std::clamp(rear, size(f).depth_m, kDepth_m)});
+    const double rear = shadow_of(street_edge(f), (*view_.buildings.footprints)[footprint].ring).rear_m + kBackyard_m;
+    owners_[f].push_back({from_m, to_m, label_of_building(footprint), std::clamp(rear, size(f).depth_m, kDepth_m)});
   }
 
   Gap gap_after(std::uint32_t f, std::uint32_t r, double reach_m) const {
@@ -227,30 +227,30 @@ class Divider {
     ++r;
     for (;;) {
       const bool has_run = r < runs_[f].size();
-      const double to = has_run ? runs_[f][r].from_m : frontage(f).length_m();
+      const double to = has_run ? runs_[f][r].from_m : street_edge(f).length_m();
       gap.stretches.push_back({f, from, std::max(from, to)});
       gap.length_m += std::max(0.0, to - from);
       if (gap.length_m > reach_m) return gap;
       if (has_run) {
-        gap.next_frontage = f, gap.next_run = r;
+        gap.next_edge = f, gap.next_run = r;
         return gap;
       }
-      f = frontage(f).next;
+      f = street_edge(f).next;
       if (f == kNoIndex || f == first) return gap;
       r = 0, from = 0;
     }
   }
 
   void divide_after(std::uint32_t f, std::uint32_t r) {
-    const double margin = size(f).front_m;
+    const double margin = size(f).frontage_m;
     const Gap gap = gap_after(f, r, 2 * margin);
     const std::uint32_t own = runs_[f][r].footprint;
-    if (gap.next_frontage == kNoIndex) {
+    if (gap.next_edge == kNoIndex) {
       give(gap, 0, margin, own);
       return;
     }
-    has_before_[gap.next_frontage][gap.next_run] = true;
-    const std::uint32_t other = runs_[gap.next_frontage][gap.next_run].footprint;
+    has_before_[gap.next_edge][gap.next_run] = true;
+    const std::uint32_t other = runs_[gap.next_edge][gap.next_run].footprint;
     const double cut = own == other ? gap.length_m : cut_of(gap);
     give(gap, 0, cut, own);
     give(gap, cut, gap.length_m, other);
@@ -262,7 +262,7 @@ class Divider {
     for (const Stretch& s : gap.stretches) {
       const double length = s.to_m - s.from_m;
       const double from = std::clamp(from_m - at, 0.0, length), to = std::clamp(to_m - at, 0.0, length);
-      if (to > from) put(s.frontage, s.from_m + from, to == length ? s.to_m : s.from_m + to, footprint);
+      if (to > from) put(s.street_edge, s.from_m + from, to == length ? s.to_m : s.from_m + to, footprint);
       at += length;
     }
   }
@@ -272,7 +272,7 @@ class Divider {
     double at = 0, best = gap.length_m / 2, off = 1e9;
     for (std::size_t i = 0; i + 1 < gap.stretches.size(); ++i) {
       at += gap.stretches[i].to_m - gap.stretches[i].from_m;
-      if (frontage(gap.stretches[i].frontage).is_corner && std::abs(at - gap.length_m / 2) < off)
+      if (street_edge(gap.stretches[i].street_edge).is_corner && std::abs(at - gap.length_m / 2) < off)
         best = at, off = std::abs(at - gap.length_m / 2);
     }
     if (off < 1e9) return best;
@@ -287,7 +287,7 @@ class Divider {
     for (const Stretch& s : gap.stretches) {
       const double length = s.to_m - s.from_m;
       if (place_m <= at + length) {
-        const Frontage& f = frontage(s.frontage);
+        const StreetEdge& f = street_edge(s.street_edge);
         const Vec2 p = f.a + unit(f.b - f.a) * (s.from_m + place_m - at);
         return first_hit(view_.buildings, p, f.normal, kDepth_m / 2, true).footprint == kNoIndex;
       }
@@ -298,29 +298,29 @@ class Divider {
 
   void extend_before(std::uint32_t f, std::uint32_t r) {
     const std::uint32_t own = runs_[f][r].footprint;
-    double left = size(f).front_m, to = runs_[f][r].from_m;
+    double left = size(f).frontage_m, to = runs_[f][r].from_m;
     const std::uint32_t first = f;
     for (;;) {
       // spans that belong to others end the walk
       double from = 0;
-      for (const Span& span : fronts_[f])
+      for (const Span& span : owners_[f])
         if (span.from_m < to) from = std::max(from, std::min(span.to_m, to));
       const double start = std::max(from, to - left);
       left -= to - start;
       put(f, start, to, own);
       if (left <= 0 || from > 0) return;
-      f = frontage(f).previous;
+      f = street_edge(f).previous;
       if (f == kNoIndex || f == first) return;
-      to = frontage(f).length_m();
+      to = street_edge(f).length_m();
     }
   }
 
   // Sorts the spans and fills free spans.
   void complete(std::uint32_t f) {
-    std::ranges::sort(fronts_[f], {}, &Span::from_m);
+    std::ranges::sort(owners_[f], {}, &Span::from_m);
     std::vector<Span> all;
     double at = 0;
-    for (Span span : fronts_[f]) {
+    for (Span span : owners_[f]) {
       span.from_m = std::max(span.from_m, at);
       if (span.to_m <= span.from_m) continue;
       if (span.from_m > at) all.push_back({at, span.from_m, kRest, size(f).depth_m});
@@ -330,14 +330,14 @@ class Divider {
         all.push_back(span);
       at = span.to_m;
     }
-    if (at < frontage(f).length_m()) all.push_back({at, frontage(f).length_m(), kRest, size(f).depth_m});
-    fronts_[f] = std::move(all);
+    if (at < street_edge(f).length_m()) all.push_back({at, street_edge(f).length_m(), kRest, size(f).depth_m});
+    owners_[f] = std::move(all);
   }
 
   const View& view_;
   std::vector<std::vector<Run>> runs_;
   const std::vector<LotSize>& sizes_;
-  Fronts fronts_;
+  EdgeOwners owners_;
   std::vector<std::vector<bool>> has_before_;
 };
 
@@ -347,21 +347,21 @@ struct Claim {
   std::uint32_t footprint;
 };
 
-std::vector<std::vector<Claim>> claims_of(const View& view, const Fronts& fronts) {
+std::vector<std::vector<Claim>> claims_of(const View& view, const EdgeOwners& owners) {
   const std::vector<Footprint>& footprints = *view.buildings.footprints;
-  std::vector<bool> has_front(footprints.size(), false);
-  for (const std::vector<Span>& spans : fronts)
+  std::vector<bool> has_edge(footprints.size(), false);
+  for (const std::vector<Span>& spans : owners)
     for (const Span& span : spans)
-      if (span.label >= kFirstBuilding) has_front[span.label - kFirstBuilding] = true;
-  const Field field = field_of(pieces_of(view.strips, fronts), view.obstacles);
-  std::vector<std::vector<Claim>> claims(fronts.size());
+      if (span.label >= kFirstBuilding) has_edge[span.label - kFirstBuilding] = true;
+  const Field field = field_of(pieces_of(view.ways, owners), view.obstacles);
+  std::vector<std::vector<Claim>> claims(owners.size());
   for (std::uint32_t i = 0; i < footprints.size(); ++i) {
-    if (has_front[i]) continue;
+    if (has_edge[i]) continue;
     const Vec2 centre = centroid({footprints[i].ring, {}});
     const std::uint32_t piece = nearest_piece(field, centre);
     if (piece == kNoIndex || field.pieces[piece].label != kRest) continue;
-    const std::uint32_t f = field.pieces[piece].frontage;
-    const Shadow shadow = shadow_of(view.strips.frontages[f], footprints[i].ring);
+    const std::uint32_t f = field.pieces[piece].street_edge;
+    const Shadow shadow = shadow_of(view.ways.street_edges[f], footprints[i].ring);
     claims[f].push_back(
         {shadow.from_m - kBesideHidden_m, shadow.to_m + kBesideHidden_m, distance_m(field.pieces[piece], centre), i});
   }
@@ -377,14 +377,14 @@ const Claim* claim_at(const std::vector<Claim>& claims, double at_m) {
 }
 
 // Gives hidden buildings the land before them without an owner.
-void adopt_hidden(const View& view, const std::vector<LotSize>& sizes, Fronts& fronts) {
-  const auto claims = claims_of(view, fronts);
-  for (std::uint32_t f = 0; f < fronts.size(); ++f) {
+void adopt_hidden(const View& view, const std::vector<LotSize>& sizes, EdgeOwners& owners) {
+  const auto claims = claims_of(view, owners);
+  for (std::uint32_t f = 0; f < owners.size(); ++f) {
     if (claims[f].empty()) continue;
-    const Frontage& frontage = view.strips.frontages[f];
-    const double usual_m = sizes[std::min<std::size_t>(frontage.size, sizes.size() - 1)].depth_m;
+    const StreetEdge& street_edge = view.ways.street_edges[f];
+    const double usual_m = sizes[std::min<std::size_t>(street_edge.size, sizes.size() - 1)].depth_m;
     std::vector<Span> all;
-    for (const Span& span : fronts[f]) {
+    for (const Span& span : owners[f]) {
       std::vector<double> breaks = {span.from_m, span.to_m};
       for (const Claim& claim : claims[f])
         for (const double at : {claim.from_m, claim.to_m})
@@ -394,7 +394,7 @@ void adopt_hidden(const View& view, const std::vector<LotSize>& sizes, Fronts& f
         Span part{breaks[i - 1], breaks[i], span.label, span.depth_m};
         if (const Claim* claim = claim_at(claims[f], (part.from_m + part.to_m) / 2); claim && span.label == kRest) {
           part.label = label_of_building(claim->footprint);
-          const double rear = shadow_of(frontage, (*view.buildings.footprints)[claim->footprint].ring).rear_m;
+          const double rear = shadow_of(street_edge, (*view.buildings.footprints)[claim->footprint].ring).rear_m;
           part.depth_m = std::clamp(rear + kBackyard_m, usual_m, kDepth_m);
         }
         if (!all.empty() && all.back().label == part.label)
@@ -403,41 +403,41 @@ void adopt_hidden(const View& view, const std::vector<LotSize>& sizes, Fronts& f
           all.push_back(part);
       }
     }
-    fronts[f] = std::move(all);
+    owners[f] = std::move(all);
   }
 }
 
-Field whole_field(const Strips& strips, const Obstacles& obstacles) {
+Field whole_field(const RightsOfWay& ways, const Obstacles& obstacles) {
   std::vector<Piece> pieces;
-  for (std::uint32_t f = 0; f < strips.frontages.size(); ++f) {
-    add_piece(pieces, strips, f, 0, strips.frontages[f].length_m(), kDepth_m, kRest);
-    add_wedges(pieces, strips, f, kDepth_m, kRest);
+  for (std::uint32_t f = 0; f < ways.street_edges.size(); ++f) {
+    add_piece(pieces, ways, f, 0, ways.street_edges[f].length_m(), kDepth_m, kRest);
+    add_wedges(pieces, ways, f, kDepth_m, kRest);
   }
   return field_of(std::move(pieces), obstacles);
 }
 
 }  // namespace
 
-Fronts fronts_of(const Strips& strips, const std::vector<Footprint>& footprints, const std::vector<LotSize>& sizes,
-                 const Obstacles& obstacles) {
+EdgeOwners edge_owners_of(const RightsOfWay& ways, const std::vector<Footprint>& footprints,
+                          const std::vector<LotSize>& sizes, const Obstacles& obstacles) {
   const Buildings buildings = buildings_of(footprints);
-  const Field field = whole_field(strips, obstacles);
-  const View view{strips, buildings, field, obstacles};
-  std::vector<std::vector<Run>> runs(strips.frontages.size());
+  const Field field = whole_field(ways, obstacles);
+  const View view{ways, buildings, field, obstacles};
+  std::vector<std::vector<Run>> runs(ways.street_edges.size());
   for (std::uint32_t f = 0; f < runs.size() && !footprints.empty(); ++f) {
     runs[f] = runs_of(view, f);
-    drop_glimpses(strips.frontages[f], runs[f], buildings);
+    drop_glimpses(ways.street_edges[f], runs[f], buildings);
   }
-  Fronts fronts = Divider(view, std::move(runs), sizes).divide();
-  if (!footprints.empty()) adopt_hidden(view, sizes, fronts);
-  return fronts;
+  EdgeOwners owners = Divider(view, std::move(runs), sizes).divide();
+  if (!footprints.empty()) adopt_hidden(view, sizes, owners);
+  return owners;
 }
 
-std::vector<Piece> pieces_of(const Strips& strips, const Fronts& fronts) {
+std::vector<Piece> pieces_of(const RightsOfWay& ways, const EdgeOwners& owners) {
   std::vector<Piece> pieces;
-  for (std::uint32_t f = 0; f < fronts.size(); ++f) {
-    for (const Span& span : fronts[f]) add_piece(pieces, strips, f, span.from_m, span.to_m, span.depth_m, span.label);
-    if (!fronts[f].empty()) add_wedges(pieces, strips, f, fronts[f].back().depth_m, fronts[f].back().label);
+  for (std::uint32_t f = 0; f < owners.size(); ++f) {
+    for (const Span& span : owners[f]) add_piece(pieces, ways, f, span.from_m, span.to_m, span.depth_m, span.label);
+    if (!owners[f].empty()) add_wedges(pieces, ways, f, owners[f].back().depth_m, owners[f].back().label);
   }
   return pieces;
 }
