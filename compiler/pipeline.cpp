@@ -174,7 +174,7 @@ struct Standing {
   std::vector<buildings::Building> buildings;
   plants::Plants plants;
   props::Props props;
-  pitches::Pitches pitches;
+  pitches::PitchPlan pitches;
   things::ThingPlan things;
   std::vector<props::Barrier> barriers;  // those of props, and railings
   std::vector<wires::WireSpan> wire_spans;
@@ -332,7 +332,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
                                         .wire_spans = wire_spans,
                                         .surfaces = surfaces,
                                         .junctions = planned.junctions,
-                                        .fields = pitches.fields,
+                                        .pitches = pitches.pitches,
                                         .woods = plants.woods,
                                         .plantings = plants.plantings,
                                         .corridors = plants.corridors,

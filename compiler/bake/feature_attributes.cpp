@@ -62,7 +62,7 @@ struct Describer {
       table.add(plant.id.osm, name_of(species, plant.species_mix), plant.height_m);
   }
   void add(const props::Lamp& lamp) { table.add(lamp.id.osm, "StreetLamp", lamp.height_m); }
-  // equipment of a sports field belongs to the field's area
+  // equipment of a sports pitch belongs to the pitch's area
   void add(const things::Thing& thing) {
     if (things::is_contact_kind(thing.form.kind) && is_derived(thing.id))
       table.add(thing.id.osm, "", 0, bit_of(Assumption::kMasts));  // of the track

@@ -179,7 +179,7 @@ OrderedJson chunk_json(const scene::Chunk& chunk) {
           {"woods", chunk.woods.size()},
           {"barriers", chunk.barriers.size()},
           {"lamps", chunk.lamps.size()},
-          {"sports_fields", chunk.fields.size()},
+          {"sports_fields", chunk.pitches.size()},
           {"things", things_json(chunk)}};
 }
 

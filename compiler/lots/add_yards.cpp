@@ -131,7 +131,7 @@ std::vector<YardPlant> plants_of(const Lot& lot, const YardRule& rule, std::span
 // Parts of ids of one building: areas and plants are numbered, barriers have room for pieces at the extent's border.
 constexpr std::uint32_t kPartsOfBuilding = 256, kPartsOfBarrier = 4, kEntrancePart = 255;
 
-// The name that rows of bays have in pitches/fields.inc.
+// The name that rows of bays have in pitches/pitches.inc.
 constexpr const char* kBays = "parking";
 
 double width_of(BarrierKind kind) {

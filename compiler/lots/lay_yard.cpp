@@ -31,7 +31,7 @@ constexpr double kPastFront_m = 6, kCarLength_m = 5.5;
 // The first is the distance of drives to walls and the lot's border, on which a fence may stand; the second that of
 // paths and drives to mapped things.
 constexpr double kBesideDrive_m = 0.4375, kClearOfMapped_m = 0.5;
-// A row of bays and its lane (pitches/fields.inc).
+// A row of bays and its lane (pitches/pitches.inc).
 constexpr double kBaysDepth_m = 11;
 // Sheds of this size, with a plain class, may be garages.
 constexpr double kLeastGarage_m2 = 12, kLargestGarage_m2 = 60;

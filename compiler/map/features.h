@@ -272,7 +272,7 @@ struct ThingFeature {
   bool is_on_roof = false;  ///< True if tags say that it stands on a roof, whatever its row says.
   bool has_height = false;  ///< True if height_m is tagged; else it is that of its row.
   double min_height_m = 0;  ///< min_height=*, the height of its lower end above the ground; 0: untagged.
-  /// The direction that equipment of a sports field or a parked car faces, length 1; it is not moved.
+  /// The direction that equipment of a sports pitch or a parked car faces, length 1; it is not moved.
   std::optional<Vec2> faces{};
 };
 

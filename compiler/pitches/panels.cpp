@@ -7,8 +7,8 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/map/plane/clip_ring.h"
-#include "compiler/pitches/field_lines.h"
-#include "compiler/pitches/field_rules.h"
+#include "compiler/pitches/pitch_lines.h"
+#include "compiler/pitches/pitch_rules.h"
 
 namespace citykiln::pitches {
 namespace {
@@ -28,7 +28,7 @@ struct Stretch {
   double from_m, to_m;
 };
 
-// A rectangle in the field's frame.
+// A rectangle in the pitch's frame.
 struct Rectangle {
   Vec2 middle, along;
   Vec2 half;  // half its length and half its width, multiples of kPanelStep_m
@@ -39,9 +39,9 @@ struct Rectangle {
   Box2 box() const { return {half * -1.0, half}; }
 };
 
-// The lines of a field and how panels show them.
-struct FieldPaint {
-  std::vector<FieldLine> lines;
+// The lines of a pitch and how panels show them.
+struct PitchPaint {
+  std::vector<PitchLine> lines;
   double line_m = 0;    // the width of lines
   double half_m = 0;    // half the width of a panel along a line
   double margin_m = 0;  // half_m beside the line
@@ -79,7 +79,7 @@ std::vector<Stretch> joined(std::vector<Stretch> stretches) {
 }
 
 // The ranges of a straight line, from 0 to its length, in which a panel along it shows more than a stripe.
-std::vector<Stretch> busy_stretches(const FieldPaint& paint, std::size_t own_line, std::size_t own_chord) {
+std::vector<Stretch> busy_stretches(const PitchPaint& paint, std::size_t own_line, std::size_t own_chord) {
   const Vec2 a = paint.lines[own_line].path[own_chord], b = paint.lines[own_line].path[own_chord + 1];
   const Rectangle frame{a, unit(b - a), {}};
   const double length_m = distance(a, b), around_m = paint.line_m / 2 + paint.margin_m;
@@ -99,7 +99,7 @@ std::vector<Stretch> busy_stretches(const FieldPaint& paint, std::size_t own_lin
   return joined(std::move(busy));
 }
 
-Rectangle along_line(const FieldPaint& paint, Vec2 a, Vec2 b, Stretch stretch, bool is_plain) {
+Rectangle along_line(const PitchPaint& paint, Vec2 a, Vec2 b, Stretch stretch, bool is_plain) {
   const Vec2 along = unit(b - a);
   return {a + along * ((stretch.from_m + stretch.to_m) / 2),
           along,
@@ -107,7 +107,7 @@ Rectangle along_line(const FieldPaint& paint, Vec2 a, Vec2 b, Stretch stretch, b
           is_plain};
 }
 
-void add_parts(const FieldPaint& paint, Vec2 a, Vec2 b, Stretch stretch, bool is_plain,
+void add_parts(const PitchPaint& paint, Vec2 a, Vec2 b, Stretch stretch, bool is_plain,
                std::vector<Rectangle>& rectangles) {
   const double length_m = stretch.to_m - stretch.from_m,
                parts = std::ceil(length_m / (is_plain ? kLongestStripe_m : kLongest_m));
@@ -117,7 +117,7 @@ void add_parts(const FieldPaint& paint, Vec2 a, Vec2 b, Stretch stretch, bool is
 }
 
 // A broken line is cut into parts of whole dashes and gaps, which share a layout.
-void add_between(const FieldPaint& paint, const FieldLine& line, Vec2 a, Vec2 b, Stretch stretch,
+void add_between(const PitchPaint& paint, const PitchLine& line, Vec2 a, Vec2 b, Stretch stretch,
                  std::vector<Rectangle>& rectangles) {
   if (line.dash_m == 0) return add_parts(paint, a, b, stretch, true, rectangles);
   const double period_m = line.dash_m + line.gap_m,
@@ -126,7 +126,7 @@ void add_between(const FieldPaint& paint, const FieldLine& line, Vec2 a, Vec2 b,
     add_parts(paint, a, b, {from_m, std::min(from_m + part_m, stretch.to_m)}, false, rectangles);
 }
 
-void add_straight(const FieldPaint& paint, std::size_t line, std::vector<Rectangle>& rectangles) {
+void add_straight(const PitchPaint& paint, std::size_t line, std::vector<Rectangle>& rectangles) {
   const Polyline& path = paint.lines[line].path;
   for (std::size_t c = 0; c + 1 < path.size(); ++c) {
     if (path[c] == path[c + 1]) continue;
@@ -150,7 +150,7 @@ Rectangle around(std::span<const Vec2> points, Vec2 along, double margin_m) {
           {stepped_up(box.width() / 2 + margin_m), stepped_up(box.height() / 2 + margin_m)}};
 }
 
-void add_arc(const FieldPaint& paint, const FieldLine& line, std::vector<Rectangle>& rectangles) {
+void add_arc(const PitchPaint& paint, const PitchLine& line, std::vector<Rectangle>& rectangles) {
   const std::span<const Vec2> path = line.path;
   for (std::size_t from = 0; from + line.section_chords < path.size(); from += line.section_chords) {
     const std::span<const Vec2> section = path.subspan(from, line.section_chords + 1);
@@ -170,9 +170,9 @@ bool holds(const Rectangle& outer, const Rectangle& inner) {
 }
 
 // All rectangles, without those that lie within another one which shows the same.
-std::vector<Rectangle> rectangles_of(const FieldPaint& paint) {
+std::vector<Rectangle> rectangles_of(const PitchPaint& paint) {
   std::vector<Rectangle> all, kept;
-  for (const FieldLine& line : paint.lines) {
+  for (const PitchLine& line : paint.lines) {
     if (line.is_disc) all.push_back(around(line.path, {1, 0}, paint.margin_m));
     if (!line.is_disc && line.section_chords > 1) add_arc(paint, line, all);
   }
@@ -184,7 +184,7 @@ std::vector<Rectangle> rectangles_of(const FieldPaint& paint) {
 }
 
 // The parts of a line that are painted: the whole path or its dashes.
-std::vector<Polyline> strokes_of(const FieldLine& line) {
+std::vector<Polyline> strokes_of(const PitchLine& line) {
   if (line.dash_m == 0) return {line.path};
   std::vector<Polyline> dashes;
   const Vec2 a = line.path.front(), b = line.path.back(), along = unit(b - a);
@@ -207,7 +207,7 @@ std::vector<Polyline> parts_near(const Polyline& path, const Box2& near) {
 }
 
 // A ring in a rectangle's frame as a mark of its layout, whose middle is that of the rectangle.
-void add_mark(const FieldPaint& paint, const Rectangle& rectangle, const Ring& ring, roads::Marks& marks) {
+void add_mark(const PitchPaint& paint, const Rectangle& rectangle, const Ring& ring, roads::Marks& marks) {
   roads::Mark mark{map::clip_ring(ring, rectangle.box()), paint.colour};
   for (Vec2& p : mark.ring) p = Vec2{rectangle.half.y, roads::kLayoutLength_m / 2} + Vec2{snapped(-p.y), snapped(p.x)};
   if (mark.ring.size() < 3) return;
@@ -215,10 +215,10 @@ void add_mark(const FieldPaint& paint, const Rectangle& rectangle, const Ring& r
   marks.push_back(std::move(mark));
 }
 
-roads::Marks marks_within(const FieldPaint& paint, const Rectangle& rectangle) {
+roads::Marks marks_within(const PitchPaint& paint, const Rectangle& rectangle) {
   const Box2 near = rectangle.box().widened(2 * paint.line_m);
   roads::Marks marks;
-  for (const FieldLine& line : paint.lines)
+  for (const PitchLine& line : paint.lines)
     for (Polyline path : strokes_of(line)) {
       for (Vec2& p : path) p = rectangle.local(p);
       if (line.is_disc) {
@@ -232,13 +232,13 @@ roads::Marks marks_within(const FieldPaint& paint, const Rectangle& rectangle) {
   return marks;
 }
 
-roads::Marks stripe(const FieldPaint& paint, const Rectangle& rectangle) {
+roads::Marks stripe(const PitchPaint& paint, const Rectangle& rectangle) {
   return {{roads::rectangle({rectangle.half.y - paint.line_m / 2, 0},
                             {rectangle.half.y + paint.line_m / 2, roads::kLayoutLength_m}),
            paint.colour}};
 }
 
-roads::PieceFrame frame_of_piece(const Rectangle& rectangle, const FieldFrame& frame) {
+roads::PieceFrame frame_of_piece(const Rectangle& rectangle, const PitchFrame& frame) {
   const Vec2 along = frame.in_plane(rectangle.along) - frame.middle;
   const double half_m = rectangle.half.x, middle_m = roads::kLayoutLength_m / 2, side_m = rectangle.half.y;
   return {.at = frame.in_plane(rectangle.middle - rectangle.along * half_m),
@@ -248,7 +248,7 @@ roads::PieceFrame frame_of_piece(const Rectangle& rectangle, const FieldFrame& f
           .end = {side_m, -side_m, 2 * half_m, 2 * half_m, middle_m + half_m}};
 }
 
-Panel panel_of(const FieldPaint& paint, const Rectangle& rectangle, const FieldFrame& frame,
+Panel panel_of(const PitchPaint& paint, const Rectangle& rectangle, const PitchFrame& frame,
                map::LandCoverClass surface) {
   Panel panel{{}, frame_of_piece(rectangle, frame), {}};
   const Vec2 half = rectangle.half;
@@ -275,15 +275,15 @@ bool has_edge_near(const Ring& ring, const Box2& box) {
 
 }  // namespace
 
-std::vector<Panel> panels_of(const Field& field, map::LandCoverClass surface, double tolerance_m) {
-  assert(field.from != field.to && tolerance_m >= 0);
-  const LineStyle style = rules_of(field.kind).line;
-  FieldPaint paint{.lines = lines_of(field), .line_m = style.width_m, .colour = style.colour};
+std::vector<Panel> panels_of(const Pitch& pitch, map::LandCoverClass surface, double tolerance_m) {
+  assert(pitch.from != pitch.to && tolerance_m >= 0);
+  const LineStyle style = rules_of(pitch.kind).line;
+  PitchPaint paint{.lines = lines_of(pitch), .line_m = style.width_m, .colour = style.colour};
   paint.margin_m = std::max(kMargin_m, 1.5 * tolerance_m - style.width_m / 2);
   paint.half_m = style.width_m / 2 + paint.margin_m;
   std::vector<Panel> panels;
   for (const Rectangle& rectangle : rectangles_of(paint))
-    panels.push_back(panel_of(paint, rectangle, frame_of(field), surface));
+    panels.push_back(panel_of(paint, rectangle, frame_of(pitch), surface));
   return panels;
 }
 

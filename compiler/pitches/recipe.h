@@ -1,5 +1,5 @@
-// Recipes of sports fields: where the lines of a pitch are. A pitch is an area where a sport is played; it may have
-// several fields side by side, such as tennis courts.
+// Recipes of sports pitches. A pitch is a rectangle with the lines of one sport, such as a soccer pitch or a tennis
+// court. A sports area (map::SportsArea) has one, or several side by side.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,21 @@
 
 namespace citykiln::pitches {
 
-/// Rows of fields.inc. Their order is part of the manifest's format: add at the end.
-enum class FieldKind : std::uint8_t {
-#define FIELD(name, sports, length, width, space, line, lines, equipment) name,
-#include "compiler/pitches/fields.inc"
-#undef FIELD
+/// Rows of pitches.inc. Their order is part of the manifest's format: add at the end.
+enum class PitchKind : std::uint8_t {
+#define PITCH(name, sports, length, width, space, line, lines, equipment) name,
+#include "compiler/pitches/pitches.inc"
+#undef PITCH
   kCount
 };
 
 /// A rectangle with the lines of a sport.
-struct Field {
-  ObjectId id;  ///< The area's; several fields of an area have the same id.
-  FieldKind kind{};
+struct Pitch {
+  ObjectId id;  ///< The area's; several pitches of an area have the same id.
+  PitchKind kind{};
   Vec2 from, to;       ///< The middles of its two ends, plane metres, snapped; different.
   double width_m = 1;  ///< Between its outer edges; a multiple of 2^-10, > 0.
-  bool operator==(const Field&) const = default;
+  bool operator==(const Pitch&) const = default;
 };
 
 }  // namespace citykiln::pitches

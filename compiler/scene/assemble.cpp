@@ -93,8 +93,8 @@ Box2 box_of_landform(const ground::Landform& form) {
 static_assert(ground::kLandformReach_m + ground::kGrading_m <= kHalo_m);
 
 // by_touch() widens by kHalo_m, which is more than panels are wider than their lines.
-Box2 box_of_field(const pitches::Field& field) {
-  return box_of_segment(field.from, field.to).widened(field.width_m / 2);
+Box2 box_of_pitch(const pitches::Pitch& pitch) {
+  return box_of_segment(pitch.from, pitch.to).widened(pitch.width_m / 2);
 }
 
 // by_touch() widens by kHalo_m, which is more than plants need.
@@ -175,8 +175,8 @@ ByTile tiles_of(const TileGrid& grid, std::span<const roads::Strip> streams) {
 ByTile tiles_of(const TileGrid& grid, std::span<const ground::Landform> forms) {
   return by_touch(grid, forms, box_of_landform);
 }
-ByTile tiles_of(const TileGrid& grid, std::span<const pitches::Field> fields) {
-  return by_touch(grid, fields, box_of_field);
+ByTile tiles_of(const TileGrid& grid, std::span<const pitches::Pitch> pitches) {
+  return by_touch(grid, pitches, box_of_pitch);
 }
 ByTile tiles_of(const TileGrid& grid, std::span<const structures::Span> spans) { return spans_by_tile(grid, spans); }
 ByTile tiles_of(const TileGrid& grid, std::span<const props::Barrier> barriers) {

@@ -94,18 +94,18 @@ std::uint32_t add_pieces(const roads::Road& road, roads::RoadPieces&& made, std:
   return next_run;
 }
 
-// The polygon of a field's area; null if the chunk has none.
-const LandCoverPolygon* area_of(const pitches::Field& field, std::span<const LandCoverPolygon> surfaces) {
-  const auto area = std::ranges::lower_bound(surfaces, field.id, {}, &LandCoverPolygon::id);
-  return area != surfaces.end() && area->id == field.id ? &*area : nullptr;
+// The polygon of a pitch's area; null if the chunk has none.
+const LandCoverPolygon* area_of(const pitches::Pitch& pitch, std::span<const LandCoverPolygon> surfaces) {
+  const auto area = std::ranges::lower_bound(surfaces, pitch.id, {}, &LandCoverPolygon::id);
+  return area != surfaces.end() && area->id == pitch.id ? &*area : nullptr;
 }
 
-// Adds the panels of a field that touch a box as pieces, and returns the first unused run.
-std::uint32_t add_panels(const pitches::Field& field, const LandCoverPolygon& area, const Box2& box, double tolerance_m,
+// Adds the panels of a pitch that touch a box as pieces, and returns the first unused run.
+std::uint32_t add_panels(const pitches::Pitch& pitch, const LandCoverPolygon& area, const Box2& box, double tolerance_m,
                          std::uint32_t first_run, LandCover& cover) {
   std::vector<roads::MarkingLayout> layouts;
   const auto first_layout = static_cast<std::uint32_t>(cover.layouts.size());
-  for (pitches::Panel& panel : pitches::panels_of(field, area.surface, tolerance_m)) {
+  for (pitches::Panel& panel : pitches::panels_of(pitch, area.surface, tolerance_m)) {
     if (!box_of(panel.ring).touches(box)) continue;
     std::vector<Ring> rings = pitches::rings_within(panel, area.rings);
     if (rings.empty()) continue;
@@ -116,7 +116,7 @@ std::uint32_t add_panels(const pitches::Field& field, const LandCoverPolygon& ar
                             .frame = panel.frame,
                             .layout = first_layout + layout,
                             .run = first_run + layout});
-    cover.surfaces.push_back({field.id, area.surface, ground::kStripArea_m2, std::move(rings)});
+    cover.surfaces.push_back({pitch.id, area.surface, ground::kStripArea_m2, std::move(rings)});
     cover.surfaces.back().piece = static_cast<std::uint32_t>(cover.pieces.size());
   }
   std::ranges::move(layouts, std::back_inserter(cover.layouts));
@@ -202,9 +202,9 @@ LandCover land_cover_of(const Header& header, const Chunk& chunk, double toleran
                           next_run, cover);
   }
   const Box2 tile = box_of(header, chunk.tile).widened(1);
-  for (const pitches::Field& field : chunk.fields)
-    if (const LandCoverPolygon* area = area_of(field, chunk.surfaces))
-      next_run = add_panels(field, *area, tile, tolerance_m, next_run, cover);
+  for (const pitches::Pitch& pitch : chunk.pitches)
+    if (const LandCoverPolygon* area = area_of(pitch, chunk.surfaces))
+      next_run = add_panels(pitch, *area, tile, tolerance_m, next_run, cover);
   sort_and_join(cover.surfaces);
   return cover;
 }

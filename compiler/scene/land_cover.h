@@ -14,9 +14,9 @@ namespace citykiln::scene {
 struct LandCover {
   /// Sorted by id, class and piece; each combination occurs once.
   std::vector<ground::LandCoverPolygon> surfaces;
-  /// Pieces of roads, the parts of a road's lane strips with constant markings, and panels of sports fields.
+  /// Pieces of roads, the parts of a road's lane strips with constant markings, and panels of sports pitches.
   /// LandCoverPolygon::piece is 1 plus an index into this vector, Piece::layout an index into `layouts`. Each
-  /// Piece::run belongs to one road or field.
+  /// Piece::run belongs to one road or pitch.
   std::vector<roads::Piece> pieces;
   /// The marking layouts (patterns of painted lines) of marked pieces. Some may be equal.
   std::vector<roads::MarkingLayout> layouts;
@@ -24,7 +24,7 @@ struct LandCover {
 
 /// Returns the polygons of areas, roads, junctions, traffic islands, watercourses, landforms with a land cover of their
 /// own, and buildings that stand on the ground. With Detail::kRoadSurfaces roads are divided into pieces and sports
-/// fields into panels, else each road is one surface from kerb to kerb. Cannot fail. O(n log n).
+/// pitches into panels, else each road is one surface from kerb to kerb. Cannot fail. O(n log n).
 LandCover land_cover_of(const Header& header, const Chunk& chunk, double tolerance_m);
 
 /// The recipes of a chunk or of the whole map that cover the ground.

@@ -70,7 +70,7 @@ struct Header {
 /// Objects that cross a tile's border:
 /// - Surfaces, roads, watercourses, landforms and footprints are in every chunk whose tile, widened by kHalo_m
 ///   (kRoadHalo_m), they touch. They are trimmed to it, except areas of landforms.
-/// - Sports fields are whole in every chunk whose tile, widened by kHalo_m, they touch.
+/// - Sports pitches are whole in every chunk whose tile, widened by kHalo_m, they touch.
 /// - Junctions are in every chunk whose tile is within 32 m (roads::kJunctionHalo_m).
 /// - Bridges and tunnels are whole in every chunk whose tile, widened by kHalo_m, they can grade. They are also in the
 ///   chunk of their first point (is_anchored), which alone bakes them.

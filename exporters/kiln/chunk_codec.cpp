@@ -153,13 +153,13 @@ void serialise(auto& io, ground::Landform& f) {
 }
 
 template <typename Io>
-void serialise(Io& io, pitches::Field& field) {
-  id(io, field.id);
-  enumerator(io, "sports field kind", field.kind, pitches::FieldKind::kCount);
-  io.point(field.from), io.point(field.to);
-  io.metres("sports field width", field.width_m);
+void serialise(Io& io, pitches::Pitch& pitch) {
+  id(io, pitch.id);
+  enumerator(io, "sports field kind", pitch.kind, pitches::PitchKind::kCount);
+  io.point(pitch.from), io.point(pitch.to);
+  io.metres("sports field width", pitch.width_m);
   if constexpr (Io::kReads)
-    if (field.from == field.to || !(field.width_m > 0)) io.fail("sports field width");
+    if (pitch.from == pitch.to || !(pitch.width_m > 0)) io.fail("sports field width");
 }
 
 // The tags about a lamp's light; most lamps have none.
@@ -281,7 +281,7 @@ void serialise(Io& io, Chunk& c) {
   list(io, "power corridors", c.corridors, 0, [&](auto& o) { serialise(io, o); });
   list(io, "barriers", c.barriers, 0, [&](auto& o) { serialise(io, o); });
   list(io, "lamps", c.lamps, 0, [&](auto& o) { serialise(io, o); });
-  list(io, "sports fields", c.fields, 0, [&](auto& o) { serialise(io, o); });
+  list(io, "sports fields", c.pitches, 0, [&](auto& o) { serialise(io, o); });
   list(io, "landforms", c.landforms, 0, [&](auto& o) { serialise(io, o); });
   things(io, c.things);
   list(io, "wire spans", c.wire_spans, 0, [&](auto& o) { serialise(io, o); });

@@ -47,7 +47,7 @@ class SceneMaker {
     for (auto i = below(3); i > 0; --i) c.wire_spans.push_back(wire_span());
     for (auto i = below(3); i > 0; --i) {
       const Vec2 from = point();
-      c.fields.push_back({id(), pick(pitches::FieldKind::kCount), from, from + Vec2{90, 8}, metres(70) + kQuantum_m});
+      c.pitches.push_back({id(), pick(pitches::PitchKind::kCount), from, from + Vec2{90, 8}, metres(70) + kQuantum_m});
     }
     for (auto i = below(3); i > 0; --i)
       c.landforms.push_back({{id(), line(), surface(), metres(20), metres(20), profile(), metres(99), 0},

@@ -57,7 +57,7 @@ struct ThingRow {
   std::string line{};                ///< The row as it is written.
 };
 
-/// The column of tags of a row for equipment of sports fields, which is not mapped.
+/// The column of tags of a row for equipment of sports pitches, which is not mapped.
 inline constexpr std::string_view kNoTags = "-";
 
 using ThingTable = std::vector<ThingRow>;

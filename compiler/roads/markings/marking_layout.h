@@ -44,7 +44,7 @@ struct MarkingLayout {
   map::DrivingSide side = map::DrivingSide::kRight;
   bool has_kerb_left = true, has_kerb_right = true;  ///< Larger roads without kerbs (out of town) get edge lines.
   double gauge_m = kStandardGauge_m;                 ///< Distance between the rails of kRail lanes.
-  /// The marks and the width of a panel of a sports field (pitches/panels.h), which has no lanes; 0: a strip of lanes.
+  /// The marks and the width of a panel of a sports pitch (pitches/panels.h), which has no lanes; 0: a strip of lanes.
   Marks panel{};
   double panel_m = 0;
 };

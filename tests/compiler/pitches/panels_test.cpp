@@ -6,8 +6,8 @@
 #include <set>
 
 #include "compiler/geometry/trig.h"
-#include "compiler/pitches/field_lines.h"
-#include "compiler/pitches/field_rules.h"
+#include "compiler/pitches/pitch_lines.h"
+#include "compiler/pitches/pitch_rules.h"
 #include "compiler/roads/markings/markings.h"
 
 namespace citykiln::pitches {
@@ -15,8 +15,8 @@ namespace {
 
 constexpr map::LandCoverClass kGrass = map::LandCoverClass::kPitch;
 
-Field turned_field(FieldKind kind, double scale = 1, double turns = 0.083) {
-  const FieldRules& rules = rules_of(kind);
+Pitch turned_pitch(PitchKind kind, double scale = 1, double turns = 0.083) {
+  const PitchRules& rules = rules_of(kind);
   const Vec2 middle{120.5, -33}, along = direction_of(turns);
   const double half_m = std::max(rules.length.least_m, scale * rules.length.usual_m) / 2;
   return {{},
@@ -39,22 +39,22 @@ bool is_painted(const Panel& panel, Vec2 p) {
 }
 
 // Places in the middle of unbroken lines, away from their ends.
-std::vector<Vec2> places_on_lines(const Field& field) {
+std::vector<Vec2> places_on_lines(const Pitch& pitch) {
   std::vector<Vec2> places;
-  for (const FieldLine& line : lines_of(field))
+  for (const PitchLine& line : lines_of(pitch))
     for (std::size_t i = 0; line.dash_m == 0 && !line.is_disc && i + 1 < line.path.size(); ++i)
       for (const double share : {0.05, 0.31, 0.5, 0.77})
-        places.push_back(frame_of(field).in_plane(line.path[i] + (line.path[i + 1] - line.path[i]) * share));
+        places.push_back(frame_of(pitch).in_plane(line.path[i] + (line.path[i + 1] - line.path[i]) * share));
   return places;
 }
 
 TEST(Panels, EveryPlaceOfALineIsPaintedOnAllPanelsAboutIt) {
-  for (const FieldKind kind :
-       {FieldKind::kSoccer, FieldKind::kTennis, FieldKind::kBasketball, FieldKind::kHandball, FieldKind::kHockey})
+  for (const PitchKind kind :
+       {PitchKind::kSoccer, PitchKind::kTennis, PitchKind::kBasketball, PitchKind::kHandball, PitchKind::kHockey})
     for (const double tolerance_m : {0.03, 0.1}) {
-      const Field field = turned_field(kind);
-      const std::vector<Panel> panels = panels_of(field, kGrass, tolerance_m);
-      for (const Vec2 place : places_on_lines(field)) {
+      const Pitch pitch = turned_pitch(kind);
+      const std::vector<Panel> panels = panels_of(pitch, kGrass, tolerance_m);
+      for (const Vec2 place : places_on_lines(pitch)) {
         int about = 0;
         for (const Panel& panel : panels) {
           if (!is_in(panel, place)) continue;
@@ -66,11 +66,11 @@ TEST(Panels, EveryPlaceOfALineIsPaintedOnAllPanelsAboutIt) {
     }
 }
 
-TEST(Panels, FieldsOfOtherSizesShareLayouts) {
+TEST(Panels, PitchesOfOtherSizesShareLayouts) {
   std::set<roads::MarkingLayout> layouts;
   std::size_t of_first = 0;
   for (const double scale : {1.0, 0.97, 0.93, 0.9}) {
-    for (const Panel& panel : panels_of(turned_field(FieldKind::kSoccer, scale), kGrass, 0.03))
+    for (const Panel& panel : panels_of(turned_pitch(PitchKind::kSoccer, scale), kGrass, 0.03))
       layouts.insert(roads::canonical_layout(panel.layout).layout);
     if (of_first == 0) of_first = layouts.size();
   }
@@ -79,23 +79,23 @@ TEST(Panels, FieldsOfOtherSizesShareLayouts) {
 }
 
 TEST(Panels, ArcsShareOneLayout) {
-  const std::vector<Panel> panels = panels_of(turned_field(FieldKind::kSoccer), kGrass, 0.03);
+  const std::vector<Panel> panels = panels_of(turned_pitch(PitchKind::kSoccer), kGrass, 0.03);
   std::set<roads::MarkingLayout> layouts;
   for (const Panel& panel : panels) layouts.insert(panel.layout);
   EXPECT_LT(layouts.size(), panels.size() / 2);
 }
 
 TEST(Panels, ACrossingPanelIsNoLongerThanALayout) {
-  for (std::size_t i = 0; i < field_rules().size(); ++i)
-    for (const Panel& panel : panels_of(turned_field(static_cast<FieldKind>(i)), kGrass, 0.1)) {
+  for (std::size_t i = 0; i < pitch_rules().size(); ++i)
+    for (const Panel& panel : panels_of(turned_pitch(static_cast<PitchKind>(i)), kGrass, 0.1)) {
       if (panel.layout.panel.size() == 1 && panel.layout.panel.front().ring.size() == 4) continue;
-      EXPECT_LE(panel.frame.end.left_along_m, roads::kLayoutLength_m) << field_rules()[i].name;
+      EXPECT_LE(panel.frame.end.left_along_m, roads::kLayoutLength_m) << pitch_rules()[i].name;
     }
 }
 
 TEST(Panels, PanelsAreClippedToTheirArea) {
-  const Field field = turned_field(FieldKind::kTennis, 1, 0);
-  const Panel panel = panels_of(field, kGrass, 0.1).front();
+  const Pitch pitch = turned_pitch(PitchKind::kTennis, 1, 0);
+  const Panel panel = panels_of(pitch, kGrass, 0.1).front();
   const Box2 box = box_of(panel.ring);
   const Vec2 middle = box.centre();
   const Ring around = {{-900, -900}, {900, -900}, {900, 900}, {-900, 900}};

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "compiler/geometry/trig.h"
-#include "compiler/pitches/field_lines.h"
-#include "compiler/pitches/field_rules.h"
+#include "compiler/pitches/pitch_lines.h"
+#include "compiler/pitches/pitch_rules.h"
 
 namespace citykiln::pitches {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 constexpr ObjectId kPitchId{{OsmType::kWay, 7}, 0};
 
 // A rectangle about a place, turned by a share of a full turn.
-Polygon pitch_of(double length_m, double width_m, double turns = 0, Vec2 at = {0, 0}) {
+Polygon sports_area_of(double length_m, double width_m, double turns = 0, Vec2 at = {0, 0}) {
   const Vec2 along = direction_of(turns);
   Polygon area;
   for (const Vec2 corner : {Vec2{-0.5, -0.5}, Vec2{0.5, -0.5}, Vec2{0.5, 0.5}, Vec2{-0.5, 0.5}})
@@ -22,41 +22,41 @@ Polygon pitch_of(double length_m, double width_m, double turns = 0, Vec2 at = {0
   return area;
 }
 
-double length_of(const Field& field) { return distance(field.from, field.to); }
+double length_of(const Pitch& pitch) { return distance(pitch.from, pitch.to); }
 
-TEST(PitchPlan, AFieldIsInTheMiddleAlongTheLongerSide) {
-  const std::vector<Field> fields = fields_of(kPitchId, pitch_of(60, 100, 0, {300, -40}), "soccer");
-  ASSERT_EQ(fields.size(), 1u);
-  EXPECT_EQ(fields[0].kind, FieldKind::kSoccer);
-  EXPECT_NEAR(distance((fields[0].from + fields[0].to) * 0.5, {300, -40}), 0, 0.01);
-  EXPECT_NEAR(std::abs((fields[0].to - fields[0].from).x), 0, 0.01);
-  EXPECT_NEAR(length_of(fields[0]), 100, 0.01);
-  EXPECT_NEAR(fields[0].width_m, 60, 0.01);
+TEST(PitchPlan, APitchIsInTheMiddleAlongTheLongerSide) {
+  const std::vector<Pitch> pitches = pitches_of(kPitchId, sports_area_of(60, 100, 0, {300, -40}), "soccer");
+  ASSERT_EQ(pitches.size(), 1u);
+  EXPECT_EQ(pitches[0].kind, PitchKind::kSoccer);
+  EXPECT_NEAR(distance((pitches[0].from + pitches[0].to) * 0.5, {300, -40}), 0, 0.01);
+  EXPECT_NEAR(std::abs((pitches[0].to - pitches[0].from).x), 0, 0.01);
+  EXPECT_NEAR(length_of(pitches[0]), 100, 0.01);
+  EXPECT_NEAR(pitches[0].width_m, 60, 0.01);
 }
 
-TEST(PitchPlan, AFieldTurnsWithItsArea) {
+TEST(PitchPlan, APitchTurnsWithItsArea) {
   for (const double turns : {0.03, 0.11, 0.2, 0.37}) {
-    const std::vector<Field> fields = fields_of(kPitchId, pitch_of(105, 68, turns), "soccer");
-    ASSERT_EQ(fields.size(), 1u);
-    EXPECT_NEAR(std::abs(cross(frame_of(fields[0]).along, direction_of(turns))), 0, 1e-3);
+    const std::vector<Pitch> pitches = pitches_of(kPitchId, sports_area_of(105, 68, turns), "soccer");
+    ASSERT_EQ(pitches.size(), 1u);
+    EXPECT_NEAR(std::abs(cross(frame_of(pitches[0]).along, direction_of(turns))), 0, 1e-3);
   }
 }
 
-TEST(PitchPlan, AFieldKeepsToTheRuleBook) {
-  const std::vector<Field> large = fields_of(kPitchId, pitch_of(140, 100), "soccer");
+TEST(PitchPlan, APitchKeepsToTheRuleBook) {
+  const std::vector<Pitch> large = pitches_of(kPitchId, sports_area_of(140, 100), "soccer");
   ASSERT_EQ(large.size(), 1u);
   EXPECT_NEAR(length_of(large[0]), 105, 0.01);
   EXPECT_NEAR(large[0].width_m, 68, 0.01);
-  EXPECT_EQ(fields_of(kPitchId, pitch_of(60, 40), "soccer").at(0).kind, FieldKind::kSoccerYouth);
-  EXPECT_EQ(fields_of(kPitchId, pitch_of(40, 20), "soccer").at(0).kind, FieldKind::kSoccerSmall);
-  EXPECT_EQ(fields_of(kPitchId, pitch_of(15, 15), "basketball").at(0).kind, FieldKind::kBasketballHalf);
-  EXPECT_TRUE(fields_of(kPitchId, pitch_of(8, 5), "soccer").empty());
-  EXPECT_TRUE(fields_of(kPitchId, pitch_of(80, 50), "chess").empty());
+  EXPECT_EQ(pitches_of(kPitchId, sports_area_of(60, 40), "soccer").at(0).kind, PitchKind::kSoccerYouth);
+  EXPECT_EQ(pitches_of(kPitchId, sports_area_of(40, 20), "soccer").at(0).kind, PitchKind::kSoccerSmall);
+  EXPECT_EQ(pitches_of(kPitchId, sports_area_of(15, 15), "basketball").at(0).kind, PitchKind::kBasketballHalf);
+  EXPECT_TRUE(pitches_of(kPitchId, sports_area_of(8, 5), "soccer").empty());
+  EXPECT_TRUE(pitches_of(kPitchId, sports_area_of(80, 50), "chess").empty());
 }
 
 TEST(PitchPlan, AsManyCourtsAsFit) {
   const auto count = [](double length_m, double width_m) {
-    return fields_of(kPitchId, pitch_of(length_m, width_m, 0.07), "tennis").size();
+    return pitches_of(kPitchId, sports_area_of(length_m, width_m, 0.07), "tennis").size();
   };
   EXPECT_EQ(count(36, 18), 1u);
   EXPECT_EQ(count(24, 11), 1u);
@@ -67,28 +67,28 @@ TEST(PitchPlan, AsManyCourtsAsFit) {
 }
 
 TEST(PitchPlan, CourtsDoNotOverlap) {
-  const std::vector<Field> courts = fields_of(kPitchId, pitch_of(100, 72, 0.3), "tennis");
+  const std::vector<Pitch> courts = pitches_of(kPitchId, sports_area_of(100, 72, 0.3), "tennis");
   ASSERT_GT(courts.size(), 4u);
   for (std::size_t i = 0; i < courts.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_GT(distance((courts[i].from + courts[i].to) * 0.5, (courts[j].from + courts[j].to) * 0.5), 10.97);
 }
 
-TEST(PitchPlan, TheFirstSportOfWhichAFieldFitsCounts) {
-  EXPECT_EQ(fields_of(kPitchId, pitch_of(28, 15), "soccer;basketball").at(0).kind, FieldKind::kSoccerSmall);
-  EXPECT_EQ(fields_of(kPitchId, pitch_of(28, 15), "gymnastics;basketball").at(0).kind, FieldKind::kBasketball);
+TEST(PitchPlan, TheFirstSportOfWhichAPitchFitsCounts) {
+  EXPECT_EQ(pitches_of(kPitchId, sports_area_of(28, 15), "soccer;basketball").at(0).kind, PitchKind::kSoccerSmall);
+  EXPECT_EQ(pitches_of(kPitchId, sports_area_of(28, 15), "gymnastics;basketball").at(0).kind, PitchKind::kBasketball);
 }
 
-TEST(PitchPlan, AnAreaThatIsNearlyARectangleHasAField) {
+TEST(PitchPlan, AnAreaThatIsNearlyARectangleHasAPitch) {
   // way of Berlin-Reinickendorf: its longer sides differ in direction by half a degree, one has a bend
   const Polygon area{{{0, 0}, {17.6, -21.7}, {56.4, 6.6}, {39, 29.2}, {36.6, 27.3}}, {}};
-  EXPECT_EQ(fields_of(kPitchId, area, "soccer").size(), 1u);
+  EXPECT_EQ(pitches_of(kPitchId, area, "soccer").size(), 1u);
 }
 
 TEST(PitchPlan, AreasThatAreNoRectanglesHaveNoLines) {
-  Polygon bent = pitch_of(100, 60);
+  Polygon bent = sports_area_of(100, 60);
   bent.outer = {{0, 0}, {100, 0}, {100, 20}, {20, 20}, {20, 80}, {0, 80}};
-  EXPECT_TRUE(fields_of(kPitchId, bent, "soccer").empty());
+  EXPECT_TRUE(pitches_of(kPitchId, bent, "soccer").empty());
 }
 
 }  // namespace

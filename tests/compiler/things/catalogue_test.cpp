@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "compiler/pitches/field_lines.h"
-#include "compiler/pitches/field_rules.h"
+#include "compiler/pitches/pitch_lines.h"
+#include "compiler/pitches/pitch_rules.h"
 #include "compiler/things/generate.h"
 
 namespace citykiln::things {
@@ -93,12 +93,12 @@ TEST(Generate, AThingIsTheBoxThatItsRulesDivide) {
   EXPECT_EQ(bottom_m, 0);
 }
 
-TEST(Catalogue, EquipmentOfSportsFieldsHasRows) {
+TEST(Catalogue, EquipmentOfPitchesHasRows) {
   const Result<Catalogue> catalogue = read_catalogue({}, "");
   ASSERT_TRUE(catalogue);
-  for (std::size_t i = 0; i < pitches::field_rules().size(); ++i) {
-    const pitches::Field field{{}, static_cast<pitches::FieldKind>(i), {0, 0}, {100, 0}, 50};
-    for (const pitches::Equipment& equipment : pitches::equipment_of(field))
+  for (std::size_t i = 0; i < pitches::pitch_rules().size(); ++i) {
+    const pitches::Pitch pitch{{}, static_cast<pitches::PitchKind>(i), {0, 0}, {100, 0}, 50};
+    for (const pitches::Equipment& equipment : pitches::equipment_of(pitch))
       EXPECT_EQ(std::ranges::count(catalogue->table, equipment.thing, &map::ThingRow::name), 1) << equipment.thing;
   }
 }

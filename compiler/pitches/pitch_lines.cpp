@@ -1,4 +1,4 @@
-#include "compiler/pitches/field_lines.h"
+#include "compiler/pitches/pitch_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "compiler/contract/texts/parse.h"
 #include "compiler/geometry/mathematics.h"
 #include "compiler/geometry/trig.h"
-#include "compiler/pitches/field_rules.h"
+#include "compiler/pitches/pitch_rules.h"
 
 namespace citykiln::pitches {
 namespace {
@@ -60,13 +60,13 @@ std::vector<double> numbers_of(const Command& command, std::size_t first, std::s
   return numbers.size() == count && command.arguments.size() == first + count ? numbers : std::vector<double>{};
 }
 
-FieldLine arc(Vec2 about, double radius_m, double from_deg, double to_deg) {
+PitchLine arc(Vec2 about, double radius_m, double from_deg, double to_deg) {
   const double turn_deg = to_deg - from_deg;
   const double sections =
       std::ceil(std::max(turn_deg / kSection_deg, radius_m * turn_deg / 180 * kPi / kSection_m) - 1e-9);
   const double chord_deg = 2 * arccosine_deg(std::max(0.9, 1 - kSagitta_m / radius_m));
   const double chords = std::ceil(turn_deg / sections / chord_deg - 1e-9);
-  FieldLine line;
+  PitchLine line;
   line.section_chords = static_cast<std::size_t>(chords);
   for (double i = 0; i <= sections * chords; ++i)
     line.path.push_back(about + direction_of((from_deg + turn_deg * i / (sections * chords)) / 360) * radius_m);
@@ -75,34 +75,34 @@ FieldLine arc(Vec2 about, double radius_m, double from_deg, double to_deg) {
 }
 
 // A three-point line: the part of an arc within |y| <= limit, and straight lines from there to the end line.
-std::vector<FieldLine> opened_arc(Vec2 about, double radius_m, double limit_m, double end_m) {
+std::vector<PitchLine> opened_arc(Vec2 about, double radius_m, double limit_m, double end_m) {
   const double y = std::min(limit_m, radius_m), half_deg = arcsine_deg(y / radius_m);
   const double x = about.x - std::sqrt(radius_m * radius_m - y * y);
-  std::vector<FieldLine> lines = {arc(about, radius_m, 180 - half_deg, 180 + half_deg)};
+  std::vector<PitchLine> lines = {arc(about, radius_m, 180 - half_deg, 180 + half_deg)};
   for (const double side : {y, -y})
     if (x < end_m) lines.push_back({.path = {{x, about.y + side}, {end_m, about.y + side}}});
   return lines;
 }
 
-// An arc begins at the side of the field if it would begin beyond it.
+// An arc begins at the side of the pitch if it would begin beyond it.
 double beginning_deg(Vec2 middle, const std::vector<double>& arc, HalfSize half) {
   const double to_side_m = half.to_side_line_m - middle.y;
   return to_side_m < arc[0] ? std::max(arc[1], 180 - arcsine_deg(to_side_m / arc[0])) : arc[1];
 }
 
-std::vector<FieldLine> round_lines(const Command& command, HalfSize half) {
+std::vector<PitchLine> round_lines(const Command& command, HalfSize half) {
   const auto middle = command.arguments.empty() ? std::nullopt : point_of(command.arguments[0], half);
   const std::size_t count = command.word == "A" ? 3 : command.word == "T" ? 2 : 1;
   const std::vector<double> numbers = numbers_of(command, 1, count, half);
   if (!middle || numbers.empty() || !(numbers[0] > 0)) return {};
   if (command.word == "A") return {arc(*middle, numbers[0], beginning_deg(*middle, numbers, half), numbers[2])};
   if (command.word == "T") return opened_arc(*middle, numbers[0], numbers[1], half.to_end_line_m);
-  FieldLine circle = arc(*middle, numbers[0], 0, 360);
+  PitchLine circle = arc(*middle, numbers[0], 0, 360);
   circle.is_disc = command.word == "D";
   return {circle};
 }
 
-std::vector<FieldLine> straight_lines(const Command& command, HalfSize half) {
+std::vector<PitchLine> straight_lines(const Command& command, HalfSize half) {
   const bool is_broken = command.word == "B";
   Polyline points = points_of(command, is_broken ? 2 : 0, half);
   if (points.size() < 2) return {};
@@ -111,7 +111,7 @@ std::vector<FieldLine> straight_lines(const Command& command, HalfSize half) {
     const Vec2 low = points[0], high = points[1], start{(low.x + high.x) / 2, low.y};
     points = {start, {high.x, low.y}, high, {low.x, high.y}, low, start};
   }
-  FieldLine line{.path = points};
+  PitchLine line{.path = points};
   if (is_broken) {
     const auto dash = coordinate_m(command.arguments[0], half), gap = coordinate_m(command.arguments[1], half);
     if (!dash || !gap || !(*dash > 0)) return {};
@@ -143,20 +143,20 @@ std::optional<double> coordinate_m(std::string_view text, HalfSize half) {
   return sum;
 }
 
-HalfSize half_size_of(const Field& field) {
-  const double line_m = rules_of(field.kind).line.width_m;
-  return {(distance(field.from, field.to) - line_m) / 2, (field.width_m - line_m) / 2};
+HalfSize half_size_of(const Pitch& pitch) {
+  const double line_m = rules_of(pitch.kind).line.width_m;
+  return {(distance(pitch.from, pitch.to) - line_m) / 2, (pitch.width_m - line_m) / 2};
 }
 
-FieldFrame frame_of(const Field& field) { return {(field.from + field.to) * 0.5, unit(field.to - field.from)}; }
+PitchFrame frame_of(const Pitch& pitch) { return {(pitch.from + pitch.to) * 0.5, unit(pitch.to - pitch.from)}; }
 
-std::vector<FieldLine> lines_of(std::string_view text, HalfSize half) {
-  std::vector<FieldLine> lines;
+std::vector<PitchLine> lines_of(std::string_view text, HalfSize half) {
+  std::vector<PitchLine> lines;
   for (const std::string_view part : split(text, ';')) {
     const std::optional<Command> command = command_of(part);
     if (!command) continue;
     const bool is_straight = command->word == "L" || command->word == "R" || command->word == "B";
-    for (const FieldLine& line : is_straight ? straight_lines(*command, half) : round_lines(*command, half))
+    for (const PitchLine& line : is_straight ? straight_lines(*command, half) : round_lines(*command, half))
       for (const Vec2 sign : signs_of_copies(command->copies)) {
         lines.push_back(line);
         for (Vec2& p : lines.back().path) p = {p.x * sign.x, p.y * sign.y};
@@ -165,17 +165,17 @@ std::vector<FieldLine> lines_of(std::string_view text, HalfSize half) {
   return lines;
 }
 
-std::vector<FieldLine> lines_of(const Field& field) {
-  return lines_of(rules_of(field.kind).lines, half_size_of(field));
+std::vector<PitchLine> lines_of(const Pitch& pitch) {
+  return lines_of(rules_of(pitch.kind).lines, half_size_of(pitch));
 }
 
-std::vector<Equipment> equipment_of(const Field& field) {
-  const FieldFrame frame = frame_of(field);
+std::vector<Equipment> equipment_of(const Pitch& pitch) {
+  const PitchFrame frame = frame_of(pitch);
   std::vector<Equipment> all;
-  for (const std::string_view part : split(rules_of(field.kind).equipment, ';')) {
+  for (const std::string_view part : split(rules_of(pitch.kind).equipment, ';')) {
     const std::optional<Command> command = command_of(part);
     if (!command || command->arguments.size() != 1) continue;
-    const std::optional<Vec2> at = point_of(command->arguments[0], half_size_of(field));
+    const std::optional<Vec2> at = point_of(command->arguments[0], half_size_of(pitch));
     if (!at) continue;
     for (const Vec2 sign : signs_of_copies(command->copies)) {
       const Vec2 place{at->x * sign.x, at->y * sign.y};

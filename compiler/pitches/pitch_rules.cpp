@@ -1,4 +1,4 @@
-#include "compiler/pitches/field_rules.h"
+#include "compiler/pitches/pitch_rules.h"
 
 #include <algorithm>
 #include <cassert>
@@ -14,8 +14,8 @@ constexpr materials::TextureImage::Texel kWhiteLine = {228, 228, 224}, kBlueLine
 
 // A table's cell in parentheses, whose commas do not separate arguments.
 #define FIELD_CELL(...) __VA_ARGS__
-constexpr FieldRules kRows[] = {
-#define FIELD(name, sports, length, width, space, line, lines, equipment) \
+constexpr PitchRules kRows[] = {
+#define PITCH(name, sports, length, width, space, line, lines, equipment) \
   {std::string_view(#name).substr(1),                                     \
    sports,                                                                \
    FIELD_CELL length,                                                     \
@@ -24,22 +24,22 @@ constexpr FieldRules kRows[] = {
    FIELD_CELL line,                                                       \
    lines,                                                                 \
    equipment},
-#include "compiler/pitches/fields.inc"
-#undef FIELD
+#include "compiler/pitches/pitches.inc"
+#undef PITCH
 };
 #undef FIELD_CELL
-static_assert(std::size(kRows) == static_cast<std::size_t>(FieldKind::kCount));
+static_assert(std::size(kRows) == static_cast<std::size_t>(PitchKind::kCount));
 
 }  // namespace
 
-std::span<const FieldRules> field_rules() { return kRows; }
+std::span<const PitchRules> pitch_rules() { return kRows; }
 
-const FieldRules& rules_of(FieldKind kind) {
-  assert(kind < FieldKind::kCount);
+const PitchRules& rules_of(PitchKind kind) {
+  assert(kind < PitchKind::kCount);
   return kRows[static_cast<std::size_t>(kind)];
 }
 
-bool is_for(const FieldRules& rules, std::string_view sport) {
+bool is_for(const PitchRules& rules, std::string_view sport) {
   return std::ranges::count(split(rules.sports, ' '), sport) > 0;
 }
 

@@ -1,4 +1,4 @@
-// The table of fields (fields.inc): sizes, lines and equipment by sport.
+// The table of pitches (pitches.inc): sizes, lines and equipment by sport.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct SizeRange {
   double least_m, usual_m, most_m;
 };
 
-/// The ground that each of several courts takes; 0: an area has one field.
+/// The ground that each of several courts takes; 0: an area has one pitch.
 struct CourtSpace {
   double length_m, width_m;
 };
@@ -26,8 +26,8 @@ struct LineStyle {
   materials::TextureImage::Texel colour;
 };
 
-/// A row of fields.inc, where the columns are explained.
-struct FieldRules {
+/// A row of pitches.inc, where the columns are explained.
+struct PitchRules {
   std::string_view name;    ///< Such as "Soccer".
   std::string_view sports;  ///< Values of sport=*, separated by blanks.
   SizeRange length, width;
@@ -36,14 +36,14 @@ struct FieldRules {
   std::string_view lines, equipment;
 };
 
-/// Returns the rows, in the order of FieldKind.
-std::span<const FieldRules> field_rules();
+/// Returns the rows, in the order of PitchKind.
+std::span<const PitchRules> pitch_rules();
 /// Returns the row of a kind.
-const FieldRules& rules_of(FieldKind kind);
+const PitchRules& rules_of(PitchKind kind);
 /// True if a row is for this value of sport=*.
-bool is_for(const FieldRules& rules, std::string_view sport);
+bool is_for(const PitchRules& rules, std::string_view sport);
 
-/// Returns the size of a field on ground of this size; nothing if the ground is too small.
+/// Returns the size of a pitch on ground of this size; nothing if the ground is too small.
 std::optional<double> fitted_m(const SizeRange& range, double ground_m);
 
 }  // namespace citykiln::pitches
