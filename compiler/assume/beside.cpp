@@ -39,7 +39,7 @@ LandUse land_use_of(LandCoverClass surface) {
     case LandCoverClass::kFell:
     case LandCoverClass::kHeath:
     case LandCoverClass::kGolfCourse:
-      return LandUse::kFields;
+      return LandUse::kFarmland;
     default:
       break;
   }
@@ -49,7 +49,7 @@ LandUse land_use_of(LandCoverClass surface) {
     case LandCoverGroup::kIndustry:
       return LandUse::kIndustry;
     case LandCoverGroup::kFarm:
-      return LandUse::kFields;
+      return LandUse::kFarmland;
     case LandCoverGroup::kGarden:
     case LandCoverGroup::kSport:
     case LandCoverGroup::kGrassland:

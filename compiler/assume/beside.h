@@ -41,7 +41,7 @@ enum class LandUse : std::uint8_t {
   kShops,  ///< Shops, offices, schools, hospitals, churches.
   kIndustry,
   kRailway,
-  kFields,
+  kFarmland,
   kGreen,  ///< Parks, gardens, sports grounds.
   kWood,
   kWater,

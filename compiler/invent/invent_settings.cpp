@@ -34,9 +34,9 @@ void name_country(CountrySettings& c, std::vector<NamedSetting>& all) {
                          {kSection, "wood_size", &c.wood_size_m, 20, 10000},
                          {kSection, "rock_slope", &c.rock_slope, 0.05, 10},
                          {kSection, "heath_share", &c.heath_share, 0, 1},
-                         {kSection, "fields", &c.has_fields, 0, 1},
-                         {kSection, "field_size", &c.field_ha, 0.05, 100},
-                         {kSection, "field_slope", &c.field_slope, 0, 10},
+                         {kSection, "fields", &c.has_farm_fields, 0, 1},
+                         {kSection, "field_size", &c.farm_field_ha, 0.05, 100},
+                         {kSection, "field_slope", &c.farm_field_slope, 0, 10},
                          {kSection, "hedges", &c.hedge_share, 0, 1},
                          {kSection, "orchards", &c.orchard_share, 0, 1},
                          {kSection, "tree_rows", &c.tree_row_share, 0, 1},
@@ -72,7 +72,7 @@ InventSettings usual_settings(WorldKind kind) {
     terrain.fractal.initial_height_m = 700;
     terrain.ridges_m = 120;
     settings.country.wood_share = 0.55;
-    settings.country.has_fields = false;
+    settings.country.has_farm_fields = false;
     settings.country.heath_share = 0.25;
     settings.country.tracks_per_km2 = 3;
   }

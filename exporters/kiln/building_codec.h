@@ -8,7 +8,7 @@
 
 #include "compiler/buildings/recipe.h"
 #include "compiler/map/buildings/building_classes.h"
-#include "exporters/kiln/field_codecs.h"
+#include "exporters/kiln/member_codecs.h"
 
 namespace citykiln::exporters {
 

@@ -6,7 +6,7 @@
 
 #include "compiler/map/element_text.h"
 #include "exporters/kiln/building_codec.h"
-#include "exporters/kiln/field_codecs.h"
+#include "exporters/kiln/member_codecs.h"
 #include "exporters/kiln/road_codec.h"
 #include "exporters/kiln/thing_codec.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compiler/scene/scene.h"
-#include "exporters/kiln/field_codecs.h"
+#include "exporters/kiln/member_codecs.h"
 #include "exporters/kiln/road_kinds.h"
 
 namespace citykiln::exporters {

@@ -10,7 +10,7 @@
 
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/things/recipe.h"
-#include "exporters/kiln/field_codecs.h"
+#include "exporters/kiln/member_codecs.h"
 
 namespace citykiln::exporters {
 

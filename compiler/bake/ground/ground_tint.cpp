@@ -28,11 +28,11 @@ struct SeasonalTint {
 constexpr SeasonalTint kSeasonalTints[] = {
 #define TINT(letter, red, green, blue) {letter, {red, green, blue}},
 #define MONTHS(material, months)
-#define FIELDS(month, fields)
+#define CROPS(month, crops)
 #include "compiler/bake/ground/seasonal_tints.inc"
 #undef TINT
 #undef MONTHS
-#undef FIELDS
+#undef CROPS
 };
 
 struct Months {
@@ -42,28 +42,28 @@ struct Months {
 constexpr Months kMonths[] = {
 #define TINT(letter, red, green, blue)
 #define MONTHS(material, months) {Material::material, months},
-#define FIELDS(month, fields)
+#define CROPS(month, crops)
 #include "compiler/bake/ground/seasonal_tints.inc"
 #undef TINT
 #undef MONTHS
-#undef FIELDS
+#undef CROPS
 };
 
-constexpr std::string_view kFields[] = {
+constexpr std::string_view kCropsOfMonths[] = {
 #define TINT(letter, red, green, blue)
 #define MONTHS(material, months)
-#define FIELDS(month, fields) fields,
+#define CROPS(month, crops) crops,
 #include "compiler/bake/ground/seasonal_tints.inc"
 #undef TINT
 #undef MONTHS
-#undef FIELDS
+#undef CROPS
 };
-static_assert(std::size(kFields) == 12 && kFields[5] == kCropLetters);
+static_assert(std::size(kCropsOfMonths) == 12 && kCropsOfMonths[5] == kCropLetters);
 
 std::size_t index_of(plants::Month month) { return (static_cast<std::size_t>(month) + 11) % 12; }
 
 TintFactor crop_in(plants::Month month, std::size_t field) {
-  return kCrops[kCropLetters.find(kFields[index_of(month)][field])];
+  return kCrops[kCropLetters.find(kCropsOfMonths[index_of(month)][field])];
 }
 
 bool is_green(Material material) {

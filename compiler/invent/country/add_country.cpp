@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/invent/country/add_fields.h"
+#include "compiler/invent/country/add_farm_fields.h"
 #include "compiler/invent/country/add_tracks.h"
 #include "compiler/invent/country/taken_land.h"
 #include "compiler/invent/land/contour.h"
@@ -101,7 +101,7 @@ class WildCover {
   void make_wood() {
     const double least = upper_quantile(settings_.wood_share, noise_.values);
     wood_ = combined([&](std::size_t i) {
-      const double steep = std::clamp((slope_.values[i] - settings_.field_slope) * 1.2, 0.0, 0.5);
+      const double steep = std::clamp((slope_.values[i] - settings_.farm_field_slope) * 1.2, 0.0, 0.5);
       const double cold = std::max(0.0, (height_m(i) - kTreeLine_m) / kTreeLineSoftness_m);
       return std::min({noise_.values[i] - least + (settings_.wood_share > 0 ? steep : 0) - cold, -rock_.values[i],
                        free_.values[i]});
@@ -141,7 +141,7 @@ void add_wild_cover(const Terrain& terrain, const CountrySettings& settings, dou
   add(cover.wood(false), {{"leaf_type", "broadleaved"}, {"natural", "wood"}});
   add(cover.wood(true), {{"leaf_type", "needleleaved"}, {"natural", "wood"}});
   add(cover.heath(), {{"natural", "heath"}});
-  if (!settings.has_fields) add(cover.grassland(), {{"natural", "grassland"}});
+  if (!settings.has_farm_fields) add(cover.grassland(), {{"natural", "grassland"}});
   taken.index();
 }
 
@@ -153,7 +153,7 @@ void add_country(const Terrain& terrain, const CountrySettings& settings, double
   TakenLand taken = taken_land_of(map, terrain, true);
   taken.index();
   add_wild_cover(terrain, settings, side_m, seed, taken, map);
-  if (settings.has_fields) add_fields(terrain, settings, side_m, seed, taken, map);
+  if (settings.has_farm_fields) add_farm_fields(terrain, settings, side_m, seed, taken, map);
 }
 
 }  // namespace citykiln::invent

@@ -12,15 +12,15 @@ constexpr double kTakenBucket_m = 64;
 // fields keep off the water by a bank
 constexpr double kBank_m = 3;
 
-struct StripWidth {
+struct RightOfWay {
   std::string_view value;
   double half_m;
 };
 // carriageway, pavements or shoulders, and a verge
-constexpr StripWidth kRoadStrips[] = {{"motorway", 15}, {"trunk", 12},       {"primary", 9},     {"secondary", 8},
-                                      {"tertiary", 7},  {"unclassified", 6}, {"residential", 7}, {"living_street", 5},
-                                      {"service", 4},   {"pedestrian", 5},   {"track", 3},       {"path", 1.5},
-                                      {"footway", 2},   {"cycleway", 2.5},   {"bridleway", 2}};
+constexpr RightOfWay kRoadRightsOfWay[] = {
+    {"motorway", 15},    {"trunk", 12},      {"primary", 9},       {"secondary", 8},  {"tertiary", 7},
+    {"unclassified", 6}, {"residential", 7}, {"living_street", 5}, {"service", 4},    {"pedestrian", 5},
+    {"track", 3},        {"path", 1.5},      {"footway", 2},       {"cycleway", 2.5}, {"bridleway", 2}};
 
 Polygon quadrangle(Vec2 a, Vec2 b, double half_m) {
   const Vec2 along = unit(b - a), side = left_of(along) * half_m;
@@ -43,12 +43,12 @@ bool is_town_area(const Tags& tags) {
 
 }  // namespace
 
-double half_strip_m(const InventedLine& line) {
+double half_right_of_way_m(const InventedLine& line) {
   if (!value_in(line.tags, "railway").empty()) return 6;
   const std::string_view road = value_in(line.tags, "highway");
   if (road.empty()) return 0;
-  const auto found = std::ranges::find(kRoadStrips, road, &StripWidth::value);
-  return found == std::end(kRoadStrips) ? 5 : found->half_m;
+  const auto found = std::ranges::find(kRoadRightsOfWay, road, &RightOfWay::value);
+  return found == std::end(kRoadRightsOfWay) ? 5 : found->half_m;
 }
 
 void TakenLand::add(const Polygon& polygon) {
@@ -99,7 +99,7 @@ std::vector<Polygon> TakenLand::polygons_near(const Box2& box) const {
 TakenLand taken_land_of(const InventedMap& map, const Terrain& terrain, bool with_areas) {
   TakenLand taken;
   for (const InventedLine& line : map.lines)
-    if (const double half_m = half_strip_m(line); half_m > 0) taken.add(line.axis, half_m);
+    if (const double half_m = half_right_of_way_m(line); half_m > 0) taken.add(line.axis, half_m);
   if (with_areas) {
     for (const InventedArea& area : map.areas)
       if (is_town_area(area.tags)) taken.add(area.polygon);

@@ -12,7 +12,7 @@
 
 namespace citykiln::invent {
 
-/// Polygons, and strips along lines. index() must be called after the last addition.
+/// Polygons, and rights-of-way along lines. index() must be called after the last addition.
 class TakenLand {
  public:
   void add(const Polygon& polygon);
@@ -21,7 +21,7 @@ class TakenLand {
 
   /// Returns the distance to the nearest taken land, negative or zero inside; at most `within_m`. O(1).
   double distance_m(Vec2 p, double within_m) const;
-  /// Returns the taken land near a box as polygons. Strips give a quadrangle for each segment.
+  /// Returns the taken land near a box as polygons. Rights-of-way give a quadrangle for each segment.
   std::vector<Polygon> polygons_near(const Box2& box) const;
 
  private:
@@ -35,11 +35,11 @@ class TakenLand {
   BoxGrid grid_;
 };
 
-/// Returns half the width of the strip that a line of the map takes; 0 for lines that take none.
-double half_strip_m(const InventedLine& line);
+/// Returns half the width of the right-of-way that a line of the map takes; 0 for lines that take none.
+double half_right_of_way_m(const InventedLine& line);
 
-/// Returns the strips of roads and railways of a map; with_areas also mapped land (landuse, leisure, amenity, building,
-/// natural, tourism, aeroway), rivers and the sea. Call index() before use.
+/// Returns the rights-of-way of roads and railways of a map; with_areas also mapped land (landuse, leisure, amenity,
+/// building, natural, tourism, aeroway), rivers and the sea. Call index() before use.
 TakenLand taken_land_of(const InventedMap& map, const Terrain& terrain, bool with_areas);
 
 }  // namespace citykiln::invent

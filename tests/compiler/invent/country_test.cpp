@@ -78,8 +78,9 @@ TEST(AddCountry, FieldsOverlapNeitherEachOtherNorTownsRoadsAndWoods) {
         if (in_fields == 0) continue;
         EXPECT_FALSE(std::ranges::any_of(others, holds)) << seed << ": " << x << " " << y;
         for (const InventedLine& line : map.lines)
-          if (half_strip_m(line) > 0) {
-            EXPECT_GE(distance_to_polyline(line.axis, p), half_strip_m(line) * 0.9) << seed << ": " << x << " " << y;
+          if (half_right_of_way_m(line) > 0) {
+            EXPECT_GE(distance_to_polyline(line.axis, p), half_right_of_way_m(line) * 0.9)
+                << seed << ": " << x << " " << y;
           }
       }
     EXPECT_GT(covered, 3000) << "little land has fields, seed " << seed;
@@ -108,7 +109,7 @@ TEST(AddCountry, TracksMeetRoadsInEqualPoints) {
 TEST(AddCountry, MoreWoodIsAskedForMoreIsThere) {
   const auto wood_m2 = [](double share) {
     InventedMap map;
-    add_country(land(3), {.wood_share = share, .has_fields = false}, kSide_m, 3, map);
+    add_country(land(3), {.wood_share = share, .has_farm_fields = false}, kSide_m, 3, map);
     double sum = 0;
     for (const InventedArea& area : map.areas)
       if (value_in(area.tags, "natural") == "wood") sum += area_m2(area.polygon);

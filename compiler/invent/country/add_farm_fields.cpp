@@ -1,4 +1,4 @@
-#include "compiler/invent/country/add_fields.h"
+#include "compiler/invent/country/add_farm_fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,14 @@ namespace citykiln::invent {
 namespace {
 
 // a field keeps off the line that divides it from its neighbour by this, with and without a hedge
-constexpr double kHedgeMargin_m = 1.5, kFieldMargin_m = 0.5;
+constexpr double kHedgeMargin_m = 1.5, kFarmFieldMargin_m = 0.5;
 // pieces of fields that are smaller, or narrower on average, stay free
-constexpr double kLeastField_m2 = 700, kLeastFieldWidth_m = 9;
+constexpr double kLeastFarmField_m2 = 700, kLeastFarmFieldWidth_m = 9;
 // hedges keep off roads and woods
 constexpr double kHedgeOff_m = 3, kHedgeStep_m = 5;
-constexpr double kFieldEdge_m = 60;  // fields begin beyond the square, which cuts them
+constexpr double kFarmFieldEdge_m = 60;  // fields begin beyond the square, which cuts them
 
-struct FieldPiece {
+struct FarmFieldPiece {
   Ring ring;
   std::uint64_t id;  ///< By the splits that led to it.
 };
@@ -29,31 +29,31 @@ double share_of(std::uint64_t id, std::uint64_t purpose) {
   return static_cast<double>(hash_of(static_cast<std::int64_t>(id), 17, purpose) >> 11) * 0x1p-53;
 }
 
-class FieldDivider {
+class FarmFieldDivider {
  public:
-  FieldDivider(const Terrain& terrain, const CountrySettings& settings, std::uint64_t seed, const TakenLand& taken,
-               InventedMap& map)
+  FarmFieldDivider(const Terrain& terrain, const CountrySettings& settings, std::uint64_t seed, const TakenLand& taken,
+                   InventedMap& map)
       : terrain_(terrain), settings_(settings), seed_(seed), taken_(taken), map_(map) {
     for (const InventedLine& line : map.lines)
-      if (half_strip_m(line) > 0) add_guides(line.axis);
+      if (half_right_of_way_m(line) > 0) add_guides(line.axis);
     guides_grid_ = grid_of(guide_boxes_, 128);
   }
 
   void divide(double side_m) {
-    const double half_m = side_m / 2 + kFieldEdge_m;
-    std::vector<FieldPiece> whole,
+    const double half_m = side_m / 2 + kFarmFieldEdge_m;
+    std::vector<FarmFieldPiece> whole,
         open = {{{{-half_m, -half_m}, {half_m, -half_m}, {half_m, half_m}, {-half_m, half_m}}, 1}};
     while (!open.empty()) {
-      const FieldPiece piece = std::move(open.back());
+      const FarmFieldPiece piece = std::move(open.back());
       open.pop_back();
-      const double wanted_m2 = settings_.field_ha * 1e4 * (0.6 + 1.1 * share_of(piece.id, seed_ + 1));
+      const double wanted_m2 = settings_.farm_field_ha * 1e4 * (0.6 + 1.1 * share_of(piece.id, seed_ + 1));
       if (signed_area_m2(piece.ring) <= wanted_m2)
         whole.push_back(piece);
       else
         split(piece, open);
     }
-    const auto fields =
-        for_each_slot<std::vector<InventedArea>>(whole.size(), 0, [&](std::size_t i) { return fields_of(whole[i]); });
+    const auto fields = for_each_slot<std::vector<InventedArea>>(
+        whole.size(), 0, [&](std::size_t i) { return farm_fields_of(whole[i]); });
     for (const std::vector<InventedArea>& of_piece : fields)
       map_.areas.insert(map_.areas.end(), of_piece.begin(), of_piece.end());
   }
@@ -86,7 +86,7 @@ class FieldDivider {
   }
 
   /// The line that splits a piece across its longer extent, along or square to the direction of its place.
-  std::pair<Vec2, Vec2> line_of_split(const FieldPiece& piece) const {
+  std::pair<Vec2, Vec2> line_of_split(const FarmFieldPiece& piece) const {
     const Box2 box = box_of(piece.ring);
     // large pieces are split near their middle in any direction, which later splits follow
     const Vec2 wander = unit(Vec2{1, (share_of(piece.id, seed_ + 2) - 0.5) * 0.5});
@@ -104,10 +104,10 @@ class FieldDivider {
     return {across * (low_v + (high_v - low_v) * share), along};
   }
 
-  void split(const FieldPiece& piece, std::vector<FieldPiece>& open) {
+  void split(const FarmFieldPiece& piece, std::vector<FarmFieldPiece>& open) {
     const auto [on_line, direction] = line_of_split(piece);
     const bool has_hedge = share_of(piece.id, seed_ + 4) < settings_.hedge_share;
-    const double margin_m = has_hedge ? kHedgeMargin_m : kFieldMargin_m;
+    const double margin_m = has_hedge ? kHedgeMargin_m : kFarmFieldMargin_m;
     const SplitConvex halves = split_convex(piece.ring, on_line, direction, margin_m);
     if (halves.left.empty() || halves.right.empty()) return;
     if (has_hedge) add_hedge(halves.from, halves.to, piece.id);
@@ -144,14 +144,14 @@ class FieldDivider {
   }
 
   /// The free parts of a piece, as fields.
-  std::vector<InventedArea> fields_of(const FieldPiece& piece) const {
+  std::vector<InventedArea> farm_fields_of(const FarmFieldPiece& piece) const {
     std::vector<InventedArea> fields;
     for (Polygon& field : difference({piece.ring, {}}, taken_.polygons_near(box_of(piece.ring)))) {
       const double area = area_m2(field);
       double border_m = 0;
       for (const Ring* ring : rings_of(field)) border_m += length_m(*ring) + distance(ring->back(), ring->front());
       // twice the area by half the border: the width of a long strip
-      if (area < kLeastField_m2 || 2 * area / border_m < kLeastFieldWidth_m) continue;
+      if (area < kLeastFarmField_m2 || 2 * area / border_m < kLeastFarmFieldWidth_m) continue;
       Tags tags = tags_of(field, piece.id);
       fields.push_back({std::move(field), std::move(tags)});
     }
@@ -165,11 +165,11 @@ class FieldDivider {
                     terrain_.height_m({middle.x, middle.y + 30}) - terrain_.height_m({middle.x, middle.y - 30})}) /
         60;
     const double drawn = share_of(id, seed_ + 8);
-    if (drawn < settings_.orchard_share && slope < settings_.field_slope * 1.5)
+    if (drawn < settings_.orchard_share && slope < settings_.farm_field_slope * 1.5)
       return {{"landuse", "orchard"}, {"trees", drawn < settings_.orchard_share / 2 ? "apple_trees" : "cherry_trees"}};
     const bool is_wet = terrain_.is_water(middle + Vec2{35, 0}) || terrain_.is_water(middle - Vec2{35, 0}) ||
                         terrain_.is_water(middle + Vec2{0, 35}) || terrain_.is_water(middle - Vec2{0, 35});
-    if (slope > settings_.field_slope || is_wet || drawn > 0.72) return {{"landuse", "meadow"}};
+    if (slope > settings_.farm_field_slope || is_wet || drawn > 0.72) return {{"landuse", "meadow"}};
     constexpr const char* kCrops[] = {"wheat", "barley", "maize", "rape", "sugar_beet"};
     return {{"crop", kCrops[hash_of(static_cast<std::int64_t>(id), 3, seed_) % 5]}, {"landuse", "farmland"}};
   }
@@ -186,9 +186,9 @@ class FieldDivider {
 
 }  // namespace
 
-void add_fields(const Terrain& terrain, const CountrySettings& settings, double side_m, std::uint64_t seed,
-                const TakenLand& taken, InventedMap& map) {
-  FieldDivider(terrain, settings, seed, taken, map).divide(side_m);
+void add_farm_fields(const Terrain& terrain, const CountrySettings& settings, double side_m, std::uint64_t seed,
+                     const TakenLand& taken, InventedMap& map) {
+  FarmFieldDivider(terrain, settings, seed, taken, map).divide(side_m);
 }
 
 }  // namespace citykiln::invent

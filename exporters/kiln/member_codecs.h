@@ -1,4 +1,4 @@
-// Reads and writes fields that many objects of a chunk (the recipes of one tile) have: enumerators, lists, ids, lines,
+// Reads and writes members that many objects of a chunk (the recipes of one tile) have: enumerators, lists, ids, lines,
 // profiles. A knot is a vertex of a height profile; a stream is the sequence of values of one property.
 //
 // Each function both writes and reads: `io` is a Writer or a Reader (chunk_io.h). A Writer reads the value from the

@@ -15,7 +15,7 @@ namespace citykiln::invent {
 /// and single trees stand on the lines of splits.
 ///
 /// Guarantees: fields share no area with each other or with taken land, except for 1 cm of rounding.
-void add_fields(const Terrain& terrain, const CountrySettings& settings, double side_m, std::uint64_t seed,
-                const TakenLand& taken, InventedMap& map);
+void add_farm_fields(const Terrain& terrain, const CountrySettings& settings, double side_m, std::uint64_t seed,
+                     const TakenLand& taken, InventedMap& map);
 
 }  // namespace citykiln::invent
