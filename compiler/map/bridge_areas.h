@@ -35,14 +35,13 @@ struct CarriedTracks {
 /// Decides which bridges each area carries, and gives areas the axes that they lack.
 ///
 /// 1. A surface joins an outline in which more than half of its corners lie. The outline takes the class of the largest
-///    such surface, and its layer if it has none.
+///    such surface, and, if it has no layer, that of a surface.
 /// 2. Areas, by id, take the bridges that no area before them has. A bridge is carried if a third of its length lies on
 ///    the area, or a length of half the longer side of the area's box. Bridges of another layer count only if none of
 ///    the area's layer does; layer 0 agrees with every layer.
 /// 3. Joins are the map nodes at which other ways than tunnels meet the outline: at their ends, or at their only node
-/// on
-///    it. An area that carries bridges gets a paved foot path of 2 m width from each join to the nearest node of these
-///    bridges.
+///    on it. An area that carries bridges gets a paved foot path of 2 m width from each join to the nearest node of
+///    these bridges.
 /// 4. An area that carries none gets a main axis between the two joins that are farthest apart, as wide as the area is
 ///    on average, within 2 to 60 m, and an axis of 2 m width from every other join straight to it. With one join, the
 ///    main axis ends at the corner of the outline that is farthest from it; with none, it joins the two corners that

@@ -13,8 +13,8 @@ namespace citykiln::scene {
 /// An element may have recipes of several kinds, such as a road and a bridge. Callers that describe an element once use
 /// its first kind in this order.
 /// @param visit  Takes the name of the kind's member of Chunk, such as "buildings", as a std::string_view to static
-/// text,
-///               and this member: a const std::vector of the kind's type, so that `visit` is generic. It may be empty.
+///               text, and this member: a const std::vector of the kind's type, so that `visit` is generic. It may be
+///               empty.
 template <typename Visit>
 void for_each_element_kind(const Chunk& chunk, Visit visit) {
 #define ELEMENT(type, member) visit(std::string_view(#member), chunk.member);

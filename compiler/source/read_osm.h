@@ -13,11 +13,9 @@ namespace citykiln::source {
 /// Returns the elements of an extract, decoded with libosmium, with its areas assembled.
 ///
 /// - Elements may be in any order, and the result does not depend on it. If an element occurs several times, its
-/// highest
-///   version is used.
+///   highest version is used.
 /// - If ways hold the locations of their nodes (LocationsOnWays), the nodes need not be in the file, and only ways can
-/// be
-///   diagnosed as missing members.
+///   be diagnosed as missing members.
 /// - Areas of which members are missing are closed along the box in the file's header, where that is possible without
 ///   doubt (close_cut_areas.h).
 ///
@@ -27,9 +25,8 @@ namespace citykiln::source {
 /// three times the time of decoding the file, whose elements are in memory twice for a while.
 /// @param threads  At least 1; does not change the result.
 /// @param owns     If not empty, report and ledger cover only the elements whose place it accepts. The place of a way
-/// is
-///                 its first node with a location, that of a relation the place of its first member way that has one.
-///                 The result has all elements.
+///                 is its first node with a location, that of a relation the place of its first member way that has
+///                 one. The result has all elements.
 Result<OsmData> read_osm(const std::string& path, int threads, Report& report, const OwnsPlace& owns = {});
 
 }  // namespace citykiln::source

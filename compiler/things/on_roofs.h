@@ -48,13 +48,13 @@ struct FootOnRoof {
 };
 
 /// Returns the foot and the height of a thing on a building. The first case that applies counts:
-///
-/// | case | foot | height |
-/// |---|---|---|
-/// | min_height is tagged | min_height above the ground, at most the roof | up to the tagged height if that is above
-/// min_height, else its own | | is higher than the building and not tagged to be on its roof; kThroughRoof | the ground
-/// | ThingFeature::height_m, not snapped | | the same of other kinds, with a tagged height | the roof | up to the
-/// tagged height, but at least 2 m or all of it | | else | the roof | its own |
+/// 1. min_height is tagged: the foot is min_height above the ground, but not above the roof. The top is at the tagged
+///    height if that is above min_height; else the thing has its own height.
+/// 2. It is higher than the building and not tagged to be on its roof, and its kind is kThroughRoof: it stands on the
+///    ground with ThingFeature::height_m, which is not snapped.
+/// 3. The same, of another kind and with a tagged height: the foot is on the roof. The height is the part of the tagged
+///    one above the roof, but at least 2 m, or all of it if that is less.
+/// 4. Else: the foot is on the roof, and the thing has its own height.
 ///
 /// Its own height is the tagged one, else that of its kind, but at most the larger of 3 m and half of the building's
 /// height above the ground. O(1).

@@ -68,7 +68,7 @@ double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m);
 /// most kKnotStretch_m at height 0 on terrain at height 0, well beyond kGrading_m from anything at other heights, has
 /// no knots. The order of tracks and roads does not matter. Reports kTooSteep, kStepAtCrossing, kClearanceNotMet or
 /// kLayersContradict, kCrossingWithoutOrder, kTunnelLowered, kBridgeWithoutGround. Cannot fail. Depends on data within
-/// kProfileRadius_m.
+/// kProfileRadius_m, and farther by two ramps for each storey of bridges or tunnels.
 Profiles plan_profiles(const map::FeatureView& features, std::span<const roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
                        std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,

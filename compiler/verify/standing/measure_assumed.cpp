@@ -99,7 +99,7 @@ bool meet_near(const Mapped& mapped, const Road& one, const Road& other, Vec2 p)
   });
 }
 
-// Paths at a greater angle to a road join its pavement: the sine of about 53 degrees between path and pavement.
+// Paths at a greater angle to a road join its pavement: the sine of about 37 degrees.
 constexpr double kJoins = 0.6;
 
 // True if a place lies between the kerbs of another road, on a railway, or on a path that runs along the road.
