@@ -19,8 +19,8 @@ namespace citykiln::things {
 
 /// The roof below a thing. Both are heights in plane metres.
 struct RoofBelow {
-  double ground_m =
-      0;              ///< The lowest floor of the buildings there that stand on the ground, else that of the building.
+  /// The lowest floor of the buildings there that stand on the ground, else that of the building.
+  double ground_m = 0;
   double roof_m = 0;  ///< The lowest place of the roof below the thing's base.
 };
 
@@ -52,7 +52,8 @@ struct FootOnRoof {
 ///    height if that is above min_height; else the thing has its own height.
 /// 2. It is higher than the building and not tagged to be on its roof, and its kind is kThroughRoof: it stands on the
 ///    ground with ThingFeature::height_m, which is not snapped.
-/// 3. The same, of another kind and with a tagged height: the foot is on the roof. The height is the part of the tagged
+/// 3. It is so, but of another kind, and its height is tagged: the foot is on the roof. The height is the part of the
+/// tagged
 ///    one above the roof, but at least 2 m, or all of it if that is less.
 /// 4. Else: the foot is on the roof, and the thing has its own height.
 ///
