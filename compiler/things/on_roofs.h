@@ -53,8 +53,7 @@ struct FootOnRoof {
 /// 2. It is higher than the building and not tagged to be on its roof, and its kind is kThroughRoof: it stands on the
 ///    ground with ThingFeature::height_m, which is not snapped.
 /// 3. It is so, but of another kind, and its height is tagged: the foot is on the roof. The height is the part of the
-/// tagged
-///    one above the roof, but at least 2 m, or all of it if that is less.
+///    tagged one above the roof, but at least 2 m, or all of it if that is less.
 /// 4. Else: the foot is on the roof, and the thing has its own height.
 ///
 /// Its own height is the tagged one, else that of its kind, but at most the larger of 3 m and half of the building's
