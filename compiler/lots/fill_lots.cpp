@@ -42,10 +42,10 @@ struct HouseRow {
 };
 
 constexpr HouseRow kHouseRows[] = {
-#define HOUSES(group, weight, rules, least, most, front, beside, width, depth) \
-  {CountryGroup::group, weight, rules, least, most, {front, beside, width, depth}},
-#define HOUSES_ANYWHERE(weight, rules, least, most, front, beside, width, depth) \
-  {kAnyGroup, weight, rules, least, most, {front, beside, width, depth}},
+#define HOUSES(group, weight, rules, least, most, setback, beside, width, depth) \
+  {CountryGroup::group, weight, rules, least, most, {setback, beside, width, depth}},
+#define HOUSES_ANYWHERE(weight, rules, least, most, setback, beside, width, depth) \
+  {kAnyGroup, weight, rules, least, most, {setback, beside, width, depth}},
 #include "compiler/lots/houses.inc"
 };
 

@@ -61,12 +61,12 @@ std::optional<Box2> room_for_house(const Polygon& lot, const Frame& frame, const
   const double rear_m = std::max(sizes.beside_m, kLeastRear_m);
   std::optional<Box2> best;
   Interval room;
-  for (double y = sizes.front_m; y <= sizes.front_m + sizes.most_depth_m; y += kStep_m) {
+  for (double y = sizes.setback_m; y <= sizes.setback_m + sizes.most_depth_m; y += kStep_m) {
     const Interval inside = inside_at(rings, y);
     room.low = std::max(room.low, inside.low + sizes.beside_m);
     room.high = std::min(room.high, inside.high - sizes.beside_m);
     if (room.width() < kLeastHouse_m || inside_at(rings, y + rear_m).width() <= 0) break;
-    const Box2 box = centred(room, sizes.front_m, y, sizes.most_width_m);
+    const Box2 box = centred(room, sizes.setback_m, y, sizes.most_width_m);
     if (box.height() < kLeastHouse_m || has_corner_in(rings, box)) continue;
     if (!best || box.width() * box.height() > best->width() * best->height()) best = box;
   }

@@ -32,7 +32,7 @@ void add_crossings(double a, double b, double length_m, std::vector<double>& pla
 
 // Cuts free spans where a street edge leaves a cell, except near a corner or a building's land.
 void cut_spans(const RightsOfWay& ways, std::uint32_t f, double frontage_m, std::vector<Span>& spans) {
-  const StreetEdge& street_edge = ways.street_edges[f];
+  const RightOfWayEdge& street_edge = ways.street_edges[f];
   const double length = street_edge.length_m();
   std::vector<double> places;
   add_crossings(street_edge.a.x, street_edge.b.x, length, places);

@@ -119,7 +119,7 @@ std::optional<std::uint32_t> seen_from(const View& view, std::uint32_t street_ed
 }
 
 // The places along a street edge where the first building can change.
-std::vector<double> breaks_of(const View& view, const StreetEdge& f, const Ring& land) {
+std::vector<double> breaks_of(const View& view, const RightOfWayEdge& f, const Ring& land) {
   const double length = f.length_m();
   const Vec2 along = unit(f.b - f.a);
   std::vector<double> breaks = {0, length};
@@ -135,7 +135,7 @@ std::vector<double> breaks_of(const View& view, const StreetEdge& f, const Ring&
 }
 
 std::vector<Run> runs_of(const View& view, std::uint32_t street_edge) {
-  const StreetEdge& f = view.ways.street_edges[street_edge];
+  const RightOfWayEdge& f = view.ways.street_edges[street_edge];
   std::vector<Run> runs;
   if (f.a == f.b) return runs;
   const Vec2 along = unit(f.b - f.a), rear = f.normal * kDepth_m;
@@ -156,7 +156,7 @@ std::vector<Run> runs_of(const View& view, std::uint32_t street_edge) {
 struct Shadow {
   double from_m, to_m, rear_m;
 };
-Shadow shadow_of(const StreetEdge& f, const Ring& ring) {
+Shadow shadow_of(const RightOfWayEdge& f, const Ring& ring) {
   const Vec2 along = unit(f.b - f.a);
   Shadow shadow{1e9, -1e9, 0};
   for (const Vec2 p : ring) {
@@ -168,7 +168,7 @@ Shadow shadow_of(const StreetEdge& f, const Ring& ring) {
 }
 
 // Drops runs of buildings behind others, of which little is seen.
-void drop_glimpses(const StreetEdge& f, std::vector<Run>& runs, const Buildings& buildings) {
+void drop_glimpses(const RightOfWayEdge& f, std::vector<Run>& runs, const Buildings& buildings) {
   std::erase_if(runs, [&](const Run& run) {
     const Shadow shadow = shadow_of(f, (*buildings.footprints)[run.footprint].ring);
     const double whole = std::min(shadow.to_m, f.length_m()) - std::max(shadow.from_m, 0.0);
@@ -209,7 +209,7 @@ class Divider {
   }
 
  private:
-  const StreetEdge& street_edge(std::uint32_t f) const { return view_.ways.street_edges[f]; }
+  const RightOfWayEdge& street_edge(std::uint32_t f) const { return view_.ways.street_edges[f]; }
   const LotSize& size(std::uint32_t f) const {
     return sizes_[std::min<std::size_t>(street_edge(f).size, sizes_.size() - 1)];
   }
@@ -287,7 +287,7 @@ class Divider {
     for (const Stretch& s : gap.stretches) {
       const double length = s.to_m - s.from_m;
       if (place_m <= at + length) {
-        const StreetEdge& f = street_edge(s.street_edge);
+        const RightOfWayEdge& f = street_edge(s.street_edge);
         const Vec2 p = f.a + unit(f.b - f.a) * (s.from_m + place_m - at);
         return first_hit(view_.buildings, p, f.normal, kDepth_m / 2, true).footprint == kNoIndex;
       }
@@ -381,7 +381,7 @@ void adopt_hidden(const View& view, const std::vector<LotSize>& sizes, EdgeOwner
   const auto claims = claims_of(view, owners);
   for (std::uint32_t f = 0; f < owners.size(); ++f) {
     if (claims[f].empty()) continue;
-    const StreetEdge& street_edge = view.ways.street_edges[f];
+    const RightOfWayEdge& street_edge = view.ways.street_edges[f];
     const double usual_m = sizes[std::min<std::size_t>(street_edge.size, sizes.size() - 1)].depth_m;
     std::vector<Span> all;
     for (const Span& span : owners[f]) {

@@ -106,7 +106,7 @@ Field field_of(std::vector<Piece> pieces, const Obstacles& obstacles) {
 
 void add_piece(std::vector<Piece>& pieces, const RightsOfWay& ways, std::uint32_t street_edge, double from_m,
                double to_m, double depth_m, std::uint32_t label) {
-  const StreetEdge& f = ways.street_edges[street_edge];
+  const RightOfWayEdge& f = ways.street_edges[street_edge];
   const Vec2 along = unit(f.b - f.a);
   const Vec2 a = from_m <= 0 ? f.a : f.a + along * from_m, b = to_m >= f.length_m() ? f.b : f.a + along * to_m;
   if (a == b || depth_m <= 0) return;
@@ -115,7 +115,7 @@ void add_piece(std::vector<Piece>& pieces, const RightsOfWay& ways, std::uint32_
 
 void add_wedges(std::vector<Piece>& pieces, const RightsOfWay& ways, std::uint32_t street_edge, double depth_m,
                 std::uint32_t label) {
-  const StreetEdge& f = ways.street_edges[street_edge];
+  const RightOfWayEdge& f = ways.street_edges[street_edge];
   if (!f.turns_outward || f.next == kNoIndex || depth_m <= 0) return;
   add_wedge(pieces, f.b, f.normal, ways.street_edges[f.next].normal, depth_m, street_edge, label);
 }

@@ -130,7 +130,7 @@ class Linker {
 
   std::uint32_t add(const Segment& s, Side side, Edge e) {
     const Line& line = lines_[s.line];
-    StreetEdge f{
+    RightOfWayEdge f{
         .line = s.line, .segment = s.index, .side = side, .a = e.a, .b = e.b, .normal = left_of(unit(e.b - e.a))};
     f.size = side == Side::kLeft ? line.left_size : line.right_size;
     ways_.street_edges.push_back(f);
@@ -168,11 +168,11 @@ class Linker {
     if (ids[0] != kNoIndex) ways_.street_edges[ids[0]].is_corner = ahead < 0.766;
   }
 
-  static void cut_end(StreetEdge& f, Vec2 x) {
+  static void cut_end(RightOfWayEdge& f, Vec2 x) {
     const double at = dot(x - f.a, f.b - f.a);
     f.b = at <= 0 ? f.a : at < dot(f.b - f.a, f.b - f.a) ? x : f.b;
   }
-  static void cut_start(StreetEdge& f, Vec2 x) {
+  static void cut_start(RightOfWayEdge& f, Vec2 x) {
     const double at = dot(x - f.b, f.a - f.b);
     f.a = at <= 0 ? f.b : at < dot(f.a - f.b, f.a - f.b) ? x : f.a;
   }

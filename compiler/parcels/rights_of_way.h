@@ -17,7 +17,7 @@ namespace citykiln::parcels {
 inline constexpr std::uint32_t kNoIndex = 0xffffffffu;
 
 /// An edge of a street's right-of-way, directed so that the land lies to its left.
-struct StreetEdge {
+struct RightOfWayEdge {
   std::uint32_t line = 0, segment = 0;
   Side side = Side::kLeft;
   Vec2 a, b;    ///< Cut where the next right-of-way begins, so it may have no length.
@@ -39,7 +39,7 @@ struct RightOfWayPiece {
 
 struct RightsOfWay {
   /// First those of axis segments in the order of lines, then those of round ends.
-  std::vector<StreetEdge> street_edges;
+  std::vector<RightOfWayEdge> street_edges;
   std::vector<RightOfWayPiece> pieces;
 };
 

@@ -22,7 +22,7 @@ namespace citykiln::source {
 /// Diagnosed: missing nodes and members, deleted elements, broken areas. Ledger accounts "source/node", "source/way",
 /// "source/area" and "source/relation". Errors: a file that is missing, empty, cut off, malformed, or not of the format
 /// of its name; three ways or more of which none has a place, as in an answer of Overpass without nodes. Cost: about
-/// three times the time of decoding the file, whose elements are in memory twice for a while.
+/// three times that of decoding the file.
 /// @param threads  At least 1; does not change the result.
 /// @param owns     If not empty, report and ledger cover only the elements whose place it accepts. The place of a way
 ///                 is its first node with a location, that of a relation the place of its first member way that has

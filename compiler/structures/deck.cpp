@@ -105,7 +105,7 @@ Mesh slab_of(std::span<const Rib> ribs, const Section& top, const Section& below
 
 Section add_road(const Span& span, std::span<const Rib> ribs, bool has_kerbs, double lane_tolerance_m,
                  GeneratedStructure& generated) {
-  const std::vector<LaneStrip> strips = roads::strips_of(span, lane_tolerance_m);
+  const std::vector<LaneStrip> strips = roads::lane_strips_of(span, lane_tolerance_m);
   const std::vector<double> rises = rises_of(span, strips, has_kerbs);
   for (std::size_t i = 0; i < strips.size(); ++i) add_strip(span, ribs, strips[i], rises[i], has_kerbs, generated);
   return top_of(strips, rises);

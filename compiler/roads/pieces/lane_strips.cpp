@@ -91,7 +91,7 @@ std::vector<LaneStrip> yielded(const Road& road, std::vector<LaneStrip> strips, 
 
 }  // namespace
 
-std::vector<LaneStrip> strips_of(const Road& road, double tolerance_m) {
+std::vector<LaneStrip> lane_strips_of(const Road& road, double tolerance_m) {
   assert(tolerance_m >= 0);
   std::vector<LaneStrip> strips = yielded(road, with_kerbs(runs_of(road)), tolerance_m);
   std::erase_if(strips, [](const LaneStrip& s) { return strip_width_m(s) <= 0; });

@@ -24,6 +24,6 @@ struct LaneStrip {
 /// strip there is a kerb, which takes its width from the raised one. Strips narrower than the tolerance are merged into
 /// their inner neighbour. O(lanes).
 /// @param tolerance_m  >= 0.
-std::vector<LaneStrip> strips_of(const Road& road, double tolerance_m);
+std::vector<LaneStrip> lane_strips_of(const Road& road, double tolerance_m);
 
 }  // namespace citykiln::roads

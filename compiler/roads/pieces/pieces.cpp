@@ -256,7 +256,7 @@ Vec2 uv_at(const PieceFrame& frame, Vec2 p) {
 RoadPieces pieces_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches,
                      std::span<const LaneChange> changes, double tile_m, double tolerance_m) {
   assert(road.axis.size() >= 2 && tile_m > 0 && tolerance_m >= 0);
-  PieceBuilder builder{road, stretches, changes, strips_of(road, tolerance_m)};
+  PieceBuilder builder{road, stretches, changes, lane_strips_of(road, tolerance_m)};
   if (builder.strips.empty() || stretches.empty()) return {};
   builder.find_patterns();
   // bounds that do not depend on the part of the way

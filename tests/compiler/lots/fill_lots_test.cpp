@@ -119,13 +119,13 @@ TEST(FillLots, TheyGetYards) {
 TEST(HouseRoom, KeepsItsDistancesFromTheBorder) {
   const Frame frame{{0, 0}, {1, 0}, {0, 1}};
   const Polygon lot{.outer = rectangle({-10, 0}, {12, 30}), .holes = {}};
-  const auto room = room_for_house(lot, frame, {.front_m = 5, .beside_m = 3, .most_width_m = 40, .most_depth_m = 12});
+  const auto room = room_for_house(lot, frame, {.setback_m = 5, .beside_m = 3, .most_width_m = 40, .most_depth_m = 12});
   ASSERT_TRUE(room);
   EXPECT_EQ(*room, (Box2{{-7, 5}, {9, 17}}));
-  const auto deep = room_for_house(lot, frame, {.front_m = 5, .beside_m = 3, .most_width_m = 8, .most_depth_m = 90});
+  const auto deep = room_for_house(lot, frame, {.setback_m = 5, .beside_m = 3, .most_width_m = 8, .most_depth_m = 90});
   EXPECT_EQ(*deep, (Box2{{-3, 5}, {5, 26.5}}));
   EXPECT_FALSE(room_for_house({.outer = rectangle({-4, 0}, {4, 30}), .holes = {}}, frame,
-                              {.front_m = 5, .beside_m = 3, .most_width_m = 40, .most_depth_m = 12}));
+                              {.setback_m = 5, .beside_m = 3, .most_width_m = 40, .most_depth_m = 12}));
 }
 
 TEST(HouseRoom, AvoidsNotchesAndHoles) {
@@ -133,18 +133,19 @@ TEST(HouseRoom, AvoidsNotchesAndHoles) {
   const Polygon notched{.outer = {{-10, 0}, {10, 0}, {10, 12}, {4, 12}, {4, 13}, {10, 13}, {10, 30}, {-10, 30}},
                         .holes = {}};
   const auto room =
-      room_for_house(notched, frame, {.front_m = 2, .beside_m = 0, .most_width_m = 40, .most_depth_m = 25});
+      room_for_house(notched, frame, {.setback_m = 2, .beside_m = 0, .most_width_m = 40, .most_depth_m = 25});
   ASSERT_TRUE(room);
   EXPECT_LE(room->max.x, 4);
   // between two steps
   const Polygon thin{.outer = {{-10, 0}, {10, 0}, {10, 12.1}, {4, 12.1}, {4, 12.3}, {10, 12.3}, {10, 30}, {-10, 30}},
                      .holes = {}};
-  const auto above = room_for_house(thin, frame, {.front_m = 2, .beside_m = 0, .most_width_m = 40, .most_depth_m = 25});
+  const auto above =
+      room_for_house(thin, frame, {.setback_m = 2, .beside_m = 0, .most_width_m = 40, .most_depth_m = 25});
   ASSERT_TRUE(above);
   EXPECT_LE(above->max.y, 12.1);
   const Polygon holed{.outer = rectangle({-10, 0}, {10, 30}), .holes = {{{2, 8}, {2, 12}, {6, 12}, {6, 8}}}};
   const auto beside =
-      room_for_house(holed, frame, {.front_m = 2, .beside_m = 0, .most_width_m = 40, .most_depth_m = 25});
+      room_for_house(holed, frame, {.setback_m = 2, .beside_m = 0, .most_width_m = 40, .most_depth_m = 25});
   ASSERT_TRUE(beside);
   EXPECT_LE(beside->max.x, 2);
 }

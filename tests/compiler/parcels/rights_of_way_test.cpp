@@ -1,6 +1,7 @@
+#include "compiler/parcels/rights_of_way.h"
+
 #include <gtest/gtest.h>
 
-#include "compiler/parcels/rights_of_way.h"
 #include "tests/compiler/parcels/made_land.h"
 
 namespace citykiln::parcels {
@@ -21,12 +22,12 @@ TEST(RightsOfWay, AChainRunsAroundADeadEnd) {
   const RightsOfWay ways = rights_of_way_of({street(1, {{0, 0}, {50, 0}})});
   EXPECT_EQ(ways.street_edges.size(), 18u);  // two sides, two ends of eight edges
   EXPECT_EQ(chain_from(ways, 0).size(), 18u);
-  for (const StreetEdge& f : ways.street_edges) EXPECT_TRUE(f.turns_outward);
+  for (const RightOfWayEdge& f : ways.street_edges) EXPECT_TRUE(f.turns_outward);
 }
 
 TEST(RightsOfWay, EdgesOfACornerMeet) {
   const RightsOfWay ways = rights_of_way_of({street(1, {{0, 0}, {50, 0}, {50, 50}})});
-  const StreetEdge& before = ways.street_edges[0];  // the left side of the first segment
+  const RightOfWayEdge& before = ways.street_edges[0];  // the left side of the first segment
   ASSERT_NE(before.next, kNoIndex);
   EXPECT_TRUE(before.is_corner);
   EXPECT_EQ(before.b, (Vec2{46, 4}));
@@ -35,7 +36,8 @@ TEST(RightsOfWay, EdgesOfACornerMeet) {
 
 TEST(RightsOfWay, OutsideOfABendTheEdgesAreContinued) {
   const RightsOfWay ways = rights_of_way_of({street(1, {{0, 0}, {50, 0}, {90, 20}})});
-  for (const StreetEdge& f : ways.street_edges) EXPECT_TRUE(f.next == kNoIndex || f.b == ways.street_edges[f.next].a);
+  for (const RightOfWayEdge& f : ways.street_edges)
+    EXPECT_TRUE(f.next == kNoIndex || f.b == ways.street_edges[f.next].a);
 }
 
 TEST(RightsOfWay, EachBlockOfACrossingHasAChain) {

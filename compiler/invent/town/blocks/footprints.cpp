@@ -31,14 +31,14 @@ std::vector<double> front_depths(const TownLot& lot, const Ring& ring, double fr
   std::vector<double> depths;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()], middle = (a + b) * 0.5;
-    bool is_front = false;
-    for (std::size_t k = 0; k < lot.ring.size() && !is_front; ++k) {
-      if (!lot.is_front[k]) continue;
+    bool is_on_street = false;
+    for (std::size_t k = 0; k < lot.ring.size() && !is_on_street; ++k) {
+      if (!lot.is_on_street[k]) continue;
       const Vec2 c = lot.ring[k], d = lot.ring[(k + 1) % lot.ring.size()];
       const bool is_along = dot(unit(b - a), unit(d - c)) > 0.97;
-      is_front = is_along && distance_to_segment(c, d, middle) < from_m + 0.2;
+      is_on_street = is_along && distance_to_segment(c, d, middle) < from_m + 0.2;
     }
-    depths.push_back(is_front ? depth_m : 0);
+    depths.push_back(is_on_street ? depth_m : 0);
   }
   return depths;
 }

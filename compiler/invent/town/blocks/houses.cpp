@@ -121,8 +121,8 @@ class LotBuilder {
   bool is_corner() const {
     double fronts_m = 0;
     for (std::size_t i = 0; i < lot_.ring.size(); ++i)
-      if (lot_.is_front[i]) fronts_m += distance(lot_.ring[i], lot_.ring[(i + 1) % lot_.ring.size()]);
-    return fronts_m > lot_.front_m() + 8;
+      if (lot_.is_on_street[i]) fronts_m += distance(lot_.ring[i], lot_.ring[(i + 1) % lot_.ring.size()]);
+    return fronts_m > lot_.frontage_m() + 8;
   }
 
   double lot_m2() const { return signed_area_m2(lot_.ring); }
@@ -173,19 +173,19 @@ class LotBuilder {
 
   // a lower house in the courtyard
   void add_back_house() {
-    const HouseBox box{lot_.front_m() * 0.6, 8, 19, 0};
+    const HouseBox box{lot_.frontage_m() * 0.6, 8, 19, 0};
     if (const auto ring = fitted_box(lot_, box, 1); ring && is_apart(*ring, 4))
       add_building(*ring, outhouse_tags("shed", draws_));
   }
 
   // a ridge runs along the street, also on houses that are deeper than wide
   void turn_roof(Tags& tags, double depth_m) const {
-    if (!is_corner()) set_tag(tags, "roof:orientation", lot_.front_m() < depth_m ? "across" : "along");
+    if (!is_corner()) set_tag(tags, "roof:orientation", lot_.frontage_m() < depth_m ? "across" : "along");
   }
 
   void build_terrace() {
     const Ring ring = row_ring(lot_, 3.5, kTerraceDepth_m);
-    if (ring.empty() || lot_.front_m() > 16) return build_house();
+    if (ring.empty() || lot_.frontage_m() > 16) return build_house();
     const int storeys = storeys_at(plan_, lot_.density, lot_.use, draws_);
     Tags tags = house_tags(lot_.use, storeys, is_corner(), draws_);
     turn_roof(tags, kTerraceDepth_m);
@@ -196,9 +196,10 @@ class LotBuilder {
   // ---- houses that stand free
 
   void build_house() {
-    if (lot_.front_m() > 17.5 && lot_.use == BlockUse::kHouses && draws_.chance(0.3)) return build_pair();
+    if (lot_.frontage_m() > 17.5 && lot_.use == BlockUse::kHouses && draws_.chance(0.3)) return build_pair();
     const bool is_villa = lot_.use == BlockUse::kVillas;
-    const double width_m = std::min(lot_.front_m() - 5, is_villa ? draws_.between(12, 17) : draws_.between(10, 14.5));
+    const double width_m =
+        std::min(lot_.frontage_m() - 5, is_villa ? draws_.between(12, 17) : draws_.between(10, 14.5));
     if (width_m < 5) return;
     HouseBox box{width_m, is_villa ? draws_.between(11, 14) : draws_.between(9.5, 12.5), draws_.between(3.5, 7), 0};
     box.aside_m = draws_.chance(0.5) ? 1.8 : -1.8;
@@ -212,7 +213,7 @@ class LotBuilder {
 
   // two houses that share a wall
   void build_pair() {
-    const double width_m = std::min(8.5, (lot_.front_m() - 5) / 2), setback_m = draws_.between(4, 6);
+    const double width_m = std::min(8.5, (lot_.frontage_m() - 5) / 2), setback_m = draws_.between(4, 6);
     const HouseBox left{width_m, 11, setback_m, -width_m / 2}, right{width_m, 11, setback_m, width_m / 2};
     const Ring a = box_ring(lot_, left), b = box_ring(lot_, right);
     if (!lies_within(a, lot_.ring, 1.5) || !lies_within(b, lot_.ring, 1.5)) return;
@@ -226,13 +227,14 @@ class LotBuilder {
 
   void add_garage(double aside_m) {
     const double side = aside_m > 0 ? -1 : 1;
-    const HouseBox box{3.2, 6.2, draws_.between(5.5, 9), side * (lot_.front_m() / 2 - 2.4)};
+    const HouseBox box{3.2, 6.2, draws_.between(5.5, 9), side * (lot_.frontage_m() / 2 - 2.4)};
     const Ring ring = box_ring(lot_, box);
     if (lies_within(ring, lot_.ring, 0.5) && is_apart(ring, 0.5)) add_building(ring, outhouse_tags("garage", draws_));
   }
 
   void add_shed() {
-    const HouseBox box{draws_.between(2.5, 4), 2.6, draws_.between(22, 30), draws_.between(-0.3, 0.3) * lot_.front_m()};
+    const HouseBox box{draws_.between(2.5, 4), 2.6, draws_.between(22, 30),
+                       draws_.between(-0.3, 0.3) * lot_.frontage_m()};
     const Ring ring = box_ring(lot_, box);
     if (lies_within(ring, lot_.ring, 0.6) && is_apart(ring, 3)) add_building(ring, outhouse_tags("shed", draws_));
   }
@@ -257,7 +259,7 @@ class LotBuilder {
   void add_garden_tree() {
     if (!draws_.chance(0.3)) return;
     const Vec2 p = (lot_.from + lot_.to) * 0.5 + lot_.inward() * draws_.between(19, 27) +
-                   lot_.along() * (draws_.between(-0.35, 0.35) * lot_.front_m());
+                   lot_.along() * (draws_.between(-0.35, 0.35) * lot_.frontage_m());
     const Ring about = {p + Vec2{-2, -2}, p + Vec2{2, -2}, p + Vec2{2, 2}, p + Vec2{-2, 2}};
     if (lies_within(about, lot_.ring, 0.5) && is_apart(about, 1))
       map_.points.push_back({on_place_grid(p), tags_of({{"natural", "tree"}, {"leaf_type", "broadleaved"}})});
@@ -267,7 +269,8 @@ class LotBuilder {
 
   void build_flats() {
     const int storeys = storeys_at(plan_, lot_.density, lot_.use, draws_);
-    const double width_m = storeys > 7 ? draws_.between(19, 24) : std::min(lot_.front_m() - 7, draws_.between(28, 58));
+    const double width_m =
+        storeys > 7 ? draws_.between(19, 24) : std::min(lot_.frontage_m() - 7, draws_.between(28, 58));
     const HouseBox box{width_m, storeys > 7 ? 20 : draws_.between(11, 13.5), draws_.between(6, 10), 0};
     const auto ring = width_m < 12 ? std::nullopt : fitted_box(lot_, box, 3);
     if (!ring) return build_house();
@@ -276,7 +279,7 @@ class LotBuilder {
   }
 
   void build_large(double share, double depth_m, double setback_m) {
-    const HouseBox box{lot_.front_m() * share, depth_m * draws_.between(0.6, 1), setback_m, 0};
+    const HouseBox box{lot_.frontage_m() * share, depth_m * draws_.between(0.6, 1), setback_m, 0};
     auto ring = fitted_box(lot_, box, 3);
     if (!ring) ring = fitted_box(lot_, {box.width_m * 0.8, box.depth_m * 0.5, setback_m * 0.7, 0}, 2.5);
     if (!ring) return;

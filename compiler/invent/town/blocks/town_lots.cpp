@@ -184,7 +184,7 @@ class Division {
     const std::size_t n = lot.ring.size();
     std::vector<std::uint32_t> street(n);
     for (std::size_t i = 0; i < n; ++i) street[i] = street_at((lot.ring[i] + lot.ring[(i + 1) % n]) * 0.5);
-    for (std::size_t i = 0; i < n; ++i) lot.is_front.push_back(street[i] < edges_.size());
+    for (std::size_t i = 0; i < n; ++i) lot.is_on_street.push_back(street[i] < edges_.size());
     double longest_m = 0;
     for (std::size_t first = 0; first < n; ++first) {
       if (street[first] != lot.edge || street[(first + n - 1) % n] == lot.edge) continue;

@@ -8,18 +8,18 @@ namespace citykiln::invent {
 
 /// A lot, and how it lies on its street.
 struct TownLot {
-  Ring ring;                   ///< Counter-clockwise.
-  std::vector<char> is_front;  ///< For each edge from its vertex: 1 if it lies on a street.
-  Vec2 from, to;               ///< The ends of its front on its street, in the order of the ring.
-  std::uint32_t edge = 0;      ///< The street edge that it is entered from.
-  bool is_on_left = false;     ///< The side of the edge.
-  double at_m = 0;             ///< Along the edge, to the middle of its front.
+  Ring ring;                       ///< Counter-clockwise.
+  std::vector<char> is_on_street;  ///< For each edge from its vertex: 1 if it lies on a street.
+  Vec2 from, to;                   ///< The ends of its frontage on its street, in the order of the ring.
+  std::uint32_t edge = 0;          ///< The street edge that it is entered from.
+  bool is_on_left = false;         ///< The side of the edge.
+  double at_m = 0;                 ///< Along the edge, to the middle of its frontage.
   BlockUse use = BlockUse::kHouses;
   double density = 0;
 
   Vec2 along() const { return unit(to - from); }
   Vec2 inward() const { return left_of(along()); }
-  double front_m() const { return distance(from, to); }
+  double frontage_m() const { return distance(from, to); }
 };
 
 /// Lots, and the blocks that they are parts of.
@@ -29,7 +29,7 @@ struct TownLots {
 };
 
 /// Divides the land of blocks with lots. Lots touch no street, no water and no land of other uses, are simple and have
-/// a front. Cost: that of parcels/divide.h.
+/// a frontage. Cost: that of parcels/divide.h.
 TownLots divide_town(const TownPlan& plan, const StreetGraph& graph, const std::vector<StreetEdge>& edges,
                      const std::vector<TownBlock>& blocks);
 

@@ -154,7 +154,7 @@ void expect_sound_lots(TownKind kind, std::uint64_t seed) {
   EXPECT_FALSE(layout.lots.lots.empty());
   for (const TownLot& lot : layout.lots.lots) {
     EXPECT_TRUE(is_simple(lot.ring));
-    EXPECT_GT(lot.front_m(), 3);
+    EXPECT_GT(lot.frontage_m(), 3);
     for (const Vec2 p : lot.ring) EXPECT_FALSE(terrain.is_water(p));
   }
 }

@@ -28,17 +28,17 @@ std::string surfaces_of(const std::vector<LaneStrip>& strips) {
 }
 
 TEST(LaneStrips, AreRunsOfOneSurfaceWithKerbsBetween) {
-  EXPECT_EQ(surfaces_of(strips_of(road_of_lanes("s", "pddcp", "cs"), 0.02)),
+  EXPECT_EQ(surfaces_of(lane_strips_of(road_of_lanes("s", "pddcp", "cs"), 0.02)),
             "Pavement Kerb ParkingLane ResidentialRoad ParkingLane Kerb CycleTrack Pavement");
-  EXPECT_EQ(surfaces_of(strips_of(road_of_lanes("", "dd", ""), 0.02)), "ResidentialRoad");
+  EXPECT_EQ(surfaces_of(lane_strips_of(road_of_lanes("", "dd", ""), 0.02)), "ResidentialRoad");
 }
 
 TEST(LaneStrips, VergesAreStripsOfTheirOwnAndRaisedBuffersPavement) {
-  EXPECT_EQ(surfaces_of(strips_of(road_of_lanes("sg", "dd", "g"), 0.02)),
+  EXPECT_EQ(surfaces_of(lane_strips_of(road_of_lanes("sg", "dd", "g"), 0.02)),
             "Pavement Verge Kerb ResidentialRoad Kerb Verge");
-  EXPECT_EQ(surfaces_of(strips_of(road_of_lanes("", "dd", "g/cs"), 0.02)),
+  EXPECT_EQ(surfaces_of(lane_strips_of(road_of_lanes("", "dd", "g/cs"), 0.02)),
             "ResidentialRoad Kerb Verge Pavement CycleTrack Pavement");
-  const auto strips = strips_of(road_of_lanes("sg", "dd", ""), 0.02);
+  const auto strips = lane_strips_of(road_of_lanes("sg", "dd", ""), 0.02);
   EXPECT_DOUBLE_EQ(strips[1].left_m - strips[1].right_m, usual_width_m(map::LaneKind::kVerge) - kKerb_m);
 }
 
@@ -46,7 +46,7 @@ TEST(LaneStrips, LieEdgeToEdgeAndAsWideAsTheirLanes) {
   for (const char* middle : {"d", "pddp", "Sdd/c"})
     for (const char* side : {"", "s", "cs", "g", "gs"}) {
       const Road road = road_of_lanes(side, middle, side);
-      const auto strips = strips_of(road, 0.02);
+      const auto strips = lane_strips_of(road, 0.02);
       ASSERT_FALSE(strips.empty());
       EXPECT_DOUBLE_EQ(strips.front().left_m, left_m(road) + raised_left_m(road));
       EXPECT_DOUBLE_EQ(strips.back().right_m, -right_m(road) - raised_right_m(road));
@@ -56,10 +56,10 @@ TEST(LaneStrips, LieEdgeToEdgeAndAsWideAsTheirLanes) {
 }
 
 TEST(LaneStrips, NarrowerThanTheToleranceYieldInwards) {
-  EXPECT_EQ(surfaces_of(strips_of(road_of_lanes("s", "dd", "s"), 0.2)), "Pavement ResidentialRoad Pavement");
-  const auto strips = strips_of(road_of_lanes("s", "dd", "s"), 0.2);
+  EXPECT_EQ(surfaces_of(lane_strips_of(road_of_lanes("s", "dd", "s"), 0.2)), "Pavement ResidentialRoad Pavement");
+  const auto strips = lane_strips_of(road_of_lanes("s", "dd", "s"), 0.2);
   EXPECT_DOUBLE_EQ(strips[0].right_m - strips[1].left_m, 0);
-  EXPECT_EQ(surfaces_of(strips_of(road_of_lanes("s", "dd", "s"), 9)), "ResidentialRoad");
+  EXPECT_EQ(surfaces_of(lane_strips_of(road_of_lanes("s", "dd", "s"), 9)), "ResidentialRoad");
 }
 
 }  // namespace
