@@ -232,13 +232,13 @@ struct LotPlanner {
 
 }  // namespace
 
-std::optional<Frame> frame_of(const parcels::Frontage& front, const parcels::Line& line, Vec2 to) {
-  const auto [from, end] = std::minmax(front.from, front.to, [](const auto& a, const auto& b) {
+std::optional<Frame> frame_of(const parcels::Frontage& frontage, const parcels::Line& line, Vec2 to) {
+  const auto [from, end] = std::minmax(frontage.from, frontage.to, [](const auto& a, const auto& b) {
     return std::pair(a.segment, a.at_m) < std::pair(b.segment, b.at_m);
   });
-  const double sign = front.side == parcels::Side::kLeft ? 1 : -1;
+  const double sign = frontage.side == parcels::Side::kLeft ? 1 : -1;
   const double half_m =
-      std::max(parcels::kLeastRightOfWay_m, front.side == parcels::Side::kLeft ? line.left_m : line.right_m);
+      std::max(parcels::kLeastRightOfWay_m, frontage.side == parcels::Side::kLeft ? line.left_m : line.right_m);
   std::optional<Frame> nearest;
   double least_m = std::numeric_limits<double>::infinity();
   for (std::uint32_t s = from.segment; s <= end.segment && s + 1 < line.axis.size(); ++s) {

@@ -1,11 +1,11 @@
-// Describes lots with buildings: the kind, front, frame and door of each lot that parcels/divide.h made.
+// Describes lots with buildings: the kind, frontage, frame and door of each lot that parcels/divide.h made.
 //
 //        rear            y ▲      x runs along the street, y away from it, from kUnderPavement_m inside the pavement
 //     ┌─────────┐          │
 //     │  ┌───┐  │          │
 //     │  │   │  │ setback_m ┤
 //     │  └─D─┘  │          │      D the door: a mapped entrance, else the middle of the wall nearest to the street
-//     │  front  │          └────► x
+//     │frontage │          └────► x
 //    ═╧═════════╧═ street
 #pragma once
 
@@ -41,7 +41,7 @@ enum class LotKind : std::uint8_t {
 std::string_view name_of(LotKind kind);
 
 /// The frame of a lot: see the picture above. Its x axis has the direction of the line's axis, so that the frame is
-/// left-handed for lots on the right side of the line. The origin is the point of the front that is nearest to the
+/// left-handed for lots on the right side of the line. The origin is the point of the frontage that is nearest to the
 /// centroid of the main building.
 struct Frame {
   Vec2 origin;         ///< In metres of the plane.
@@ -50,10 +50,10 @@ struct Frame {
   Vec2 plane(Vec2 p) const { return origin + along * p.x + inward * p.y; }
 };
 
-/// Returns the frame at the place of a front that is nearest to the point `to`; nothing if no segment of the line has a
-/// length.
-/// @param line  The line that the front lies along.
-std::optional<Frame> frame_of(const parcels::Frontage& front, const parcels::Line& line, Vec2 to);
+/// Returns the frame at the place of a frontage that is nearest to the point `to`; nothing if no segment of the line
+/// has a length.
+/// @param line  The line that the frontage lies along.
+std::optional<Frame> frame_of(const parcels::Frontage& frontage, const parcels::Line& line, Vec2 to);
 
 /// The door from which the path to the street begins.
 struct Door {

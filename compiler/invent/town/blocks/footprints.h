@@ -10,8 +10,8 @@ namespace citykiln::invent {
 /// A rectangle on a lot, seen from its street.
 struct HouseBox {
   double width_m = 10, depth_m = 9;
-  double setback_m = 4;  ///< From the front.
-  double aside_m = 0;    ///< From the middle of the front, along it.
+  double setback_m = 4;  ///< From the frontage.
+  double aside_m = 0;    ///< From the middle of the frontage, along it.
 };
 
 /// Returns the rectangle of a box on a lot, counter-clockwise, its first edge towards the street.
