@@ -56,6 +56,7 @@ struct TrackPoint {
   TrackPointKind kind{};
   std::int8_t facing = 0;  ///< 1 for traffic along the way, -1 against it, 0 for both or unknown.
   /// kLevelCrossing on rails: the length of rails on either side that the crossing ways cover, in quarters of a metre.
+  /// Set by roads::roads_on_ground(), 0 before.
   std::uint8_t reach_quarters = 0;
   auto operator<=>(const TrackPoint&) const = default;
 };
@@ -93,7 +94,7 @@ struct Track {
   std::uint8_t tagged_pavements = 0;  ///< Sides on which tags say whether there is a pavement: bits of RoadSide.
   std::uint8_t tagged_verges = 0;     ///< Sides on which tags say whether there is a verge.
   std::uint8_t tagged_parking = 0;    ///< Sides on which tags say whether cars park.
-  std::uint8_t assumed_sides = 0;    ///< Sides on which a pavement or verge is assumed.
+  std::uint8_t assumed_sides = 0;     ///< Sides on which a pavement or verge is assumed.
   bool is_piece = false;              ///< True for a part of a way that was cut: for assumptions, or at a street.
   DrivingSide side{};                 ///< The side on which its traffic drives.
   TreeSides trees{};                  ///< Sides with trees; left and right as seen along the axis.
@@ -106,8 +107,8 @@ struct Footprint {
   ObjectId id;
   Polygon polygon;
   bool is_part = false;
-  std::optional<ObjectId>
-      outline;  ///< The outline that a part, or an uncovered piece (buildings/uncovered_pieces.h), belongs to.
+  /// The outline that a part, or an uncovered piece (buildings/uncovered_pieces.h), belongs to; nothing: none.
+  std::optional<ObjectId> outline;
   bool has_parts = false;           ///< True for an outline that parts and uncovered pieces replace: it is not built.
   double height_m = 0;              ///< Height above the ground, by tags, levels or class. > min_height_m.
   bool has_roof_in_height = false;  ///< True if height_m includes the roof (height=*); else the roof comes on top.
@@ -160,7 +161,8 @@ struct BridgeArea {
   LandCoverClass surface{};  ///< The class of its top; kUnknown for a mere outline.
   std::int8_t layer = 0;
   bool is_outline = false;         ///< True for man_made=bridge.
-  std::vector<ObjectId> tracks{};  ///< The bridges that it carries: sorted ids of tracks, at least one.
+  std::vector<ObjectId> tracks{};  ///< The bridges that it carries: sorted ids of tracks, at least one after
+                                   ///< with_bridge_areas().
 };
 
 /// An area where sports are played.

@@ -60,7 +60,7 @@ struct Road {
   std::uint8_t handrails = 0;  ///< map::Handrail bits of stairs.
   map::CountryGroup country{};
   Assumptions assumed = kNoAssumptions;  ///< The assumptions made of it.
-  std::uint8_t assumed_sides = 0;       ///< Sides on which a pavement or verge is assumed: bits of map::RoadSide.
+  std::uint8_t assumed_sides = 0;        ///< Sides on which a pavement or verge is assumed: bits of map::RoadSide.
   bool operator==(const Road&) const = default;
 };
 

@@ -9,8 +9,8 @@ namespace citykiln::invent {
 struct TerrainSettings {
   /// A power of 0 stands for cells of at most 8 m, but 1024 a side at most.
   DiamondSquare fractal{.power = 0, .initial_height_m = 240, .spread_m = 70, .reduction = 0.5};
-  double size_m =
-      0;  ///< The side of the square, at least that of the map. 0: three times that of the map, but 4 km more at most.
+  /// The side of the square, at least that of the map. 0: three times that of the map, but 4 km more at most.
+  double size_m = 0;
   double ridges_m = 0;          ///< The height of ridged noise that is added.
   double ridge_length_m = 900;  ///< The distance of its largest ridges.
   Erosion erosion;
