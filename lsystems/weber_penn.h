@@ -41,8 +41,8 @@ Result<TreeParameters> read_weber_penn(std::string_view text, std::string_view f
 /// A grown tree.
 struct GrownTree {
   Skeleton skeleton;  ///< In metres. All instances have the kind 0.
-  bool stopped =
-      false;  ///< It would have more than kMostPlantParts parts, or take too long; the skeleton has the rest.
+  /// It would have more than kMostPlantParts parts, or take too long; the skeleton has the rest.
+  bool stopped = false;
 };
 
 /// Grows a tree. Equations of the paper, except:

@@ -10,8 +10,8 @@ namespace citykiln::simplify {
 
 /// The precision and the limits of a search.
 struct BoundOptions {
-  double
-      precision_m;  ///< > 0. The bound exceeds the distance by no more than this and 2^-20 m, or is least_m + 2^-20 m.
+  /// > 0. The bound exceeds the distance by no more than this and 2^-20 m, or is least_m + 2^-20 m.
+  double precision_m;
   double least_m = 0;  ///< Lower limit of the bound: no smaller distance is resolved, which is faster.
   /// The search ends at the first point that is farther away than this; the result is then its distance.
   double most_m = std::numeric_limits<double>::infinity();

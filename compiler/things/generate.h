@@ -17,8 +17,8 @@ namespace citykiln::things {
 struct GeneratedThing {
   std::vector<materials::MaterialMesh> meshes;
   double error_m = 0;
-  std::vector<grammars::RuleFault>
-      rule_faults{};  ///< Operations that could not be carried out, and limits that were hit.
+  /// Operations that could not be carried out, and limits that were hit.
+  std::vector<grammars::RuleFault> rule_faults{};
 };
 
 /// Generates a form by the rule Thing of its kind: its base is around the origin, and it faces -y. The first shape is

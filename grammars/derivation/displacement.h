@@ -71,8 +71,8 @@ struct VisibleAppearances {
 struct NodeTrace {
   Displacement moved = {};
   bool vanished = true;  ///< The result has no surface.
-  VisibleAppearances seen =
-      {};  ///< With count kMany, `moved` is undefined: neither the node nor its ancestors are simplified.
+  /// With count kMany, `moved` is undefined: neither the node nor its ancestors are simplified.
+  VisibleAppearances seen = {};
   double left_out_m = 0;  ///< The largest distance of a detail that was left out in the node (leave_out_details.h).
 };
 

@@ -67,8 +67,8 @@ struct Run {
   bool is_value_too_long = false;
   double merged_m = 0;  ///< The largest error of a split that merged narrow pieces.
   std::vector<KnownPath> known_paths = {};
-  std::vector<std::uint32_t> first_below =
-      {};  ///< By path: 1 + index of its newest child in `known_paths`; 0 for none.
+  /// By path: 1 + index of its newest child in `known_paths`; 0 for none.
+  std::vector<std::uint32_t> first_below = {};
   Memo memo = {};
   std::vector<RandomDraw> draws = {};  ///< Draws of shapes, recorded while a node may become a memo entry.
   BoundTable bounds = {};

@@ -51,8 +51,8 @@ struct TileTree {
   bool is_on_ellipsoid = false;  ///< True for 3D Tiles, whose frame is not the plane.
   std::vector<std::string> coarse_paths{};
   std::optional<map::Cylinder> cylinder{};  ///< The cylinder that the tiles are in; boxes are in its frame.
-  std::vector<bake::BakedTile>
-      coarse{};  ///< In the plane. The tiles of `coarse_paths`: the level of each tile nearest to 2.5 m.
+  /// In the plane. The tiles of `coarse_paths`: the level of each tile nearest to 2.5 m.
+  std::vector<bake::BakedTile> coarse{};
 };
 
 /// Reads the list of a folder's .glb tiles (or of its 3D Tiles, if it has no .glb tiles), and the coarse tiles. The box

@@ -32,8 +32,8 @@ inline bool has_lots(BlockUse use) { return use < BlockUse::kPark; }
 
 struct TownBlock {
   Ring ring;  ///< Along the axes of its streets; empty if it is open land.
-  Polygon
-      land;  ///< The largest piece without streets, holes filled; empty if there is none or the block exceeds 40 ha.
+  /// The largest piece without streets, holes filled; empty if there is none or the block exceeds 40 ha.
+  Polygon land;
   double area_m2 = 0;
   Vec2 middle;
   bool is_whole = true;  ///< The land is not empty, and no dead end, water or railway lies in it.

@@ -26,8 +26,8 @@ struct Canopy {
   int columns = 0;             ///< The number of cells from west to east.
   std::vector<bool> is_whole;  ///< By cell, row by row from the south-west: true if all four vertices are raised, so
                                ///< that the canopy replaces the trees.
-  std::vector<double>
-      tops_m;  ///< By vertex, row by row from the south-west: z of a raised vertex in the plane, else 0.
+  /// By vertex, row by row from the south-west: z of a raised vertex in the plane, else 0.
+  std::vector<double> tops_m;
 };
 
 /// Returns the canopy in a box. A cell is closed if dense woods cover it except for a path, no corridor crosses it, and
