@@ -15,9 +15,8 @@
 namespace citykiln::structures {
 
 /// Returns the bridges with the plates of features.bridge_areas. The plate of an area is stored with the first of the
-/// bridges in BridgeArea::tracks. These bridges have no slab of their own: the area's own axes get DeckForm::kNone,
-/// bridges of which kCarriedShare lies on the area get DeckForm::kPlate. Bridges with less on it keep theirs (kOwn). An
-/// area of whose bridges none is given has no plate.
+/// bridges in BridgeArea::tracks; an area of whose bridges none is given has no plate. Span::deck of these bridges is
+/// kNone for the area's own axes, kPlate for bridges of which kCarriedShare lies on the area, and kOwn for others.
 ///
 /// Heights: a corner of a plate has the weighted mean of the heights of all its bridges, each taken at the nearest
 /// place of its axis, rounded to kProfileQuantum_m. The weight is the inverse square of the distance from the bridge's

@@ -40,8 +40,8 @@ struct RayFootprint {
 };
 
 /// Returns the part of a primitive, with its positions plus `offset`, rounded once to single precision, as corners. It
-/// keeps the image that Primitive::colour_source names, if the primitive has the texture coordinates for
-/// it. MeshPart::features and emitters are left empty. O(vertices).
+/// keeps the image that Primitive::colour_source names, if the primitive has the texture coordinates for it.
+/// MeshPart::features and emitters are left empty. O(vertices).
 /// @param primitive  With one normal per position.
 /// @param offset     The origin of the primitive's positions, in the frame of the world, metres.
 /// @param marking_atlas, material_texture, facade_atlas, cutout  The images of its tile and material; null: none.

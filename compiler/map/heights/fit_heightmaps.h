@@ -11,8 +11,8 @@
 
 namespace citykiln::map {
 
-/// Returns the heightmaps in their order. Heightmaps with Raster::is_fitted (the user's offset=auto) are shifted,
-/// by their mean difference to one heightmap that is not fitted: the first in the given order that they meet in the
+/// Returns the heightmaps in their order. Heightmaps with Raster::is_fitted (the user's offset=auto) are shifted by
+/// their mean difference to one heightmap that is not fitted: the first in the given order that they meet in the
 /// extent, else the first that they overlap there. Raster::shift_m states the shift, a multiple of kHeightQuantum_m.
 /// All others are unchanged.
 ///
