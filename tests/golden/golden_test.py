@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Compares the outputs of each golden case with its expected.json. A case is a folder with map.osm, args (words of the command line),
-expected.json, and optionally heights.asc. Differences in measures show what changed; hashes show any change of bytes.
+expected.json, and optionally heights.asc. Paths in args are relative to the root of the tree. Differences in measures show what
+changed; hashes show any change of bytes.
 Nothing is assumed, unless args says what (--assume): the bytes of most cases show what is mapped alone.
 
 To add a case, make the folder and run `golden_test.py --update`; no code is needed.
@@ -14,7 +15,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "properties"))
 
-from citykiln_program import ProgramTest, bytes_of_outputs, report_of, run  # noqa: E402
+from citykiln_program import ProgramTest, bytes_of_outputs, report_of, run, sha256  # noqa: E402
 
 UPDATE = "--update" in sys.argv
 
@@ -32,8 +33,19 @@ def hash_of(outputs, ending):
     return together.hexdigest()
 
 
+def hashes_of(out):
+    """A hash for each kind of output; those of USD and of the tileset where the case writes them (--emit)."""
+    outputs = bytes_of_outputs(out)
+    hashes = {"kiln": hash_of(outputs, ".kiln"), "glb": hash_of(outputs, ".glb")}
+    for kind, folder, ending in (("usd", "usd", (".usda", ".usdc")), ("3dtiles", "3dtiles", ".json")):
+        files = {str(path.relative_to(out)): sha256(path) for path in (out / folder).rglob("*") if path.is_file()}
+        if files:
+            hashes[kind] = hash_of(files, ending)
+    return hashes
+
+
 def measured(out):
-    report, outputs = report_of(out), bytes_of_outputs(out)
+    report = report_of(out)
     assumed = report["assumed"]
     return {
         "measures": {
@@ -43,7 +55,7 @@ def measured(out):
             "instances": [sum(t["instances"] for t in report["tiles"] if t["level"] == level["level"]) for level in report["levels"]],
             "diagnoses": {name: tally["count"] for name, tally in report["diagnoses"].items()},
         } | ({"assumed": assumed} if any(assumed.values()) else {}),
-        "sha256": {"kiln": hash_of(outputs, ".kiln"), "glb": hash_of(outputs, ".glb")},
+        "sha256": hashes_of(out),
     }
 
 
