@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "compiler/contract/texts/json_depth.h"
 #include "compiler/contract/texts/nearest_name.h"
 #include "compiler/settings.h"
 
@@ -76,28 +77,36 @@ Result<Done> apply_key(const std::string& key, const json& value, CompileSpec& s
       "", fmt::format("unknown setting \"{}\"{} (citykiln compile --help lists all)", key, did_you_mean(key, known))};
 }
 
+Result<json> document_in(const std::string& path, const std::string& text) {
+  if (is_nested_too_deep(text)) return Error{path, "the JSON is nested too deep"};
+  json document;
+  try {
+    document = json::parse(text);
+  } catch (const json::parse_error& problem) {
+    return Error{place_of(path, text, problem.byte), "invalid JSON at this place"};
+  } catch (const json::exception&) {
+    return Error{path, "invalid JSON: a number is too large"};
+  }
+  if (!document.is_object())
+    return Error{path, "expected a JSON object of settings, such as {\"map\": \"town.osm\", \"tile\": 512}"};
+  return document;
+}
+
 }  // namespace
 
 Result<CompileSpec> read_spec(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return Error{path, "the file cannot be read"};
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-
-  json document;
-  try {
-    document = json::parse(text);
-  } catch (const json::parse_error& problem) {
-    return Error{place_of(path, text, problem.byte), "invalid JSON at this place"};
-  }
-  if (!document.is_object())
-    return Error{path, "expected a JSON object of settings, such as {\"map\": \"town.osm\", \"tile\": 512}"};
+  const Result<json> document = document_in(path, text);
+  if (!document) return document.error();
 
   CompileSpec spec;
   std::set<std::string> given;
   for (const KeyPlace& at : keys_in(text)) {
     const std::string place = place_of(path, text, at.byte);
     if (!given.insert(at.key).second) return Error{place, fmt::format("\"{}\" is given twice", at.key)};
-    const Result<Done> done = apply_key(at.key, document.at(at.key), spec);
+    const Result<Done> done = apply_key(at.key, document->at(at.key), spec);
     if (!done) return Error{place, to_string(done.error())};
   }
   return spec;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "compiler/contract/equal_span.h"
+
 namespace citykiln::assume {
 namespace {
 
@@ -44,11 +46,12 @@ struct Beside {
 Beside beside_end(const std::vector<Track>& tracks, const std::vector<StreetEnd>& ends, const Track& bridge,
                   bool is_last) {
   const std::int64_t node = is_last ? bridge.node_ids.back() : bridge.node_ids.front();
-  const auto [first, last] = std::ranges::equal_range(ends, node, {}, &StreetEnd::node);
-  if (last - first != 1) return {};
-  const Track& street = tracks[first->track];
+  const auto streets = equal_span(ends, node, &StreetEnd::node);
+  if (streets.size() != 1) return {};
+  const StreetEnd& end = streets.front();
+  const Track& street = tracks[end.track];
   // two ways in a row point the same way if one ends where the other begins
-  const bool is_reversed = first->is_last == is_last;
+  const bool is_reversed = end.is_last == is_last;
   return {pavement_m(street, !is_reversed), pavement_m(street, is_reversed)};
 }
 

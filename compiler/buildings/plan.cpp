@@ -16,6 +16,7 @@
 #include "compiler/buildings/planning/vertical_support.h"
 #include "compiler/buildings/styles/building_materials.h"
 #include "compiler/buildings/styles/style.h"
+#include "compiler/contract/equal_span.h"
 #include "compiler/geometry/polygons/centroid.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/buildings/building_classes.h"
@@ -307,8 +308,7 @@ double highest_along(const map::Passageway& passageway, const ground::GradedTerr
 }
 
 std::span<const map::Passageway> passageways_in(ObjectId building, std::span<const map::Passageway> all) {
-  const auto range = std::ranges::equal_range(all, building, {}, &map::Passageway::building);
-  return {range.begin(), range.end()};
+  return equal_span(all, building, &map::Passageway::building);
 }
 
 // Walls of an assumed height are made high enough for the ways that lead through them, and an assumed roof lower.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compiler/contract/texts/json_depth.h"
 #include "compiler/contract/texts/nearest_name.h"
 #include "compiler/invent/invent_settings.h"
 
@@ -120,6 +121,7 @@ Result<Done> put_key(const std::string& key, const Json& value, InventSettings& 
 
 Result<Json> document_of(const std::string& text, const std::string& where) {
   if (text.empty()) return Json::object();
+  if (is_nested_too_deep(text)) return Error{where, "the JSON is nested too deep"};
   Json document;
   try {
     document = Json::parse(text);

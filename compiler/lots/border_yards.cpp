@@ -103,7 +103,7 @@ struct BorderDrawer {
     // begin at a change, so that no chain is cut at the ring's first point
     for (std::size_t i = 1; i < all.size(); ++i)
       if (!all[i].continues(all[i - 1])) {
-        std::ranges::rotate(all, all.begin() + static_cast<std::ptrdiff_t>(i));
+        std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i), all.end());
         break;
       }
     return all;

@@ -171,7 +171,7 @@ class RecordMaker {
 
   void add_attributes() {
     std::ranges::sort(own_);
-    own_.erase(std::ranges::unique(own_).begin(), own_.end());
+    own_.erase(std::unique(own_.begin(), own_.end()), own_.end());
     const std::vector<bake::FeatureAttributes> rows = bake::attributes_of(*chunk_, own_, classes_, species_);
     for (std::size_t i = 0; i < own_.size(); ++i) {
       FeatureRecord& record = records.at(own_[i]);

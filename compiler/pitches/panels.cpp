@@ -211,7 +211,7 @@ void add_mark(const PitchPaint& paint, const Rectangle& rectangle, const Ring& r
   roads::Mark mark{map::clip_ring(ring, rectangle.box()), paint.colour};
   for (Vec2& p : mark.ring) p = Vec2{rectangle.half.y, roads::kLayoutLength_m / 2} + Vec2{snapped(-p.y), snapped(p.x)};
   if (mark.ring.size() < 3) return;
-  std::ranges::rotate(mark.ring, std::ranges::min_element(mark.ring));
+  std::rotate(mark.ring.begin(), std::ranges::min_element(mark.ring), mark.ring.end());
   marks.push_back(std::move(mark));
 }
 

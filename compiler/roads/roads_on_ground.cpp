@@ -6,6 +6,7 @@
 #include <span>
 #include <tuple>
 
+#include "compiler/contract/equal_span.h"
 #include "compiler/contract/erase_repeated.h"
 
 namespace citykiln::roads {
@@ -74,8 +75,7 @@ void set_reach(const map::Track& rails, std::span<const CrossingWay> ways, Road&
   for (map::TrackPoint& point : road.points) {
     if (point.kind != map::TrackPointKind::kLevelCrossing) continue;
     double reach_m = 0;
-    const auto here = std::ranges::equal_range(ways, rails.node_ids[point.vertex], {}, &CrossingWay::node);
-    for (const CrossingWay& way : here)
+    for (const CrossingWay& way : equal_span(ways, rails.node_ids[point.vertex], &CrossingWay::node))
       reach_m = std::max(reach_m, rails_below_m(way, direction_at(rails, point.vertex)));
     point.reach_quarters = static_cast<std::uint8_t>(std::min(255.0, std::ceil(reach_m * 4)));
   }

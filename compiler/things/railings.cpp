@@ -223,7 +223,7 @@ void add_ring(const EdgePlanner& planner, std::vector<EdgePlace> places, ObjectI
   auto first = std::ranges::find_if(places, is_no_drop);
   if (first == places.end())
     first = std::ranges::min_element(places, {}, [](const EdgePlace& place) { return place.at; });
-  std::ranges::rotate(places, first);
+  std::rotate(places.begin(), first, places.end());
   close_gaps(places);
   for (std::size_t i = 0; i < places.size();) {
     std::size_t end = i;

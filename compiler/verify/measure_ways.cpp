@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 
+#include "compiler/contract/equal_span.h"
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/map/ways/passageways.h"
@@ -75,7 +76,7 @@ struct BoxMaker {
     buildings = grid_of(near, kBuildingBucket_m);
   }
 
-  bool is_dead_end(Vec2 end) const { return std::ranges::equal_range(vertices, end).size() == 1; }
+  bool is_dead_end(Vec2 end) const { return equal_span(vertices, end).size() == 1; }
 
   double height_m(const roads::Road& road, Vec2 p, double at_m) const {
     return road.profile.empty() ? land_m(p) : knot_at(road.profile, at_m).z_m;
@@ -234,7 +235,7 @@ NearBoxes near_boxes_of(std::span<const WayBox> boxes) {
 std::vector<NearBoxes> near_boxes_of(std::span<const WayBox> boxes, const std::vector<OsmId>& features) {
   std::vector<NearBoxes> near;
   for (const OsmId feature : features) {
-    const auto range = std::ranges::equal_range(boxes, feature, {}, &WayBox::building);
+    const auto range = equal_span(boxes, feature, &WayBox::building);
     near.push_back(near_boxes_of({range.begin(), range.end()}));
   }
   return near;

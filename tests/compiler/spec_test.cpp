@@ -175,6 +175,14 @@ TEST(SpecFile, ErrorsNameFileAndPlace) {
   EXPECT_EQ(to_string(read_spec("/nowhere/spec.json").error()), "/nowhere/spec.json: the file cannot be read");
 }
 
+// Found by fuzz_spec.
+TEST(SpecFile, NumbersAndNestingThatCannotBeReadAreErrors) {
+  const SpecFile large(R"({"tile": 1e999})");
+  EXPECT_EQ(to_string(read_spec(large.path()).error()), large.path() + ": invalid JSON: a number is too large");
+  const SpecFile deep("{\"tile\": " + std::string(200'000, '[') + std::string(200'000, ']') + "}");
+  EXPECT_EQ(to_string(read_spec(deep.path()).error()), deep.path() + ": the JSON is nested too deep");
+}
+
 TEST(Spec, IsCompleteWithAMapAndAFolder) {
   CompileSpec spec;
   EXPECT_FALSE(check_complete(spec));

@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "compiler/contract/equal_span.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/map/buildings/building_classes.h"
 
@@ -185,7 +186,7 @@ void add_fronts(const map::Footprint& footprint, const FrontWalls& all, std::vec
 // The openings of a footprint as a building has them, without heights.
 Building with_openings(ObjectId footprint, std::span<const map::Passageway> passageways) {
   Building building;
-  for (const map::Passageway& p : std::ranges::equal_range(passageways, footprint, {}, &map::Passageway::building))
+  for (const map::Passageway& p : equal_span(passageways, footprint, &map::Passageway::building))
     building.passageways.push_back({.way = p.way, .axis = p.axis, .left_m = p.left_m, .right_m = p.right_m});
   return building;
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "compiler/contract/equal_span.h"
 #include "compiler/map/places.h"
 #include "compiler/map/tags/read_elements.h"
 #include "compiler/source/areas/bodies.h"
@@ -87,7 +88,7 @@ class UnreadElements {
   // True for a way that says once more what a multipolygon is that it belongs to.
   bool is_part_of_relation(OsmId id, source::Range tags) const {
     if (id.type != OsmType::kWay) return false;
-    return std::ranges::any_of(std::ranges::equal_range(members_, id.id, {}, &WayTags::first), [&](const WayTags& way) {
+    return std::ranges::any_of(equal_span(members_, id.id, &WayTags::first), [&](const WayTags& way) {
       return source::are_one_thing(context_.osm, tags, way.second);
     });
   }

@@ -39,7 +39,7 @@ std::vector<Vec3> simplified_outline(std::span<const Vec3> ring, double bend_m) 
   assert(ring.size() >= 3);
   const std::size_t first = farthest_from(ring, ring[0]);
   std::vector<Vec3> line(ring.begin(), ring.end());
-  std::ranges::rotate(line, line.begin() + static_cast<std::ptrdiff_t>(first));
+  std::rotate(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(first), line.end());
   const std::size_t second = std::max<std::size_t>(1, farthest_from(line, line[0]));
   line.push_back(line.front());
   std::vector<bool> kept(line.size());

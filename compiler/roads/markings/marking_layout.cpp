@@ -72,7 +72,7 @@ MarkingLayout turned_round(const MarkingLayout& layout) {
   std::swap(other.has_kerb_left, other.has_kerb_right);
   other.panel = turned_round(layout.panel, layout.panel_m, kLayoutLength_m);
   // the order and the first point of rings do not depend on the direction
-  for (Mark& mark : other.panel) std::ranges::rotate(mark.ring, std::ranges::min_element(mark.ring));
+  for (Mark& mark : other.panel) std::rotate(mark.ring.begin(), std::ranges::min_element(mark.ring), mark.ring.end());
   std::ranges::sort(other.panel, {}, &Mark::ring);
   return other;
 }

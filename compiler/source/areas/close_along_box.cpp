@@ -149,7 +149,7 @@ bool is_all_inside(const AreaLine& line, const LocationBox& box) {
 AreaLine opened_outside(const AreaLine& ring, const LocationBox& box) {
   AreaLine line{{ring.points.begin(), ring.points.end() - 1}, ring.is_inner};
   const auto outside = std::ranges::find_if(line.points, [&](Location at) { return !is_strictly_inside(box, at); });
-  std::ranges::rotate(line.points, outside);
+  std::rotate(line.points.begin(), outside, line.points.end());
   line.points.push_back(Location(line.points.front()));
   return line;
 }

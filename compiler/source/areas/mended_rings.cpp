@@ -55,7 +55,7 @@ std::vector<Location> places_of_grid_ring(const Ring& ring, Corner origin) {
     places.push_back(
         {static_cast<std::int32_t>(at.x + origin.lon_e7), static_cast<std::int32_t>(at.y + origin.lat_e7)});
   }
-  std::ranges::rotate(places, std::ranges::min_element(places));
+  std::rotate(places.begin(), std::ranges::min_element(places), places.end());
   return places;
 }
 

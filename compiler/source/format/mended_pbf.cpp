@@ -23,6 +23,10 @@ constexpr protozero::pbf_tag_type kRaw = 1, kRawSize = 2, kZlib = 3, kLz4 = 6, k
 // The fields of a BlobHeader.
 constexpr protozero::pbf_tag_type kBlobType = 1, kBlobSize = 3;
 
+// Wire types that differ from these are skipped: protozero's functions assert the type.
+constexpr auto kIsNumber = protozero::pbf_wire_type::varint;
+constexpr auto kIsBytes = protozero::pbf_wire_type::length_delimited;
+
 struct Frame {
   std::string type;
   std::size_t at = 0, size = 0;  // of the blob
@@ -37,9 +41,9 @@ std::optional<Frame> next_frame(std::ifstream& file) {
   Frame frame;
   protozero::pbf_reader reader(header);
   while (reader.next()) {
-    if (reader.tag() == kBlobType)
+    if (reader.tag() == kBlobType && reader.has_wire_type(kIsBytes))
       frame.type = reader.get_string();
-    else if (reader.tag() == kBlobSize)
+    else if (reader.tag() == kBlobSize && reader.has_wire_type(kIsNumber))
       frame.size = static_cast<std::size_t>(reader.get_int32());
     else
       reader.skip();
@@ -76,8 +80,10 @@ Packed packed_in(const std::string& blob) {
   Packed packed;
   protozero::pbf_reader reader(blob);
   while (reader.next()) {
-    if (reader.tag() == kRawSize) {
+    if (reader.tag() == kRawSize && reader.has_wire_type(kIsNumber)) {
       packed.size = static_cast<std::size_t>(reader.get_int32());
+    } else if (!reader.has_wire_type(kIsBytes)) {
+      reader.skip();
     } else {
       packed.packing = reader.tag();
       const auto view = reader.get_view();

@@ -74,7 +74,7 @@ std::optional<std::uint64_t> blob_size_in(std::string_view blob_header) {
   try {
     protozero::pbf_reader reader(blob_header.data(), blob_header.size());
     while (reader.next()) {
-      if (reader.tag() != kDataSize) {
+      if (reader.tag() != kDataSize || !reader.has_wire_type(protozero::pbf_wire_type::varint)) {
         reader.skip();
       } else if (const std::int32_t size = reader.get_int32(); size > 0) {
         return static_cast<std::uint64_t>(size);

@@ -62,6 +62,8 @@ TEST(InventSettings, BadTextsGiveOneLine) {
             "invent.json: \"terrain.power\": expected a whole number from 0 to 12, found 4.5");
   EXPECT_EQ(error_in(R"({"terrain": {"coast": 1}})"),
             "invent.json: \"terrain.coast\": expected true or false, found 1");
+  const std::string deep = "{\"seed\": " + std::string(200'000, '[') + std::string(200'000, ']') + "}";
+  EXPECT_EQ(error_in(deep), "invent.json: the JSON is nested too deep");
 }
 
 }  // namespace

@@ -92,5 +92,17 @@ TEST(MendedPbf, DamagedDataNamesTheByte) {
   EXPECT_NE(mended.error().where.find(", byte "), std::string::npos);
 }
 
+// Found by fuzz_extract: protozero asserts the type of a field that is read.
+TEST(MendedPbf, FieldsOfOtherTypesAreSkipped) {
+  const std::string bytes = pbf_of_a_tree(Packing::kLz4);
+  for (std::size_t at = 4; at < bytes.size(); ++at) {
+    for (const char type : {'\0', '\1', '\2', '\5'}) {
+      std::string changed = bytes;
+      changed[at] = static_cast<char>((changed[at] & ~7) | type);
+      EXPECT_FALSE(read_pbf(changed).empty()) << at;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace citykiln::source
