@@ -5,13 +5,13 @@
 #   real      the tests on real maps and heights, in ../shared/data; skipped where that folder is absent
 #   long      the tests labelled full: large maps, clusters, a desktop window; unit tests with more rounds
 #   interop   programs of others that read the outputs: Blender, Godot, Chromium, validators
-#   lint      each source compiled alone, warnings are errors
+#   lint      each source compiled alone, warnings are errors; clang-tidy
 #   clang     the program built with clang++, which gives the golden outputs
 #   asan      the unit tests under the address and undefined-behaviour sanitizers
 #   tsan      the unit tests under the thread sanitizer
-#   bench     the benchmarks, tools and fuzz programs compile
+#   bench     the benchmarks run, tools and fuzz programs compile
 #   clones    both commands in clones whose paths are short, long, or hold a space and an umlaut
-# CITYKILN_TURN=N runs an eighth of the group real, another one for each N, as .ci/run does.
+# CITYKILN_TURN=N runs an eighth of real, lint or bench, another one for each N, as .ci/run does.
 set -eu
 cd "$(dirname "$0")"
 
@@ -73,7 +73,33 @@ run_interop() {
   run_tests release -L interop
 }
 
-run_lint() { ./setup.sh lint test; }
+# Passes the lines on, with CITYKILN_TURN the eighth of that turn.
+lines_of_turn() {
+  if [ -n "${CITYKILN_TURN:-}" ]; then awk -v turn="$CITYKILN_TURN" 'NR % 8 == turn % 8'; else cat; fi
+}
+
+# Compiles sources alone; without CITYKILN_TURN also the programs of them.
+compile_alone() {
+  if [ -z "${CITYKILN_TURN:-}" ]; then
+    ./setup.sh lint test
+    return
+  fi
+  cmake --preset lint >/dev/null
+  ninja -C build/lint -t targets all | sed -n 's/\.o: CXX_COMPILER.*/.o/p' | lines_of_turn | xargs ninja -C build/lint --quiet
+}
+
+# clang-tidy reads the batches in which release compiles the program, which takes a twelfth of the time of single sources.
+run_tidy() {
+  sed -n 's/^ *"file": "\(.*\)",*$/\1/p' build/release/compile_commands.json |
+    grep -vF -e "$PWD/tests/" -e "$PWD/build/release/tests/" | lines_of_turn |
+    xargs -d '\n' -n 1 -P "$(nproc)" clang-tidy --quiet '--warnings-as-errors=*' -p build/release
+}
+
+run_lint() {
+  ./setup.sh release test lint
+  compile_alone
+  run_tidy
+}
 
 run_clang() {
   ./setup.sh clang clang
@@ -95,8 +121,11 @@ run_tsan() (
 run_bench() {
   ./setup.sh release test
   cmake --build build/release --target citykiln_bench large_extract
+  python3 tests/bench/short_run.py ${CITYKILN_TURN:+"$CITYKILN_TURN"}
   # linked by clang++ alone (preset fuzz), which takes long
-  for source in tests/fuzz/*.cpp; do c++ -std=c++20 -fsyntax-only -DFMT_SHARED -I. -Ibuild/release "$source"; done
+  for source in $(printf '%s\n' tests/fuzz/*.cpp | lines_of_turn); do
+    c++ -std=c++20 -fsyntax-only -DFMT_SHARED -I. -Ibuild/release "$source"
+  done
 }
 
 # without real data, which lie beside this clone only

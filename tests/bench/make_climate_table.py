@@ -21,6 +21,7 @@ HEAD = """\
 // Köppen-Geiger climate classification updated", Meteorologische Zeitschrift 15 (2006), 259-263; values free with this citation.
 // CLIMATE_ROW(row from north, 0 to 359; runs from west, 180° W): a run is a number of cells, none for 1, and a letter of
 // climate_classes.inc; "." is sea, and so is what follows the last run.
+// clang-format off
 """
 
 
