@@ -7,9 +7,8 @@
 
 namespace citykiln {
 
-/// Returns the elements of the sorted sequence whose key is `key`; empty if there are none. As
-/// std::ranges::equal_range, whose subrange clang++ 14 does not compile with the library of g++ 12. Valid as long as
-/// the sequence. O(log n).
+/// Returns the elements of the sorted sequence whose key is `key`; empty if there are none. Valid as long as
+/// the sequence. O(log n). (clang 14 cannot compile std::ranges::equal_range of this library.)
 template <typename Sequence, typename Key, typename KeyOf = std::identity>
 auto equal_span(const Sequence& sorted, const Key& key, KeyOf key_of = {}) {
   const auto first = std::ranges::lower_bound(sorted, key, {}, key_of);

@@ -9,7 +9,7 @@
 namespace citykiln {
 
 /// Returns the bytes with one to six changes: a byte is replaced, or a part is left out, doubled or moved to another
-/// place. The same for equal states of `chance`.
+/// place. Equal states of `chance` give equal changes.
 inline std::string mutated(std::string bytes, std::mt19937& chance) {
   for (std::size_t changes = 1 + chance() % 6; changes > 0 && !bytes.empty(); --changes) {
     const std::size_t at = chance() % bytes.size(), size = std::min<std::size_t>(bytes.size() - at, 1 + chance() % 24);

@@ -1,5 +1,5 @@
-// What fuzz_spec checks of a text. A quick unit test does the same with changed seeds
-// (tests/compiler/any_spec_test.cpp).
+// Checks that a text is a spec or an error of one line, for fuzz_spec and for tests/compiler/any_spec_test.cpp, which
+// changes its seeds.
 #pragma once
 
 #include <string>

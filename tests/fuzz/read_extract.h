@@ -1,5 +1,5 @@
-// What fuzz_extract checks of a file, and the files that any bytes become. A quick unit test does the same with
-// changed seeds (tests/compiler/source/any_extract_test.cpp).
+// Checks that a file is an extract or an error of one line, for fuzz_extract and for
+// tests/compiler/source/any_extract_test.cpp, which changes its seeds.
 #pragma once
 
 #include <cstdint>
@@ -40,8 +40,8 @@ inline std::string fault_of_extract(const std::string& name, std::string_view by
   return line.find('\n') == std::string::npos ? "" : "an error of several lines: " + line;
 }
 
-// The same for bytes of a fuzzer. The first one chooses: '0' XML, '1' a PBF file, '2' one blob of a PBF file, '3' and
-// '4' packed XML.
+// Reads the bytes of a fuzzer as a file. The first one chooses: '0' XML, '1' a PBF file, '2' one blob of a PBF file,
+// '3' and '4' packed XML.
 inline std::string fault_of_bytes(std::string_view bytes) {
   if (bytes.empty()) return "";
   const std::string_view rest = bytes.substr(1);
