@@ -33,7 +33,7 @@ struct Cutout {
 class SharedCutout {
  public:
   SharedCutout() : SharedCutout(Cutout{}) {}
-  SharedCutout(Cutout cutout) : cutout_(std::make_shared<const Cutout>(std::move(cutout))) {}
+  SharedCutout(Cutout cutout) : cutout_(std::make_shared<const Cutout>(std::move(cutout))) {}  // NOLINT: implicit
 
   const Cutout& operator*() const { return *cutout_; }
   const Cutout* operator->() const { return cutout_.get(); }

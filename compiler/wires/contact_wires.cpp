@@ -204,7 +204,8 @@ std::vector<WireSpan> contact_spans(const ContactLines& lines, const ground::Gra
       continue;
     }
     account.out += report.counts(way);
-    spans.push_back({.id = span_id(lines, a), .above_m = above_m_of(wires, ground), .wires = std::move(wires)});
+    const auto above_m = above_m_of(wires, ground);
+    spans.push_back({.id = span_id(lines, a), .above_m = above_m, .wires = std::move(wires)});
   }
   for (const things::CrossWire& cross : lines.cross_wires) {
     const double sag_m = on_grid(kCrossSag * distance(in_plan(cross.from), in_plan(cross.to)));
@@ -213,7 +214,8 @@ std::vector<WireSpan> contact_spans(const ContactLines& lines, const ground::Gra
                                 .sag_m = sag_m,
                                 .radius_mm = kCrossWire_mm,
                                 .kind = WireKind::kMessenger}};
-    spans.push_back({.id = cross.id, .above_m = above_m_of(wires, ground), .wires = std::move(wires)});
+    const auto above_m = above_m_of(wires, ground);
+    spans.push_back({.id = cross.id, .above_m = above_m, .wires = std::move(wires)});
   }
   std::ranges::sort(spans, {}, order_of);
   report.account("wires", "contact span") = account;

@@ -110,8 +110,10 @@ std::vector<Polygon> area_above_zero(const ValueGrid& grid, double least_m2) {
   std::vector<Ring> holes;
   for (Ring& ring : Marching(grid).rings()) {
     const double area_m2 = signed_area_m2(ring);
-    if (area_m2 >= least_m2) polygons.push_back({std::move(ring), {}});
-    if (area_m2 <= -least_m2) holes.push_back(std::move(ring));
+    if (area_m2 >= least_m2)
+      polygons.push_back({std::move(ring), {}});
+    else if (area_m2 <= -least_m2)
+      holes.push_back(std::move(ring));
   }
   for (Ring& hole : holes) {
     Polygon* smallest = nullptr;

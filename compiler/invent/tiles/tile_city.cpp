@@ -184,10 +184,13 @@ class TileCity {
       Tags tags = tags_of(content, column, row, i);
       Polyline points;
       for (const Vec2 p : content.points) points.push_back(place(column, row, turned(p, turned_tile.turn)));
-      if (content.kind == ContentKind::kLine) lines_.push_back({std::move(points), std::move(tags)});
-      if (content.kind == ContentKind::kArea) map_.areas.push_back({{std::move(points), {}}, std::move(tags)});
-      if (content.kind == ContentKind::kPoint) map_.points.push_back({points.front(), std::move(tags)});
-      if (content.kind == ContentKind::kCover)
+      if (content.kind == ContentKind::kLine)
+        lines_.push_back({std::move(points), std::move(tags)});
+      else if (content.kind == ContentKind::kArea)
+        map_.areas.push_back({{std::move(points), {}}, std::move(tags)});
+      else if (content.kind == ContentKind::kPoint)
+        map_.points.push_back({points.front(), std::move(tags)});
+      else if (content.kind == ContentKind::kCover)
         covers_[static_cast<std::size_t>(row) * grid_.columns + column] =
             labels_.try_emplace(std::move(tags), static_cast<std::uint32_t>(labels_.size() + 1)).first->second;
     }

@@ -61,6 +61,7 @@ T sine_sum(const Coefficients& c, T sine_2z, T cosine_2z) {
 struct Complex {
   double re = 0, im = 0;
   Complex() = default;
+  // implicit, as of std::complex; NOLINTNEXTLINE(google-explicit-constructor)
   Complex(double r, double i = 0) : re(r), im(i) {}
 };
 Complex operator+(Complex a, Complex b) { return {a.re + b.re, a.im + b.im}; }

@@ -80,7 +80,7 @@ MarkingLayout turned_round(const MarkingLayout& layout) {
 CanonicalLayout canonical_layout(const MarkingLayout& layout) {
   MarkingLayout other = turned_round(layout);
   const bool is_turned = other < layout;
-  return {is_turned ? std::move(other) : layout, is_turned};
+  return {is_turned ? other : layout, is_turned};
 }
 
 }  // namespace citykiln::roads
