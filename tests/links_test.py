@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Every link in a page leads to a file and a heading, ARCHITECTURE.md names what exists, and compiler/settings.md lists every setting."""
+"""Every link in a page leads to a file and a heading, ARCHITECTURE.md names what exists, compiler/settings.md lists every setting, and
+all files that state the version agree with CMakeLists.txt."""
 import re
 import subprocess
 import sys
@@ -19,6 +20,19 @@ def anchors_of(page):
     text = re.sub(r"```.*?```", "", page.read_text(), flags=re.DOTALL)
     headings = [re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading) for heading in re.findall(r"^#+ (.*)$", text, re.MULTILINE)]
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings} | set(re.findall(r'<a id="([^"]+)"', text))
+
+
+# A file that states the version, and the text around it.
+VERSIONS = {"README.md": "citykiln_{}-1_amd64.deb", "package/changelog.Debian": "citykiln ({}-1)",
+            "exporters/blender/citykiln/blender_manifest.toml": '\nversion = "{}"', "exporters/godot/godot3/addons/citykiln/plugin.cfg": '\nversion="{}"',
+            "exporters/godot/godot4/addons/citykiln/plugin.cfg": '\nversion="{}"', "CHANGELOG.md": "\n## {}"}
+
+
+class Version(unittest.TestCase):
+    def test_is_the_same_in_all_files(self):
+        version = re.search(r"project\(citykiln VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
+        for name, text in VERSIONS.items():
+            self.assertIn(text.format(version), (ROOT / name).read_text(), name)
 
 
 class Links(unittest.TestCase):

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "compiler/contract/system/program_version.h"
+
 namespace citykiln::exporters {
 namespace {
 
@@ -22,7 +24,7 @@ void append_bytes(std::vector<std::byte>& bytes, const void* from, std::size_t s
 }  // namespace
 
 nlohmann::json new_gltf() {
-  return {{"asset", {{"version", "2.0"}, {"generator", "citykiln 0.1.0"}}},
+  return {{"asset", {{"version", "2.0"}, {"generator", kProgramVersion}}},
           {"buffers", nlohmann::json::array({nlohmann::json::object()})},
           {"scene", 0},
           {"scenes", nlohmann::json::array({{{"nodes", {0}}}})}};

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "compiler/contract/system/program_version.h"
 #include "exporters/joined_attributions.h"
 #include "exporters/run_files.h"
 
@@ -44,7 +45,7 @@ OrderedJson asset_of(const TilesetFacts& facts) {
   OrderedJson credits = OrderedJson::array();
   for (const std::string& credit : facts.attributions) credits.push_back({{"html", credit}, {"showOnScreen", true}});
   return {{"version", "1.1"},
-          {"generator", "citykiln 0.1.0"},
+          {"generator", kProgramVersion},
           {"copyright", joined_attributions(facts.attributions)},
           {"extras", {{"copyright", joined_attributions(facts.attributions)}, {"cesium", {{"credits", credits}}}}}};
 }
