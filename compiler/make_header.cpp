@@ -127,25 +127,20 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
   const map::Heightfield& heights = recipes.heights;
   Result<surroundings::Surroundings> around = plan_surroundings(spec, plane, recipes, extent);
   if (!around) return around.error();
-  Result<sky::Sky> sky = sky::plan(plane.origin(), spec.time);
-  if (!sky) return sky.error();
-  sky::set_air(spec.air, *sky);
-  sky->ground_m = mean_height_m(heights);
+  sky::Sky sky = sky::plan(plane.origin(), spec.time);
+  sky::set_air(spec.air, sky);
+  sky.ground_m = mean_height_m(heights);
   if (spec.world == World::kCylinder) {
     if (const Result<Done> fits = fits_into(spec.cylinder, extent, recipes); !fits) return fits.error();
-    sky->inside = sky::plan_inside(spec.cylinder, extent);
+    sky.inside = sky::plan_inside(spec.cylinder, extent);
   }
-  if (!spec.clouds.empty()) {
-    Result<std::vector<sky::CloudLayer>> clouds = sky::read_clouds(spec.clouds, sky->ground_m, spec.seed);
-    if (!clouds) return clouds.error();
-    sky->clouds = std::move(*clouds);
-  }
+  sky.clouds = sky::requested_clouds(spec.clouds, sky.ground_m, spec.seed);
   scene::Header header{.origin = plane.origin(),
                        .extent = extent,
                        .tile_m = spec.tile_m,
                        .seed = spec.seed,
                        .resampling_error_m = heights.resampling_error_m,
-                       .sky = std::move(*sky),
+                       .sky = std::move(sky),
                        .sources = {file_name_of(spec.map_path)},
                        .attributions = {std::string(kOsmCredit)},
                        .snow_line_m = spec.snow_line_m,

@@ -25,8 +25,8 @@ struct HeaderInputs {
 };
 
 /// The properties of the whole scene, without rules, species and things.
-/// Errors: heightmaps or cloud files that cannot be read, a time without a sky, tiles in spec.only that the map lacks,
-/// a map that does not fit into the spec's cylinder.
+/// Errors: heightmaps that cannot be read, tiles in spec.only that the map lacks, a map that does not fit into the
+/// spec's cylinder.
 Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& extent,
                                   const HeaderInputs& recipes);
 

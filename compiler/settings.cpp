@@ -11,7 +11,7 @@
 #include "compiler/contract/texts/parse.h"
 #include "compiler/parse_values.h"
 #include "compiler/sky/clouds/read_clouds.h"
-#include "compiler/sky/plan.h"
+#include "compiler/sky/moment.h"
 #include "compiler/source/read_raster.h"
 
 namespace citykiln {
@@ -150,10 +150,7 @@ Result<Done> set_world(CompileSpec& spec, std::string_view text) {
 }
 
 Result<Done> set_geoid(CompileSpec& spec, std::string_view text) {
-  if (!number_in<double>(text) && !text.ends_with(".pgm"))
-    return expected("a height in metres, such as 47.3, or a geoid of GeographicLib, such as egm96-5.pgm", text);
-  spec.outputs.geoid = text;
-  return Done{};
+  return put(map::parse_geoid(text), spec.outputs.geoid);
 }
 
 Result<Done> set_target(CompileSpec& spec, std::string_view text) {
@@ -227,11 +224,8 @@ Result<Done> set_assume(CompileSpec& spec, std::string_view text) {
 }
 
 Result<Done> set_time(CompileSpec& spec, std::string_view text) {
-  // any place will do: parsing does not depend on it
-  const Result<sky::Sky> sky = sky::plan({}, std::string(text));
-  if (!sky) return sky.error();
-  spec.time = text;
-  return Done{};
+  if (text.empty()) return spec.time.reset(), Done{};
+  return put(sky::parse_time(text), spec.time);
 }
 
 /// Stores a number of the air within limits.
@@ -258,10 +252,7 @@ Result<Done> set_ground_albedo(CompileSpec& spec, std::string_view text) {
 }
 
 Result<Done> set_clouds(CompileSpec& spec, std::string_view text) {
-  const auto layers = sky::read_clouds(std::string(text), 0, 0);
-  if (!layers) return layers.error();
-  spec.clouds = text;
-  return Done{};
+  return put(sky::read_clouds(std::string(text)), spec.clouds);
 }
 
 Result<Done> set_seed(CompileSpec& spec, std::string_view text) {

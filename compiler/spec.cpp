@@ -128,9 +128,8 @@ Result<Done> fits_cylinder(const CompileSpec& spec) {
   const Outputs& outputs = spec.outputs;
   if (outputs.page) return Error{"--emit", "page shows worlds on the ellipsoid; leave it out inside of a cylinder"};
   if (outputs.surroundings) return Error{"--surroundings", "there is no land around a map inside of a cylinder"};
-  if (!outputs.geoid.empty()) return Error{"--geoid-height", "is for the ellipsoid; leave it out inside of a cylinder"};
-  if (!spec.clouds.empty() && spec.clouds != "clear")
-    return Error{"--clouds", "there are no clouds inside of a cylinder; leave it out"};
+  if (outputs.geoid) return Error{"--geoid-height", "is for the ellipsoid; leave it out inside of a cylinder"};
+  if (!spec.clouds.empty()) return Error{"--clouds", "there are no clouds inside of a cylinder; leave it out"};
   return Done{};
 }
 
@@ -144,8 +143,8 @@ Result<Done> check_world(const CompileSpec& spec) {
     return Error{"--world", "kiln and glb are in the plane, found ellipsoid; add --emit 3dtiles"};
   if (spec.outputs.page && !spec.outputs.tiles3d)
     return Error{"--emit", "page shows the tiles of 3dtiles; give both, such as 3dtiles,page"};
-  if (spec.outputs.geoid.ends_with(".pgm") && !std::ifstream(spec.outputs.geoid))
-    return Error{spec.outputs.geoid, "the file cannot be read"};
+  const std::optional<map::GeoidSource>& geoid = spec.outputs.geoid;
+  if (geoid && !geoid->level_m && !std::ifstream(geoid->name)) return Error{geoid->name, "the file cannot be read"};
   return Done{};
 }
 

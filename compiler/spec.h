@@ -22,8 +22,11 @@
 #include "compiler/contract/tolerance.h"
 #include "compiler/map/locate.h"
 #include "compiler/map/plane/cylinder.h"
+#include "compiler/map/plane/geoid.h"
 #include "compiler/scene/scene.h"
 #include "compiler/sky/air_settings.h"
+#include "compiler/sky/clouds/read_clouds.h"
+#include "compiler/sky/moment.h"
 #include "compiler/source/raster.h"
 
 namespace citykiln {
@@ -36,13 +39,13 @@ inline constexpr std::array kDefaultLevels_m = {0.1, 0.5, 1.2, 2.5, kCoarsestDef
 /// The files that a run writes into its folder.
 struct Outputs {
   std::string folder;
-  bool manifest = true;       ///< scene.kiln
-  bool glb = true;            ///< glb/<x>_<y>_L<n>.glb
-  bool usd = false;           ///< usd/scene.usda and the layers of its tiles
-  bool tiles3d = false;       ///< 3dtiles/tileset.json and its contents, on the ellipsoid
-  bool page = false;          ///< index.html and page/, which show the tileset in a browser
-  bool surroundings = false;  ///< The land around the extent as a separate tile, in glTF, USD and 3D Tiles.
-  std::string geoid;          ///< The argument of map::read_geoid(); "" if no height of the geoid is given.
+  bool manifest = true;                   ///< scene.kiln
+  bool glb = true;                        ///< glb/<x>_<y>_L<n>.glb
+  bool usd = false;                       ///< usd/scene.usda and the layers of its tiles
+  bool tiles3d = false;                   ///< 3dtiles/tileset.json and its contents, on the ellipsoid
+  bool page = false;                      ///< index.html and page/, which show the tileset in a browser
+  bool surroundings = false;              ///< The land around the extent as a separate tile, in glTF, USD and 3D Tiles.
+  std::optional<map::GeoidSource> geoid;  ///< Empty if no height of the geoid is given.
   Target target = Target::kGeneric;
   NodeSplit split = NodeSplit::kLayer;
   Compression compress = Compression::kNone;
@@ -74,17 +77,17 @@ struct CompileSpec {
   std::uint64_t seed = 0;
   Assumptions assume = kUsualAssumptions;  ///< The assumptions made where the map is silent.
   std::optional<double> snow_line_m;       ///< Land above it is covered by snow.
-  std::string rules_folder;        ///< A folder of rule files that replace shipped ones of the same name; "" for none.
-  std::string things_folder;       ///< A folder with a table of things and rule files; "" for none.
-  std::string species_folder;      ///< A folder of user-defined species; "" for none.
-  bool fill_lots = false;          ///< Houses on residential land without buildings (lots/fill_lots.h).
-  bool cars = false;               ///< Parked cars (things/parked_cars.h).
-  World world = World::kByOutput;  ///< 3D Tiles need the ellipsoid or a cylinder, others the plane or a cylinder.
-  map::Cylinder cylinder{};        ///< For World::kCylinder.
-  std::string time;                ///< The time of the sky, ISO 8601; see sky::plan.
+  std::string rules_folder;         ///< A folder of rule files that replace shipped ones of the same name; "" for none.
+  std::string things_folder;        ///< A folder with a table of things and rule files; "" for none.
+  std::string species_folder;       ///< A folder of user-defined species; "" for none.
+  bool fill_lots = false;           ///< Houses on residential land without buildings (lots/fill_lots.h).
+  bool cars = false;                ///< Parked cars (things/parked_cars.h).
+  World world = World::kByOutput;   ///< 3D Tiles need the ellipsoid or a cylinder, others the plane or a cylinder.
+  map::Cylinder cylinder{};         ///< For World::kCylinder.
+  std::optional<sky::Moment> time;  ///< The time of the sky; see sky::plan().
   sky::AirSettings air;
-  std::string clouds;  ///< The argument of sky::read_clouds(); "" for none.
-  int threads = 0;     ///< 0: all processors. Does not change outputs.
+  std::vector<sky::CloudRequest> clouds;
+  int threads = 0;  ///< 0: all processors. Does not change outputs.
   Strictness strict;
   Outputs outputs;
 };

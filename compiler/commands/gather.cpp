@@ -248,9 +248,10 @@ Result<Done> write_roots(Gathered& all, const Outputs& outputs, exporters::Outpu
     if (Result<Done> done = write(exporters::kUsdSceneName, scene); !done) return done;
   }
   if (all.tilesets.empty()) return Done{};
-  const Result<exporters::TilesetFacts> facts = outputs::tileset_facts(all.scene.header, outputs);
-  if (!facts) return facts.error();
-  for (const exporters::TilesetFile& file : exporters::encode_tileset(joined_trees(std::move(all.tilesets)), *facts))
+  const Result<map::Geoid> geoid = outputs::geoid_of(all.scene.header, outputs);
+  if (!geoid) return geoid.error();
+  const exporters::TilesetFacts facts = outputs::tileset_facts(all.scene.header, outputs, *geoid);
+  for (const exporters::TilesetFile& file : exporters::encode_tileset(joined_trees(std::move(all.tilesets)), facts))
     if (Result<Done> done = write(file.name, exporters::bytes_of(file.json)); !done) return done;
   return Done{};
 }

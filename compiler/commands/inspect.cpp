@@ -30,7 +30,6 @@
 #include "compiler/map/plane/degrees.h"
 #include "compiler/map/ways/private_ways.h"
 #include "compiler/roads/junctions/layers.h"
-#include "compiler/sky/plan.h"
 #include "compiler/source/read_osm.h"
 #include "compiler/things/generate.h"
 #include "exporters/file.h"
@@ -136,15 +135,14 @@ Result<Done> draw_things_sheet(const ThingsSheet& asked, const Console& console)
   if (!kinds) return kinds.error();
   const Result<std::vector<map::ThingRow>> drawn = rows_with(catalogue->table, asked.names);
   if (!drawn) return drawn.error();
-  const Result<sky::Sky> sky = sky::plan({11, 48}, "2026-06-21T09:30");
-  if (!sky) return sky.error();
+  const sky::Sky sky = sheet_sky();
   const int rows = (static_cast<int>(drawn->size()) + kThingsInRow - 1) / kThingsInRow;
   preview::Image sheet = empty_sheet(kThingPixels * kThingsInRow * kTolerances, kThingPixels * rows);
   std::vector<std::string> lines(static_cast<std::size_t>(rows));
   for (int i = 0; i < static_cast<int>(drawn->size()); ++i) {
     const map::ThingRow& row = (*drawn)[static_cast<std::size_t>(i)];
     lines[static_cast<std::size_t>(i / kThingsInRow)] += " " + row.name;
-    draw_thing(row, kinds->at(row.name), i, *sky, sheet);
+    draw_thing(row, kinds->at(row.name), i, sky, sheet);
   }
   for (std::size_t i = 0; i < lines.size(); ++i) console.print_line(fmt::format("row {}:{}", i + 1, lines[i]));
   return preview::write_image(sheet, asked.path);
@@ -212,7 +210,7 @@ OrderedJson describe(const scene::Scene& scene) {
       {"tile_m", header.tile_m},
       {"seed", header.seed},
       {"resampling_error_m", header.resampling_error_m},
-      {"time", header.sky.time},
+      {"time", sky::text_of(header.sky.time)},
       {"climate", climate::name_of(header.climate.origin_class)},
       {"sources", header.sources},
       {"attribution", header.attributions},

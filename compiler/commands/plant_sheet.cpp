@@ -13,7 +13,6 @@
 #include "compiler/commands/sheet.h"
 #include "compiler/contract/texts/parse.h"
 #include "compiler/make_header.h"
-#include "compiler/sky/plan.h"
 #include "compiler/source/read_texts.h"
 #include "exporters/file.h"
 #include "lsystems/plant_file.h"
@@ -152,12 +151,11 @@ Result<Done> draw_plant_sheet(const PlantSheet& asked, const Console& console) {
   scene::Header header;
   header.origin = {11, 48}, header.species = std::move(drawn->texts);
   const bake::PrototypeCache prototypes(header);
-  const Result<sky::Sky> sky = sky::plan(header.origin, "2026-06-21T09:30");
-  if (!sky) return sky.error();
+  const sky::Sky sky = sheet_sky();
   preview::Image sheet = empty_sheet(kPlantPixels * static_cast<int>(kPlantTolerances_m.size()),
                                      kPlantPixels * static_cast<int>(drawn->names.size()));
   for (std::size_t row = 0; row < drawn->names.size(); ++row)
-    draw_plant(*prototypes.species().named(drawn->names[row]), static_cast<int>(row), prototypes, *sky, console, sheet);
+    draw_plant(*prototypes.species().named(drawn->names[row]), static_cast<int>(row), prototypes, sky, console, sheet);
   return preview::write_image(sheet, asked.path);
 }
 

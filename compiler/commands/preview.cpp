@@ -77,7 +77,7 @@ std::vector<preview::Metadata> metadata_of(const preview::Image& image, const pr
           {"Look", text(camera.look_at)},
           {"VerticalFieldOfView", fmt::format("{}", camera.vertical_fov_deg)},
           {"LensDiameter", fmt::format("{}", camera.lens_radius_m * 2)},
-          {"Time", sky.time},
+          {"Time", sky::text_of(sky.time)},
           {"Exposure", fmt::format("{}", exposure)},
           {"Samples", made.least_samples == made.most_samples
                           ? fmt::format("{}", made.most_samples)
@@ -371,12 +371,22 @@ auto store_cloud_method(preview::CloudMethod& method) {
   };
 }
 
+template <typename T, typename Parse>
+StoreValue store_parsed(std::optional<T>& value, Parse parse) {
+  return [&value, parse](const std::string& text) -> Result<Done> {
+    Result<T> parsed = parse(text);
+    if (!parsed) return parsed.error();
+    value = std::move(*parsed);
+    return Done{};
+  };
+}
+
 std::vector<Option> light_options(PreviewRequest& request) {
   return {
       {"--time", "ISO",
        "date and time of the sky in UTC, or with an offset from it, such as 2026-12-21T23:00+01:00 (default: the "
        "scene's); a manifest gets lit windows by night",
-       false, store_text(request.load.time)},
+       false, store_parsed(request.load.time, sky::parse_time)},
       {"--visibility", "KM", "how far one sees at sea level (default: the scene's)", false,
        store_number(request.load.air.visibility_km, {sky::kHaziest_km, sky::kClearest_km, true})},
       {"--turbidity", "T", "haze of the whole sky: 2 clear, 10 hazy (default: the scene's)", false,
@@ -385,7 +395,7 @@ std::vector<Option> light_options(PreviewRequest& request) {
        "fog fills valleys up to the height below which this share of a manifest's ground is, such as 0.2", false,
        store_number(request.fog_share, {0, 1, true})},
       {"--clouds", "clear|fair|broken|overcast|FILE.json", "clouds of the sky (default: the scene's, or clear)", false,
-       store_text(request.load.clouds)},
+       store_parsed(request.load.clouds, sky::read_clouds)},
       {"--cloud-light", "approximate|paths",
        "paths: each ray to a cloud follows light through its droplets, a slow and noisy reference "
        "(default: approximate)",

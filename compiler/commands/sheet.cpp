@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compiler/sky/plan.h"
+
 namespace citykiln::commands {
 
 preview::Image empty_sheet(int width, int height) {
@@ -14,6 +16,11 @@ void put_picture(const preview::Image& from, int x0, int y0, preview::Image& to)
   for (int y = 0; y < from.height; ++y)
     std::copy_n(from.rgb.begin() + 3L * y * from.width, 3 * from.width,
                 to.rgb.begin() + 3L * ((y0 + y) * to.width + x0));
+}
+
+sky::Sky sheet_sky() {
+  constexpr int kMorning_min = 9 * 60 + 30;
+  return sky::plan({11, 48}, sky::moment_of(std::chrono::year(2026) / std::chrono::June / 21, kMorning_min));
 }
 
 bake::Primitive ground_square(materials::Material material, float half_m) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "compiler/bake/baked_tile.h"
+#include "compiler/sky/recipe.h"
 #include "preview/render.h"
 
 namespace citykiln::commands {
@@ -11,6 +12,9 @@ preview::Image empty_sheet(int width, int height);
 
 /// Copies a picture into a sheet, with its upper left corner at (x0, y0). It fits in.
 void put_picture(const preview::Image& from, int x0, int y0, preview::Image& to);
+
+/// A sky on a midsummer morning, which lights plants and things from the east.
+sky::Sky sheet_sky();
 
 /// A square of ground about the origin.
 bake::Primitive ground_square(materials::Material material, float half_m);

@@ -116,7 +116,12 @@ Verb view_verb() {
          return Done{};
        }},
       {"--geoid-height", "M|FILE.pgm", "for a tileset that is baked: as for compile", false,
-       store_text(request->page.geoid)},
+       [request](const std::string& text) -> Result<Done> {
+         Result<map::GeoidSource> geoid = map::parse_geoid(text);
+         if (!geoid) return geoid.error();
+         request->page.geoid = std::move(*geoid);
+         return Done{};
+       }},
       {"--lights", "N", "for a tileset that is baked: as for compile", false, store_whole(request->page.lights, 0)},
       threads_option(request->page.threads)};
   verb.examples = {"citykiln view out/town", "citykiln view out/town --port 8000",

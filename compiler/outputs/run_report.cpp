@@ -140,7 +140,7 @@ OrderedJson tiles_of(std::span<const WrittenTile> written, const scene::Header& 
 
 /// The sky of the run, by which programs that import its tiles light them.
 OrderedJson sky_of(const sky::Sky& sky) {
-  return {{"time", sky.time},
+  return {{"time", sky::text_of(sky.time)},
           {"to_sun", {sky.to_sun.x, sky.to_sun.y, sky.to_sun.z}},
           {"turbidity", sky.turbidity},
           {"visibility_km", sky.visibility_km},

@@ -361,6 +361,26 @@ class TileWriter {
   UsdWriter usd_;
 };
 
+// Writes the outputs that need heights above the ellipsoid.
+Result<Done> write_on_ellipsoid(const scene::Scene& scene, const Outputs& outputs, int threads,
+                                exporters::OutputFolder& folder, Report& report, const OnProgress& on_progress,
+                                WrittenOutputs& written) {
+  if (!outputs.tiles3d && !outputs.page) return Done{};
+  const Result<map::Geoid> geoid = geoid_of(scene.header, outputs);
+  if (!geoid) return geoid.error();
+  if (outputs.tiles3d) {
+    auto files = write_tiles3d(scene, outputs, *geoid, threads, folder, report, on_progress);
+    if (!files) return files.error();
+    std::ranges::move(*files, std::back_inserter(written.files.files));
+  }
+  if (outputs.page) {
+    auto files = write_page(scene, outputs, *geoid, threads, folder);
+    if (!files) return files.error();
+    std::ranges::move(*files, std::back_inserter(written.files.files));
+  }
+  return Done{};
+}
+
 }  // namespace
 
 Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads,
@@ -377,16 +397,8 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
   }
   if (const auto done = write_clouds(scene, outputs, threads, folder, written.files.files, written.notes); !done)
     return done.error();
-  if (outputs.tiles3d) {
-    auto files = write_tiles3d(scene, outputs, threads, folder, report, on_progress);
-    if (!files) return files.error();
-    std::ranges::move(*files, std::back_inserter(written.files.files));
-  }
-  if (outputs.page) {
-    auto files = write_page(scene, outputs, threads, folder);
-    if (!files) return files.error();
-    std::ranges::move(*files, std::back_inserter(written.files.files));
-  }
+  if (const auto done = write_on_ellipsoid(scene, outputs, threads, folder, report, on_progress, written); !done)
+    return done.error();
   if (!outputs.glb && !outputs.usd) return written;
   TileWriter writer(scene, outputs, threads, folder, report);
   if (outputs.max_bytes || outputs.max_triangles) {

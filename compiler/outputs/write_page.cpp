@@ -8,7 +8,6 @@
 
 #include "compiler/contract/system/for_each_slot.h"
 #include "compiler/geometry/trig.h"
-#include "compiler/map/plane/geoid.h"
 #include "compiler/outputs/page_records.h"
 #include "compiler/sky/generate.h"
 #include "compiler/sky/plan.h"
@@ -44,7 +43,7 @@ std::vector<PageRgb> radiance_table(const sky::SkyModel& model) {
 PageSky page_sky(const sky::Sky& sky, std::string label, bool is_of_run) {
   const sky::SkyModel model = sky::generate(sky, sky.ground_m);
   const double solid_angle_sr = 2 * kPi * (1 - model.sun_cos_radius);
-  return {.time = sky.time,
+  return {.time = sky::text_of(sky.time),
           .label = std::move(label),
           .is_of_run = is_of_run,
           .are_lamps_lit = sky::are_lamps_lit(sky),
@@ -58,9 +57,12 @@ PageSky page_sky(const sky::Sky& sky, std::string label, bool is_of_run) {
           .radiance = radiance_table(model)};
 }
 
+std::chrono::sys_days date_of(const sky::Moment& time) { return std::chrono::floor<std::chrono::days>(time.at); }
+
 // Hours since midnight, of the solar time at a longitude.
-double solar_hours(const std::string& time, double lon_deg) {
-  const double utc = std::stod(time.substr(11, 2)) + std::stod(time.substr(14, 2)) / 60;
+double solar_hours(const sky::Moment& time, double lon_deg) {
+  const auto minutes = std::chrono::floor<std::chrono::minutes>(time.at - date_of(time)).count();
+  const double utc = static_cast<double>(minutes / 60) + static_cast<double>(minutes % 60) / 60;
   return std::fmod(utc + lon_deg / 15 + 2 * kDayHours, kDayHours);
 }
 
@@ -70,13 +72,10 @@ std::string label_of(double hours) {
 }
 
 // The sky of the run at another hour of its date.
-sky::Sky sky_at(const scene::Header& header, int solar_hour) {
+sky::Sky sky_at(const scene::Header& header, const sky::Moment& time, int solar_hour) {
   const double utc = std::fmod(solar_hour - header.origin.lon_deg / 15 + 2 * kDayHours, kDayHours);
   const int minutes = static_cast<int>(std::lround(utc * 60)) % (kDayHours * 60);
-  const std::string time = fmt::format("{}T{:02}:{:02}Z", header.sky.time.substr(0, 10), minutes / 60, minutes % 60);
-  const Result<sky::Sky> planned = sky::plan(header.origin, time);
-  if (!planned) return header.sky;
-  sky::Sky sky = *planned;
+  sky::Sky sky = sky::plan(header.origin, sky::moment_of(date_of(time), minutes, sky::kEndingZ));
   sky.turbidity = header.sky.turbidity, sky.visibility_km = header.sky.visibility_km;
   sky.ground_albedo = header.sky.ground_albedo, sky.ground_m = header.sky.ground_m;
   return sky;
@@ -89,8 +88,10 @@ struct Hour {
 };
 
 std::vector<Hour> hours_of(const scene::Header& header) {
-  std::vector<Hour> hours = {{header.sky, solar_hours(header.sky.time, header.origin.lon_deg), true}};
-  for (int hour = 0; hour < kDayHours; hour += kHours) hours.push_back({sky_at(header, hour), double(hour), false});
+  const sky::Moment time = header.sky.time.value_or(sky::Moment{});
+  std::vector<Hour> hours = {{header.sky, solar_hours(time, header.origin.lon_deg), true}};
+  for (int hour = 0; hour < kDayHours; hour += kHours)
+    hours.push_back({sky_at(header, time, hour), double(hour), false});
   std::ranges::stable_sort(hours, {}, &Hour::hours);
   return hours;
 }
@@ -161,12 +162,10 @@ class PageWriter {
 
 }  // namespace
 
-Result<std::vector<WrittenFile>> write_page(const scene::Scene& scene, const Outputs& outputs, int threads,
-                                            exporters::OutputFolder& folder) {
-  const Result<map::Geoid> geoid = map::read_geoid(outputs.geoid, scene.header.extent, map::Plane(scene.header.origin));
-  if (!geoid) return geoid.error();
-  const exporters::FeatureRecords records = page_records(scene, *geoid);
-  exporters::PageFacts facts = facts_of(scene, outputs, *geoid, threads);
+Result<std::vector<WrittenFile>> write_page(const scene::Scene& scene, const Outputs& outputs, const map::Geoid& geoid,
+                                            int threads, exporters::OutputFolder& folder) {
+  const exporters::FeatureRecords records = page_records(scene, geoid);
+  exporters::PageFacts facts = facts_of(scene, outputs, geoid, threads);
   facts.feature_files = exporters::feature_file_count(records);
   PageWriter writer(folder);
   if (const Result<Done> done = writer.write_program_files(); !done) return done.error();

@@ -336,39 +336,33 @@ Result<Done> add_surroundings(const scene::Scene& scene, const ContentMaker& mak
   return Done{};
 }
 
+}  // namespace
+
 Result<map::Geoid> geoid_of(const scene::Header& header, const Outputs& outputs) {
   return map::read_geoid(outputs.geoid, header.extent, map::Plane(header.origin));
 }
 
-}  // namespace
-
-Result<exporters::TilesetFacts> tileset_facts(const scene::Header& header, const Outputs& outputs) {
+exporters::TilesetFacts tileset_facts(const scene::Header& header, const Outputs& outputs, const map::Geoid& geoid) {
   if (const auto cylinder = scene::cylinder_of(header)) {
     return exporters::TilesetFacts{.to_earth = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},
                                    .origin = header.origin,
                                    .cylinder_radius_m = cylinder->radius_m,
                                    .attributions = header.attributions};
   }
-  const Result<map::Geoid> geoid = geoid_of(header, outputs);
-  if (!geoid) return geoid.error();
   return exporters::TilesetFacts{.to_earth = map::Globe(header.origin).to_earth(),
                                  .origin = header.origin,
-                                 .geoid = outputs.geoid,
-                                 .geoid_height_m = map::height_m(*geoid, {}),
+                                 .geoid = outputs.geoid ? outputs.geoid->name : "",
+                                 .geoid_height_m = map::height_m(geoid, {}),
                                  .attributions = header.attributions};
 }
 
-Result<std::vector<WrittenFile>> write_tiles3d(const scene::Scene& scene, const Outputs& outputs, int threads,
-                                               exporters::OutputFolder& folder, Report& report,
-                                               const OnProgress& on_progress) {
+Result<std::vector<WrittenFile>> write_tiles3d(const scene::Scene& scene, const Outputs& outputs,
+                                               const map::Geoid& geoid, int threads, exporters::OutputFolder& folder,
+                                               Report& report, const OnProgress& on_progress) {
   if (scene.chunks.empty()) return std::vector<WrittenFile>();
-  const Result<map::Geoid> geoid = geoid_of(scene.header, outputs);
-  if (!geoid) return geoid.error();
-  const Result<exporters::TilesetFacts> facts = tileset_facts(scene.header, outputs);
-  if (!facts) return facts.error();
-  if (outputs.geoid.empty() && !scene::cylinder_of(scene.header)) report.add(Code::kNoGeoidHeight, {});
+  if (!outputs.geoid && !scene::cylinder_of(scene.header)) report.add(Code::kNoGeoidHeight, {});
 
-  const ContentMaker maker(scene.header, outputs, *geoid, threads);
+  const ContentMaker maker(scene.header, outputs, geoid, threads);
   TreeWriter writer(scene, outputs, maker, threads, folder);
   Report repeated;  // what the tiles of .glb and USD count again
   Result<TilesetTile> root = writer.write(outputs.glb || outputs.usd ? repeated : report, on_progress);
@@ -376,7 +370,8 @@ Result<std::vector<WrittenFile>> write_tiles3d(const scene::Scene& scene, const 
   if (outputs.surroundings)
     if (const Result<Done> done = add_surroundings(scene, maker, folder, *root, writer.files); !done)
       return done.error();
-  for (const exporters::TilesetFile& file : exporters::encode_tileset(std::move(*root), *facts)) {
+  const exporters::TilesetFacts facts = tileset_facts(scene.header, outputs, geoid);
+  for (const exporters::TilesetFile& file : exporters::encode_tileset(std::move(*root), facts)) {
     const auto bytes = exporters::bytes_of(file.json);
     if (const Result<Done> done = folder.write(file.name, bytes); !done) return done.error();
     writer.files.push_back({file.name, bytes.size()});

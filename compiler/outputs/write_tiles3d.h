@@ -5,6 +5,7 @@
 
 #include "compiler/contract/findings/report.h"
 #include "compiler/contract/result.h"
+#include "compiler/map/plane/geoid.h"
 #include "compiler/outputs/run_report.h"
 #include "compiler/scene/scene.h"
 #include "compiler/spec.h"
@@ -13,6 +14,9 @@
 #include "exporters/tiles3d/tileset.h"
 
 namespace citykiln::outputs {
+
+/// Returns the geoid over the extent of a scene. Error: a geoid that cannot be read.
+Result<map::Geoid> geoid_of(const scene::Header& header, const Outputs& outputs);
 
 /// Bakes a scene and writes 3dtiles/tileset.json with its contents. An inner tile is a tile of the tree above the tiles
 /// of the scene.
@@ -31,12 +35,13 @@ namespace citykiln::outputs {
 ///
 /// Adds to `report` kNoGeoidHeight, if no geoid is given and the world is no cylinder; and what baking reports, unless
 /// .glb or USD files are written too, whose tiles are counted instead.
+/// @param geoid  The result of geoid_of(), here and below.
 /// Memory: bake_scene(), and the coarse levels of tiles and nodes whose parents are not complete yet.
-Result<std::vector<WrittenFile>> write_tiles3d(const scene::Scene& scene, const Outputs& outputs, int threads,
-                                               exporters::OutputFolder& folder, Report& report,
-                                               const OnProgress& on_progress);
+Result<std::vector<WrittenFile>> write_tiles3d(const scene::Scene& scene, const Outputs& outputs,
+                                               const map::Geoid& geoid, int threads, exporters::OutputFolder& folder,
+                                               Report& report, const OnProgress& on_progress);
 
-/// Returns the properties of the tileset of a scene. Error: a geoid that cannot be read.
-Result<exporters::TilesetFacts> tileset_facts(const scene::Header& header, const Outputs& outputs);
+/// Returns the properties of the tileset of a scene.
+exporters::TilesetFacts tileset_facts(const scene::Header& header, const Outputs& outputs, const map::Geoid& geoid);
 
 }  // namespace citykiln::outputs

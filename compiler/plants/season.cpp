@@ -1,6 +1,7 @@
 #include "compiler/plants/season.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace citykiln::plants {
 namespace {
@@ -34,20 +35,15 @@ static_assert(std::ranges::all_of(kSpecies, are_states, &SpeciesValues::months))
 // to 0.
 constexpr std::array<double, kVariants> kAhead = {-0.25, 0.25, 0.1, -0.4, 0.2, -0.1, 0.25, -0.05};
 
-int digit(std::string_view text, std::size_t at) {
-  return at < text.size() && text[at] >= '0' && text[at] <= '9' ? text[at] - '0' : -1;
-}
-
 }  // namespace
 
-climate::LocalMonth local_month_of(std::string_view time, double latitude_deg) {
-  const int tens = digit(time, 5), ones = digit(time, 6), month = 10 * tens + ones;
-  if (tens < 0 || ones < 0 || month < 1 || month > 12) return climate::LocalMonth{6};
-  return static_cast<climate::LocalMonth>(latitude_deg < 0 ? (month + 5) % 12 + 1 : month);
+climate::LocalMonth local_month_of(std::chrono::month month, double latitude_deg) {
+  assert(month.ok());
+  return static_cast<climate::LocalMonth>(unsigned{latitude_deg < 0 ? month + std::chrono::months(6) : month});
 }
 
-Month month_for(std::string_view time, double latitude_deg, climate::ClimateClass climate) {
-  return Month{climate::equivalent_month(climate, local_month_of(time, latitude_deg))};
+Month month_for(climate::LocalMonth month, climate::ClimateClass climate) {
+  return Month{climate::equivalent_month(climate, month)};
 }
 
 bool are_months(std::string_view months) { return are_states(months); }

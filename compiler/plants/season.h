@@ -1,6 +1,7 @@
 // Seasons: the state of a species' leaves and its height in each month.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <string_view>
 
@@ -15,12 +16,12 @@ enum class Month : std::uint8_t {};
 /// June, in which all species are in their summer state.
 inline constexpr Month kMidsummer{6};
 
-/// Returns the month of a time like "2026-10-21T12:00" at a latitude, by whose sign the hemisphere is known; June for a
-/// text without a month.
-climate::LocalMonth local_month_of(std::string_view time, double latitude_deg);
+/// Returns a month of the calendar as that of the northern hemisphere, by the sign of the latitude: December in the
+/// south is June.
+climate::LocalMonth local_month_of(std::chrono::month month, double latitude_deg);
 
-/// Returns the month of the leaves at a time.
-Month month_for(std::string_view time, double latitude_deg, climate::ClimateClass climate);
+/// Returns the month of the leaves.
+Month month_for(climate::LocalMonth month, climate::ClimateClass climate);
 
 /// The state of a plant in a month.
 struct SeasonState {

@@ -6,26 +6,28 @@
 #include <cassert>
 #include <cmath>
 
-#include "compiler/sky/parse_time.h"
+#include "compiler/sky/moment.h"
 
 namespace citykiln::scene {
 
 plants::Month month_of(const Header& header) {
-  return plants::month_for(header.sky.time, header.origin.lat_deg, header.climate.origin_class);
+  return plants::month_for(local_month_of(header), header.climate.origin_class);
 }
 
 climate::LocalMonth local_month_of(const Header& header) {
-  return plants::local_month_of(header.sky.time, header.origin.lat_deg);
+  constexpr climate::LocalMonth kMidsummer{6};
+  if (!header.sky.time) return kMidsummer;
+  const std::chrono::year_month_day date(std::chrono::floor<std::chrono::days>(header.sky.time->at));
+  return plants::local_month_of(date.month(), header.origin.lat_deg);
 }
 
 std::optional<buildings::WeekTime> night_of(const Header& header) {
   if (!sky::is_night(header.sky)) return std::nullopt;
-  // without a date that can be read, a Wednesday evening
+  // without a date, a Wednesday evening
   constexpr double kEvening_h = 2 * 24 + 20, kWeek_h = 168;
-  const Result<sky::Moment> moment = sky::parse_time(header.sky.time);
-  if (!moment) return buildings::WeekTime{kEvening_h};
+  if (!header.sky.time) return buildings::WeekTime{kEvening_h};
   // 2000-01-03, a Monday, began 1.5 days after J2000.0
-  const double hours = (moment->days - 1.5) * 24 + header.origin.lon_deg / 15;
+  const double hours = (sky::days_of(*header.sky.time) - 1.5) * 24 + header.origin.lon_deg / 15;
   return buildings::WeekTime{hours - kWeek_h * std::floor(hours / kWeek_h)};
 }
 

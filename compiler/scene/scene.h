@@ -96,7 +96,7 @@ struct Scene {
 };
 
 /// Returns the month of the sky's time, by the climate of the origin. Plants and fields are shown as they are in this
-/// month.
+/// month; without a time as in midsummer.
 plants::Month month_of(const Header& header);
 
 /// Returns the same month without the climate, which decides how much grass is straw.

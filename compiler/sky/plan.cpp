@@ -1,12 +1,11 @@
 #include "compiler/sky/plan.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "compiler/geometry/trig.h"
 #include "compiler/geometry/vec.h"
 #include "compiler/sky/horizon.h"
-#include "compiler/sky/parse_time.h"
+#include "compiler/sky/moment.h"
 
 namespace citykiln::sky {
 namespace {
@@ -117,12 +116,10 @@ double sidereal_deg(double days) { return 15 * (18.697374558 + 24.06570982441908
 constexpr double kDefaultSolarHour = 15;
 
 // Midsummer day, at the UTC of mean solar time kDefaultSolarHour at the place.
-std::string default_time(LonLat place) {
+Moment default_time(LonLat place) {
   const int minutes = static_cast<int>(std::floor((kDefaultSolarHour - place.lon_deg / 15) * 60 + 0.5));
-  const int of_day = (minutes % 1440 + 1440) % 1440;
-  char text[32];
-  std::snprintf(text, sizeof text, "2026-%s-21T%02d:%02d", place.lat_deg < 0 ? "12" : "06", of_day / 60, of_day % 60);
-  return text;
+  const auto month = place.lat_deg < 0 ? std::chrono::December : std::chrono::June;
+  return moment_of(std::chrono::year(2026) / month / 21, (minutes % 1440 + 1440) % 1440);
 }
 
 // Six digits keep the manifest small.
@@ -134,14 +131,13 @@ double lit_share(Vec3 to_sun, Vec3 to_moon) { return (1 - dot(to_sun, to_moon)) 
 
 }  // namespace
 
-Result<Sky> plan(LonLat place, const std::string& time) {
-  const Result<Moment> moment = parse_time(time.empty() ? default_time(place) : time);
-  if (!moment) return moment.error();
-  const double days = moment->days, sidereal = sidereal_deg(days);
+Sky plan(LonLat place, const std::optional<Moment>& time) {
+  const Moment moment = time.value_or(default_time(place));
+  const double days = days_of(moment), sidereal = sidereal_deg(days);
   const Vec3 sun = sun_of_date(days), moon = moon_of_date_radii(days) - place_radii(place, sidereal);
   const auto local = [&](Vec3 v) { return at_horizon(v, place, sidereal); };
   Sky sky;
-  sky.time = moment->text;
+  sky.time = moment;
   sky.to_sun = quantised(refracted(local(sun)));
   sky.to_moon = quantised(refracted(unit(local(moon))));
   sky.moon_lit = quantised(lit_share(sun, unit(moon)));

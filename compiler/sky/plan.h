@@ -1,9 +1,8 @@
 // Plans the sky: sun, moon and stars at a place and a time.
 #pragma once
 
-#include <string>
+#include <optional>
 
-#include "compiler/contract/result.h"
 #include "compiler/map/plane/plane.h"
 #include "compiler/sky/recipe.h"
 
@@ -11,9 +10,9 @@ namespace citykiln::sky {
 
 /// Returns the sky at a place and a time, with the air of a clear day.
 ///
-/// @param time  A time for parse_time(). "" is 15:00 solar time on midsummer day of the place's hemisphere.
+/// @param time  Empty for 15:00 solar time on midsummer day of the place's hemisphere.
 /// Guarantees between 1950 and 2050: the apparent directions are exact within 0.02° for the sun, 0.05° for the moon,
-/// and 0.02° for stars without proper motion. Gives equal bits on every CPU. Error: a time that does not parse.
-Result<Sky> plan(LonLat place, const std::string& time);
+/// and 0.02° for stars without proper motion. Gives equal bits on every CPU.
+Sky plan(LonLat place, const std::optional<Moment>& time);
 
 }  // namespace citykiln::sky

@@ -2,19 +2,19 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "compiler/geometry/vec.h"
 #include "compiler/sky/clouds/recipe.h"
 #include "compiler/sky/inside/recipe.h"
+#include "compiler/sky/moment.h"
 
 namespace citykiln::sky {
 
 /// The sky of a scene. Directions are unit vectors (x east, y north, z up) whose components are multiples of 2^-20. The
 /// directions of sun and moon are apparent: lifted by refraction.
 struct Sky {
-  std::string time;            ///< ISO 8601, UTC.
+  std::optional<Moment> time;  ///< plan() sets it.
   Vec3 to_sun{0, 0, 1};        ///< The middle of the disk.
   double turbidity = 2.6;      ///< Haze of the whole column of air: 2 clear, 10 hazy.
   double visibility_km = 100;  ///< Distance at which a black object at sea level keeps 2 % of its contrast, at 550 nm.

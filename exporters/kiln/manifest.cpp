@@ -94,7 +94,7 @@ flatbuffers::Offset<fbs::Inside> inside_of(flatbuffers::FlatBufferBuilder& build
 }
 
 flatbuffers::Offset<fbs::Sky> sky_of(flatbuffers::FlatBufferBuilder& builder, const sky::Sky& sky) {
-  const auto time = builder.CreateString(sky.time);
+  const auto time = builder.CreateString(sky::text_of(sky.time));
   const auto direction = [&](Vec3 v) { return builder.CreateVector(steps_of(v)); };
   const auto sun = direction(sky.to_sun), moon = direction(sky.to_moon);
   const auto pole = direction(sky.to_pole), equinox = direction(sky.to_equinox);
@@ -300,11 +300,19 @@ std::optional<sky::Inside> plain(const fbs::Inside& i) {
   return is_shaped && has_light ? std::optional(std::move(inside)) : std::nullopt;
 }
 
+// Nothing for a text that is no time; no moment for none.
+std::optional<std::optional<sky::Moment>> moment_of(const flatbuffers::String* text) {
+  if (text == nullptr || text->size() == 0) return std::optional<sky::Moment>();
+  const Result<sky::Moment> moment = sky::parse_time(text->string_view());
+  return moment ? std::optional(std::optional(*moment)) : std::nullopt;
+}
+
 std::optional<sky::Sky> plain(const fbs::Sky& s) {
+  const auto time = moment_of(s.time());
   const auto sun = direction_of(s.to_sun()), moon = direction_of(s.to_moon());
   const auto pole = direction_of(s.to_pole()), equinox = direction_of(s.to_equinox());
-  if (!sun || !moon || !pole || !equinox) return std::nullopt;
-  sky::Sky sky{.time = s.time() != nullptr ? s.time()->str() : "",
+  if (!time || !sun || !moon || !pole || !equinox) return std::nullopt;
+  sky::Sky sky{.time = *time,
                .to_sun = *sun,
                .turbidity = s.turbidity(),
                .visibility_km = s.visibility_km(),

@@ -111,9 +111,10 @@ std::string turned_to(Vec3 to_sun) {
 }
 
 void write_sun(TextWriter& writer, const sky::Sky& sky, double intensity) {
-  writer.begin_prim({.type = "DistantLight",
-                     .name = "sun",
-                     .custom_data = {{"illuminance_lx", std::round(illuminance_lx(sky))}, {"time", sky.time}}});
+  writer.begin_prim(
+      {.type = "DistantLight",
+       .name = "sun",
+       .custom_data = {{"illuminance_lx", std::round(illuminance_lx(sky))}, {"time", sky::text_of(sky.time)}}});
   writer.write({.type = "float", .name = "inputs:angle", .value = static_cast<float>(kSunAngle_deg)});
   writer.write_lines("float inputs:intensity = " + six_digits(intensity));
   writer.write({.type = "bool", .name = "inputs:normalize", .value = true});

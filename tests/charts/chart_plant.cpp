@@ -226,12 +226,11 @@ void add_joint(Chart& chart) {
 Result<std::vector<Chart>> chart_plant(const ChartRequest&) {
   const scene::Header header;
   const bake::PrototypeCache prototypes(header);
-  const Result<sky::Sky> sky = sky::plan({11, 48}, "2026-06-21T09:30");
-  if (!sky) return sky.error();
+  const sky::Sky sky = sky::plan({11, 48}, sky::moment_of(std::chrono::year(2026) / 6 / 21, 9 * 60 + 30));
   std::vector<Chart> charts = empty_plant_charts();
   for (const double tolerance_m : kPlantTolerances_m) {
     add_prototype_costs(prototypes, header, tolerance_m, charts[0]);
-    add_pictures(prototypes, *sky, tolerance_m, charts[1]);
+    add_pictures(prototypes, sky, tolerance_m, charts[1]);
   }
   add_joint(charts[2]);
   return charts;

@@ -16,7 +16,8 @@ namespace {
 
 scene::Scene scene_from_files(const std::string& map, const std::string& heights, const std::string& time) {
   CompileSpec spec;
-  spec.map_path = map, spec.time = time;
+  spec.map_path = map;
+  if (!time.empty()) spec.time = *sky::parse_time(time);
   Result<source::RasterSpec> raster = source::parse_raster_spec(heights);
   EXPECT_TRUE(raster);
   if (raster) spec.rasters.push_back(std::move(*raster));

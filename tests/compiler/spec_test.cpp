@@ -97,6 +97,16 @@ TEST(Spec, ErrorsSayTheExpectedValue) {
   }
 }
 
+TEST(Spec, TextsOfTimeCloudsAndGeoidBecomeValuesAtOnce) {
+  CompileSpec spec;
+  ASSERT_TRUE(apply(setting_named("time"), "2026-06-21T15:00+02:00", spec));
+  ASSERT_TRUE(apply(setting_named("clouds"), "broken", spec));
+  ASSERT_TRUE(apply(setting_named("geoid-height"), "47.50", spec));
+  EXPECT_EQ(spec.time, *sky::parse_time("2026-06-21T13:00:00Z"));
+  EXPECT_EQ(spec.clouds.size(), 2U);
+  EXPECT_EQ(spec.outputs.geoid, (map::GeoidSource{"47.50", 47.5}));
+}
+
 TEST(Spec, AsksWhetherABoxIsInTheOtherOrder) {
   // Sydney as latitude, longitude: 151 is no latitude
   EXPECT_NE(objection("bbox", "-33.9,151.1,-33.8,151.3").find("swapped? Try 151.1,-33.9,151.3,-33.8"),

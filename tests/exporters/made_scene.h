@@ -96,7 +96,7 @@ class SceneMaker {
     scene::Header h;
     h.origin = {7.25, 43.5}, h.extent = {{-128, 0}, {128, 128}}, h.tile_m = 128, h.seed = dice_();
     h.resampling_error_m = 0.125;
-    h.sky = {"2024-06-21T12:00:00Z", {0.6, 0, 0.8}, 2.6};
+    h.sky = {*sky::parse_time("2024-06-21T12:00:00Z"), {0.6, 0, 0.8}, 2.6};
     h.sky.to_sun = {629146 * 0x1p-20, 0, 838861 * 0x1p-20};
     h.sky.ground_m = 412;
     h.sky.clouds = {{sky::CloudKind::kCumulus, 0.4, 1500, 2300, {3, -4}, 7},

@@ -42,7 +42,7 @@ TEST(CloudShadow, IsThatOfRays) {
 }
 
 TEST(CloudDome, HasTheLightOfRaysOnTheAverage) {
-  const sky::SkyModel model = sky::generate(sky::Sky{.time = "", .to_sun = kLight.to_sun}, 0);
+  const sky::SkyModel model = sky::generate(sky::Sky{.time = {}, .to_sun = kLight.to_sun}, 0);
   const CloudDome dome(cumulus_field(), model, kEye, 2);
   const RandomSequence draw(3, StableId{1}, "rays");
   double ours = 0, exact = 0, passed = 0, exactly_passed = 0;

@@ -74,9 +74,10 @@ int run(char** argv, double away, const std::string& time) {
   const int pixels = std::atoi(argv[2]);
   const auto tolerances = parts_of(argv[3]), names = parts_of(argv[4]);
   scene::Header header;
-  header.origin = {11, 48}, header.sky.time = time;
+  header.origin = {11, 48};
+  if (!time.empty()) header.sky.time = *sky::parse_time(time);
   const bake::PrototypeCache prototypes(header);
-  const auto sky = sky::plan(header.origin, "2026-06-21T09:30");
+  const auto sky = sky::plan(header.origin, *sky::parse_time("2026-06-21T09:30"));
   preview::Image sheet{pixels * static_cast<int>(tolerances.size()), pixels * static_cast<int>(names.size()), {}};
   sheet.rgb.resize(static_cast<std::size_t>(sheet.width) * sheet.height * 3);
   for (std::size_t row = 0; row < names.size(); ++row)
@@ -96,7 +97,7 @@ int run(char** argv, double away, const std::string& time) {
       preview::Options options;
       options.width = options.height = pixels, options.samples = 24;
       const preview::Camera camera = away > 0 ? before(height_m, away) : before_trunk();
-      put(preview::render(std::span(&tile, 1), *sky, camera, options), pixels * static_cast<int>(column),
+      put(preview::render(std::span(&tile, 1), sky, camera, options), pixels * static_cast<int>(column),
           pixels * static_cast<int>(row), sheet);
     }
   return preview::write_image(sheet, argv[1]) ? 0 : 1;

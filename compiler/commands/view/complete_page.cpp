@@ -72,14 +72,16 @@ Result<Done> keep_files(const std::string& path, const exporters::FileList& list
 Result<std::vector<outputs::WrittenFile>> write_missing(const scene::Scene& scene, const Outputs& outputs, int threads,
                                                         bool has_tileset, exporters::OutputFolder& folder,
                                                         const OnProgress& on_progress) {
+  const Result<map::Geoid> geoid = outputs::geoid_of(scene.header, outputs);
+  if (!geoid) return geoid.error();
   std::vector<outputs::WrittenFile> files;
   Report of_tileset;
   if (!has_tileset) {
-    auto tileset = outputs::write_tiles3d(scene, outputs, threads, folder, of_tileset, on_progress);
+    auto tileset = outputs::write_tiles3d(scene, outputs, *geoid, threads, folder, of_tileset, on_progress);
     if (!tileset) return tileset.error();
     files = std::move(*tileset);
   }
-  auto page = outputs::write_page(scene, outputs, threads, folder);
+  auto page = outputs::write_page(scene, outputs, *geoid, threads, folder);
   if (!page) return page.error();
   files.insert(files.end(), page->begin(), page->end());
   return files;

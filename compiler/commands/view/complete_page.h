@@ -1,17 +1,19 @@
 // Adds the page and, where there is none, a tileset to a finished run.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "compiler/commands/console.h"
 #include "compiler/contract/result.h"
+#include "compiler/map/plane/geoid.h"
 
 namespace citykiln::commands {
 
 /// Settings of the tileset and the page of a run.
 struct PageRequest {
-  std::string folder;  ///< The folder of the run.
-  std::string geoid;   ///< The argument of map::read_geoid(), for a tileset that is baked.
+  std::string folder;                     ///< The folder of the run.
+  std::optional<map::GeoidSource> geoid;  ///< For a tileset that is baked.
   std::size_t lights = 0;
   int threads = 0;
 };

@@ -66,9 +66,7 @@ Result<scene::Scene> read_scene(const LoadRequest& request) {
   Result<scene::Scene> scene = exporters::read_manifest(*path, request.only);
   if (!scene) return scene.error();
   if (scene->chunks.empty()) return Error{*path, "contains no tiles"};
-  Result<sky::Sky> sky = sky_of(request, scene->header);
-  if (!sky) return sky.error();
-  scene->header.sky = std::move(*sky);
+  scene->header.sky = sky_of(request, scene->header);
   return scene;
 }
 

@@ -47,7 +47,7 @@ StoreValue store_bytes(std::size_t& bytes);
 bool asks_for_cells(const LoadRequest& request);
 
 /// Reads the manifest and replaces its sky by the requested one. Errors: a manifest that cannot be read or has no
-/// tiles; a time that does not parse; clouds that cannot be read.
+/// tiles.
 Result<scene::Scene> read_scene(const LoadRequest& request);
 
 /// Returns the cells of a scene, as fine as the pictures need. For a single camera at rest, cells that are neither in

@@ -40,9 +40,7 @@ Result<Loaded> bake_manifest(const LoadRequest& request, const OnProgress& on_pr
   if (!path) return path.error();
   Result<scene::Scene> scene = exporters::read_manifest(*path, request.only);
   if (!scene) return scene.error();
-  Result<sky::Sky> sky = sky_of(request, scene->header);
-  if (!sky) return sky.error();
-  scene->header.sky = std::move(*sky);
+  scene->header.sky = sky_of(request, scene->header);
   Loaded loaded;
   loaded.header = scene->header, loaded.manifest_path = *path;
   loaded.cylinder = scene::cylinder_of(scene->header);

@@ -11,6 +11,8 @@
 #include "compiler/contract/result.h"
 #include "compiler/scene/scene.h"
 #include "compiler/sky/air_settings.h"
+#include "compiler/sky/clouds/read_clouds.h"
+#include "compiler/sky/moment.h"
 #include "compiler/stage_timer.h"
 
 namespace citykiln::commands {
@@ -21,11 +23,11 @@ inline constexpr double kCoarseTile_m = 2.5;
 
 /// The input of a command that needs tiles.
 struct LoadRequest {
-  std::vector<std::string> paths;      ///< One .kiln, one folder of a run, or several .glb files.
-  std::string time;                    ///< The time of the sky for baking a manifest; "": the scene's.
-  sky::AirSettings air;                ///< The values that are set replace those of the scene.
-  std::string clouds;                  ///< The argument of sky::read_clouds(); "": the scene's clouds.
-  std::optional<double> tolerance_m;   ///< The tolerance for baking a manifest; empty: 0.1 m.
+  std::vector<std::string> paths;   ///< One .kiln, one folder of a run, or several .glb files.
+  std::optional<sky::Moment> time;  ///< The time of the sky for baking a manifest; empty: the scene's.
+  sky::AirSettings air;             ///< The values that are set replace those of the scene.
+  std::optional<std::vector<sky::CloudRequest>> clouds;  ///< Empty: the scene's clouds.
+  std::optional<double> tolerance_m;                     ///< The tolerance for baking a manifest; empty: 0.1 m.
   std::optional<std::size_t> level{};  ///< For a folder; empty: 0, or chosen per tile (asks_for_levels()).
   std::vector<scene::TileKey> only;    ///< If not empty, only these tiles.
   int threads = 0;

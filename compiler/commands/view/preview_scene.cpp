@@ -246,9 +246,7 @@ Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnPro
   } else {
     Result<Loaded> loaded = load_tiles(load, on_progress);
     if (!loaded) return loaded.error();
-    const Result<sky::Sky> sky = sky_of(request.load, loaded->header);
-    if (!sky) return sky.error();
-    scene.loaded = std::move(*loaded), scene.sky = *sky;
+    scene.sky = sky_of(request.load, loaded->header), scene.loaded = std::move(*loaded);
     if (sky::are_lamps_lit(scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
     look_around(scene.loaded.manifest_path, keys_of(scene.loaded.tiles), request, scene);
   }
@@ -269,9 +267,7 @@ Result<Done> load_levels(PreviewScene& scene, const SceneRequest& request, const
   const auto is_fine = [&](const TileNode& node) { return !viewers.eyes.empty() && is_fine_for(viewers, node); };
   Result<Loaded> loaded = load_contents(*scene.tree, contents_of(scene.tree->root, is_fine), on_progress);
   if (!loaded) return loaded.error();
-  const Result<sky::Sky> sky = sky_of(request.load, loaded->header);
-  if (!sky) return sky.error();
-  scene.loaded = std::move(*loaded), scene.sky = *sky;
+  scene.sky = sky_of(request.load, loaded->header), scene.loaded = std::move(*loaded);
   look_around(scene.tree->manifest_path, request.load.only, request, scene);
   // land in the plane does not meet tiles on the ellipsoid
   if (scene.tree->is_on_ellipsoid) scene.backdrop.reset();

@@ -65,12 +65,18 @@ double height_m(const Geoid& geoid, Vec2 p) {
   return in_row(y.cell) * (1 - y.share) + in_row(y.next) * y.share;
 }
 
-Result<Geoid> read_geoid(const std::string& source, const Box2& box, const Plane& plane) {
-  if (source.empty()) return Geoid{};
-  if (const auto level_m = number_in<double>(source)) return Geoid{.low = {}, .heights_m = {snapped(*level_m)}};
-  if (!source.ends_with(".pgm"))
-    return Error{source, "expected a height in metres, such as 47.3, or a geoid of GeographicLib, such as egm96-5.pgm"};
-  return read_grid(source, box, plane);
+Result<GeoidSource> parse_geoid(std::string_view text) {
+  const std::optional<double> level_m = number_in<double>(text);
+  if (level_m || text.ends_with(".pgm")) return GeoidSource{std::string(text), level_m};
+  return Error{"", fmt::format("expected a height in metres, such as 47.3, or a geoid of GeographicLib, such as "
+                               "egm96-5.pgm, found \"{}\"",
+                               text)};
+}
+
+Result<Geoid> read_geoid(const std::optional<GeoidSource>& source, const Box2& box, const Plane& plane) {
+  if (!source) return Geoid{};
+  if (source->level_m) return Geoid{.low = {}, .heights_m = {snapped(*source->level_m)}};
+  return read_grid(source->name, box, plane);
 }
 
 }  // namespace citykiln::map

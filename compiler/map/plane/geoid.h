@@ -2,7 +2,9 @@
 // Tiles need heights above the ellipsoid.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/contract/result.h"
@@ -21,6 +23,16 @@ struct Geoid {
   bool operator==(const Geoid&) const = default;
 };
 
+/// The source of the geoid's heights.
+struct GeoidSource {
+  std::string name;                 ///< The given text, which outputs state: a height, or the path of a grid.
+  std::optional<double> level_m{};  ///< One height everywhere; empty for a grid of GeographicLib's Geoid class.
+  bool operator==(const GeoidSource&) const = default;
+};
+
+/// Parses a height in metres, "47.3", or the path of a grid of GeographicLib, such as egm96-5.pgm. Error: another text.
+Result<GeoidSource> parse_geoid(std::string_view text);
+
 /// The grid step of the result of read_geoid(). GeographicLib's own grids have steps of 1' (1.8 km) or more.
 inline constexpr double kGeoidStep_m = 1024;
 
@@ -29,10 +41,9 @@ double height_m(const Geoid& geoid, Vec2 p);
 
 /// Returns the geoid over a box, widened by kGeoidStep_m.
 ///
-/// @param source  A height in metres, "47.3", or the file of a grid of GeographicLib's Geoid class, such as egm96-5.pgm
-///                (with cubic interpolation); empty for height 0.
+/// @param source  Grids are interpolated cubically. Empty for height 0.
 /// Errors: a file that cannot be read as such a grid. Every CPU gives the same bytes, except for heights that fall on a
 /// tie of kQuantum_m.
-Result<Geoid> read_geoid(const std::string& source, const Box2& box, const Plane& plane);
+Result<Geoid> read_geoid(const std::optional<GeoidSource>& source, const Box2& box, const Plane& plane);
 
 }  // namespace citykiln::map

@@ -22,18 +22,13 @@ constexpr CloudLayer kBroken = {CloudKind::kCumulus, 0.6, 1100, 2300, {8, 3}, 0}
 constexpr CloudLayer kHigh = {CloudKind::kCirrus, 0.3, 8000, 8600, {20, 5}, 1};
 constexpr CloudLayer kOvercast = {CloudKind::kStratus, 1, 700, 1150, {6, 0}, 0};
 
-CloudLayer above(CloudLayer layer, double ground_m, std::uint64_t seed) {
-  // whole metres
-  const double lift_m = std::round(ground_m);
-  layer.base_m += lift_m, layer.top_m += lift_m, layer.seed += seed;
-  return layer;
-}
+CloudRequest above_ground(const CloudLayer& layer) { return {layer, true, true}; }
 
-std::optional<std::vector<CloudLayer>> named(const std::string& name, double ground_m, std::uint64_t seed) {
-  if (name == "clear") return std::vector<CloudLayer>{};
-  if (name == "fair") return std::vector{above(kFair, ground_m, seed)};
-  if (name == "broken") return std::vector{above(kBroken, ground_m, seed), above(kHigh, ground_m, seed)};
-  if (name == "overcast") return std::vector{above(kOvercast, ground_m, seed)};
+std::optional<std::vector<CloudRequest>> named(const std::string& name) {
+  if (name == "clear") return std::vector<CloudRequest>{};
+  if (name == "fair") return std::vector{above_ground(kFair)};
+  if (name == "broken") return std::vector{above_ground(kBroken), above_ground(kHigh)};
+  if (name == "overcast") return std::vector{above_ground(kOvercast)};
   return std::nullopt;
 }
 
@@ -67,10 +62,10 @@ std::string set_key(CloudLayer& layer, const std::string& key, const json& value
   return "";
 }
 
-Result<CloudLayer> layer_of(const json& value, const std::string& path, std::size_t index, std::uint64_t seed) {
+Result<CloudRequest> layer_of(const json& value, const std::string& path, std::size_t index) {
   const auto error = [&](const std::string& what) { return Error{path, fmt::format("layer {}: {}", index + 1, what)}; };
   if (!value.is_object() || !value.contains("kind")) return error("expected an object with a \"kind\"");
-  CloudLayer layer{.seed = seed};
+  CloudLayer layer;
   for (const auto& [key, item] : value.items())
     if (const std::string wrong = set_key(layer, key, item); !wrong.empty()) return error(wrong);
   if (!is_sound(layer))
@@ -78,10 +73,10 @@ Result<CloudLayer> layer_of(const json& value, const std::string& path, std::siz
         fmt::format("expected a cover from 0 to 1, a base and a top {} m or more above it from {} to {} m, "
                     "and a wind of at most {} m/s",
                     kThinnestCloud_m, kLowestCloud_m, kHighestCloud_m, kStrongestWind_m_s));
-  return layer;
+  return CloudRequest{layer, false, !value.contains("seed")};
 }
 
-Result<std::vector<CloudLayer>> read_file(const std::string& path, std::uint64_t seed) {
+Result<std::vector<CloudRequest>> read_file(const std::string& path) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error)
@@ -94,9 +89,9 @@ Result<std::vector<CloudLayer>> read_file(const std::string& path, std::uint64_t
                  "expected {\"layers\": [{\"kind\": \"cumulus\", \"cover\": 0.4, \"base\": 1500, \"top\": 2400}]}"};
   if (text["layers"].size() > kMostCloudLayers)
     return Error{path, fmt::format("has {} layers; expected at most {}", text["layers"].size(), kMostCloudLayers)};
-  std::vector<CloudLayer> layers;
+  std::vector<CloudRequest> layers;
   for (const json& value : text["layers"]) {
-    Result<CloudLayer> layer = layer_of(value, path, layers.size(), seed);
+    Result<CloudRequest> layer = layer_of(value, path, layers.size());
     if (!layer) return layer.error();
     layers.push_back(*layer);
   }
@@ -105,9 +100,20 @@ Result<std::vector<CloudLayer>> read_file(const std::string& path, std::uint64_t
 
 }  // namespace
 
-Result<std::vector<CloudLayer>> read_clouds(const std::string& name_or_path, double ground_m, std::uint64_t seed) {
-  if (auto layers = named(name_or_path, ground_m, seed)) return std::move(*layers);
-  return read_file(name_or_path, seed);
+Result<std::vector<CloudRequest>> read_clouds(const std::string& name_or_path) {
+  if (auto layers = named(name_or_path)) return std::move(*layers);
+  return read_file(name_or_path);
+}
+
+std::vector<CloudLayer> requested_clouds(std::span<const CloudRequest> requests, double ground_m, std::uint64_t seed) {
+  const double lift_m = std::round(ground_m);  // whole metres
+  std::vector<CloudLayer> layers;
+  for (const CloudRequest& request : requests) {
+    CloudLayer& layer = layers.emplace_back(request.layer);
+    if (request.is_above_ground) layer.base_m += lift_m, layer.top_m += lift_m;
+    if (request.adds_seed) layer.seed += seed;
+  }
+  return layers;
 }
 
 }  // namespace citykiln::sky

@@ -61,7 +61,7 @@ TEST(PrototypeCache, GivesATileTheSameTreesSharedOrNot) {
 
 TEST(PrototypeCache, GrowsInTheMonthOfTheHeadersSky) {
   scene::Header winter = header_with_species({});
-  winter.origin = {13, 52}, winter.sky.time = "2026-01-15T12:00";
+  winter.origin = {13, 52}, winter.sky.time = sky::moment_of(std::chrono::year(2026) / 1 / 15, 12 * 60);
   EXPECT_NE(PrototypeCache(winter).prototype({Species::kOak, 0}, 28, 12.5).primitives,
             PrototypeCache(header_with_species({})).prototype({Species::kOak, 0}, 28, 12.5).primitives);
   EXPECT_EQ(PrototypeCache(winter).prototype({Species::kFir, 0}, 40, 12.5).primitives,

@@ -100,13 +100,13 @@ TEST(Clouds, OpticalDepthOfALevelIsWithinItsStatedError) {
 
 std::string refusal(const std::string& text) {
   const ScratchFolder folder;
-  const auto layers = read_clouds(folder.write("clouds.json", text), 0, 0);
+  const auto layers = read_clouds(folder.write("clouds.json", text));
   return layers ? "" : layers.error().message;
 }
 
 TEST(Clouds, NamesAndFilesGiveLayers) {
-  EXPECT_EQ(read_clouds("clear", 100, 0)->size(), 0U);
-  EXPECT_EQ(read_clouds("fair", 100, 0)->front().base_m, 1350);
+  EXPECT_EQ(read_clouds("clear")->size(), 0U);
+  EXPECT_EQ(requested_clouds(*read_clouds("fair"), 100.4, 0).front().base_m, 1350);
   EXPECT_EQ(refusal(R"({"layers": [{"kind": "cumulus", "cover": 0.4, "base": 900, "top": 1500, "wind": [1, 2]}]})"),
             "");
   EXPECT_NE(refusal("{").find("expected {"), std::string::npos);
@@ -116,17 +116,19 @@ TEST(Clouds, NamesAndFilesGiveLayers) {
   EXPECT_NE(refusal(R"({"layers": [{"kind": "cirrus", "base": 3000, "top": 2000}]})").find("layer 1: expected a cover"),
             std::string::npos);
   EXPECT_NE(refusal(R"({"layers": [{"kind": "cirrus", "cover": 1e999}]})"), "");
-  EXPECT_FALSE(read_clouds("none.json", 0, 0));
+  EXPECT_FALSE(read_clouds("none.json"));
 }
 
 TEST(Clouds, LayersOfAFileHaveTheGivenSeedUnlessTheyStateOne) {
   const ScratchFolder folder;
   const std::string path =
       folder.write("clouds.json", R"({"layers": [{"kind": "cumulus"}, {"kind": "stratus", "seed": 3}]})");
-  const auto layers = read_clouds(path, 0, 7);
-  ASSERT_TRUE(layers && layers->size() == 2);
-  EXPECT_EQ(layers->front().seed, 7U);
-  EXPECT_EQ(layers->back().seed, 3U);
+  const auto requests = read_clouds(path);
+  ASSERT_TRUE(requests && requests->size() == 2);
+  const std::vector<CloudLayer> layers = requested_clouds(*requests, 100, 7);
+  EXPECT_EQ(layers.front().seed, 7U);
+  EXPECT_EQ(layers.back().seed, 3U);
+  EXPECT_EQ(layers.front().base_m, CloudLayer{}.base_m);
 }
 
 }  // namespace

@@ -158,7 +158,7 @@ TEST(Manifest, KeepsTheClimateAndRefusesOneThatIsNone) {
 TEST(Manifest, TextsWithZeroBytesAreKept) {
   scene::Scene scene = made_scene(1);
   const std::string text("a\0b", 3);
-  scene.header.sky.time = text, scene.header.sources = {text}, scene.header.attributions = {text, ""};
+  scene.header.sources = {text}, scene.header.attributions = {text, ""};
   const auto back = decoded_manifest(encode_manifest(scene, 1));
   ASSERT_TRUE(back) << manifest_refusal(back);
   EXPECT_EQ(*back, scene);

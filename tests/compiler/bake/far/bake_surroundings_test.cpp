@@ -28,7 +28,8 @@ ground::LandCoverPolygon land_cover_on(std::int64_t id, LandCoverClass cover, co
 scene::Scene slope() {
   scene::Scene scene;
   scene::Header& header = scene.header;
-  header.origin = {1.5, 42.5}, header.extent = kRegion, header.tile_m = 256, header.sky.time = "2026-06-21T12:00";
+  header.origin = {1.5, 42.5}, header.extent = kRegion, header.tile_m = 256;
+  header.sky.time = sky::moment_of(std::chrono::year(2026) / 6 / 21, 12 * 60);
   header.around = {.x_m = surroundings::lines_for(-128, 128, 256),
                    .y_m = surroundings::lines_for(-128, 128, 256),
                    .heights_m = {},
