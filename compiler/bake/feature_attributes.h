@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compiler/contract/findings/assumption.h"
+#include "compiler/map/tag_list.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::bake {
@@ -20,7 +21,7 @@ struct FeatureAttributes {
   std::string name{};  ///< Empty: none.
   float height_m = 0;  ///< From foot to top of buildings, barriers, lamps, things and single plants; of wires an upper
                        ///< bound of their height above the ground. 0: none or unknown.
-  std::string tags{};  ///< The map's tags as a JSON object; empty unless the scene keeps them.
+  map::TagList tags{};                   ///< The map's tags, sorted by key; empty unless the scene keeps them.
   Assumptions assumed = kNoAssumptions;  ///< The assumptions of all its recipes.
   bool operator==(const FeatureAttributes&) const = default;
 };

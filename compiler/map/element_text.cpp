@@ -1,9 +1,6 @@
 #include "compiler/map/element_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <iterator>
 #include <map>
 
 #include "compiler/contract/erase_repeated.h"
@@ -43,29 +40,11 @@ source::Range tags_of(const source::OsmData& osm, OsmId id) {
                                   : tags_in(osm.relations, id.id, &source::Relation::id);
 }
 
-void append_json_string(std::string& out, std::string_view text) {
-  out += '"';
-  for (const char c : to_valid_utf8(text)) {
-    if (c == '"' || c == '\\')
-      out += '\\', out += c;
-    else if (static_cast<unsigned char>(c) < 0x20)
-      fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(c));
-    else
-      out += c;
-  }
-  out += '"';
-}
-
-std::string json_of(const source::OsmData& osm, source::Range tags) {
-  if (tags.count == 0) return {};
-  std::string out = "{";
-  for (const source::Tag& tag : osm.tags_of(tags)) {
-    if (out.size() > 1) out += ',';
-    append_json_string(out, osm.strings[tag.key]);
-    out += ':';
-    append_json_string(out, osm.strings[tag.value]);
-  }
-  return out + "}";
+TagList tag_list_of(const source::OsmData& osm, source::Range tags) {
+  TagList list;
+  for (const source::Tag& tag : osm.tags_of(tags))
+    list.add(to_valid_utf8(osm.strings[tag.key]), to_valid_utf8(osm.strings[tag.value]));
+  return list;
 }
 
 // The beginning of valid UTF-8 that has at most kMostNameBytes.
@@ -94,7 +73,7 @@ std::vector<ElementText> element_texts(const source::OsmData& osm, const Feature
     std::string_view name = name_of(id);
     if (const auto outline = outlines.find(id); name.empty() && outline != outlines.end())
       name = name_of(outline->second);
-    ElementText text{id, shortened(to_valid_utf8(name)), keeps_tags ? json_of(osm, tags_of(osm, id)) : ""};
+    ElementText text{id, shortened(to_valid_utf8(name)), keeps_tags ? tag_list_of(osm, tags_of(osm, id)) : TagList{}};
     if (!text.name.empty() || !text.tags.empty()) texts.push_back(std::move(text));
   }
   return texts;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/contract/stable_id.h"
+#include "compiler/map/tag_list.h"
 
 namespace citykiln::source {
 struct OsmData;
@@ -23,7 +24,7 @@ inline constexpr std::size_t kMostNameBytes = 1024;
 struct ElementText {
   OsmId id;
   std::string name{};  ///< name=*; a building part without one has the name of its outline. Empty: no name.
-  std::string tags{};  ///< All tags as a JSON object of strings, keys sorted; empty if tags are not kept.
+  TagList tags{};      ///< All tags, sorted by key; empty if tags are not kept.
   bool operator==(const ElementText&) const = default;
 };
 

@@ -52,7 +52,7 @@ void texts(auto& io, std::vector<map::ElementText>& all) {
     enumerator(io, "id type", text.id.type, static_cast<OsmType>(kOsmTypeCount));
     io.delta("id", text.id.id);
     name(io, names, text.name);
-    io.text("tags size", "tags bytes", text.tags);
+    io.tags("tags size", "tags bytes", text.tags);
     if constexpr (std::remove_reference_t<decltype(io)>::kReads)
       if (before && !(*before < text.id)) io.fail("id");
     before = text.id;

@@ -19,6 +19,7 @@
 #include "compiler/geometry/vec.h"
 #include "compiler/map/locate.h"
 #include "exporters/kiln/streams.h"
+#include "exporters/tags_json.h"
 
 namespace citykiln::exporters {
 
@@ -93,6 +94,10 @@ struct Writer {
     of(size).put(value.size());
     of(bytes).put_bytes(value);
   }
+  void tags(Stream size, Stream bytes, const map::TagList& value) {
+    std::string json = tags_text(value);
+    text(size, bytes, json);
+  }
   std::size_t count(Stream name, std::size_t size) {
     of(name).put(size);
     return size;
@@ -161,6 +166,13 @@ struct Reader {
     value = stream.get_bytes(length);
     if (!stream.good() || !is_utf8(value)) fail(bytes), value.clear();
   }
+  void tags(Stream size, Stream bytes, map::TagList& value) {
+    std::string json;
+    text(size, bytes, json);
+    std::optional<map::TagList> read = tags_in(json);
+    if (!read) fail(bytes);
+    value = read ? std::move(*read) : map::TagList{};
+  }
   // an object takes at least one byte of some stream, so a chunk has no more objects than bytes
   std::size_t total_bytes = 0;
   std::size_t count(Stream name, std::size_t) {
@@ -187,6 +199,7 @@ struct PointStepProbe {
   void delta(Stream, auto&) {}
   void metres(Stream, double&) {}
   void text(Stream, Stream, std::string&) {}
+  void tags(Stream, Stream, const map::TagList&) {}
   std::size_t count(Stream, std::size_t size) { return size; }
 };
 

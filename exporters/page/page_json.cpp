@@ -77,7 +77,7 @@ OrderedJson record_json(const FeatureRecord& record) {
   json["size_m"] = std::ceil(record.size_m);
   if (record.height_m > 0) json["height_m"] = in_centimetres(record.height_m);
   if (record.assumed != kNoAssumptions) json["assumed"] = names_in(record.assumed);
-  if (!record.tags.empty()) json["tags"] = OrderedJson::parse(record.tags, nullptr, false);
+  for (const map::TagView& tag : record.tags.views()) json["tags"][std::string(tag.key)] = tag.value;
   for (const auto& [name, value] : record.recipe) json["recipe"][name] = std::visit(ToJson{}, value);
   return json;
 }

@@ -13,6 +13,7 @@
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/vec.h"
+#include "compiler/map/tag_list.h"
 
 namespace citykiln::exporters {
 
@@ -42,7 +43,7 @@ struct FeatureRecord {
   Vec3 at;            ///< The middle of the object, or of a line; half way up a building.
   double size_m = 0;  ///< The length of the diagonal of its box.
   double height_m = 0;
-  std::string tags{};  ///< A JSON object, or empty.
+  map::TagList tags{};
   Assumptions assumed = kNoAssumptions;
   /// The recipe of its first object, by name in the order of the page. Names of lengths end in "_m".
   std::vector<std::pair<std::string, PageValue>> recipe{};

@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 
 #include "compiler/contract/findings/assumption_names.h"
 #include "exporters/joined_attributions.h"
+#include "exporters/tags_json.h"
 #include "exporters/usd/crate_writer.h"
 #include "exporters/usd/text_writer.h"
 #include "exporters/usd/usd_builder.h"
@@ -33,9 +35,10 @@ void write_ids(UsdBuilder& b) {
   b.writer.write({.type = "token[]", .name = "osm:type", .value = UsdTokens{types}, .is_custom = true});
 }
 
-void write_texts(UsdBuilder& b, const char* name, std::string FeatureAttributes::*member) {
+template <typename TextOf>
+void write_texts(UsdBuilder& b, const char* name, TextOf text_of) {
   TextColumn texts;
-  for (const FeatureAttributes& row : b.tile.attributes) texts.push_back(row.*member);
+  for (const FeatureAttributes& row : b.tile.attributes) texts.push_back(std::invoke(text_of, row));
   if (std::ranges::all_of(texts, &std::string::empty)) return;
   b.writer.write({.type = "string[]", .name = name, .value = std::span<const std::string>(texts), .is_custom = true});
 }
@@ -77,7 +80,7 @@ void write_feature_table(UsdBuilder& b) {
   write_texts(b, "osm:class", &FeatureAttributes::kind);
   write_texts(b, "osm:name", &FeatureAttributes::name);
   write_heights(b);
-  write_texts(b, "osm:tags", &FeatureAttributes::tags);
+  write_texts(b, "osm:tags", [](const FeatureAttributes& row) { return tags_text(row.tags); });
   write_assumed(b);
   b.writer.end_prim();
 }

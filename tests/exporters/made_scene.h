@@ -163,7 +163,8 @@ class SceneMaker {
     const std::string names[] = {"", "Rue de la Paix", "Ω «日本»", "Rue de la Paix 2"};
     for (auto i = below(9); i > 0; --i)
       if (const OsmId of = id().osm; of != OsmId{})
-        made.push_back({of, names[below(4)], below(3) == 0 ? R"({"name":"é"})" : ""});
+        made.push_back(
+            {of, names[below(4)], below(3) == 0 ? map::TagList{{"name", "\"é\"\n"}, {"ref", ""}} : map::TagList{}});
     std::ranges::sort(made, {}, &map::ElementText::id);
     erase_repeated(made, &map::ElementText::id);
     return made;

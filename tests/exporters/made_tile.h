@@ -46,7 +46,7 @@ inline bake::BakedTile made_tile(std::uint32_t seed) {
   tile.plant_error_m = 0.375;
   tile.features = {{}, {OsmType::kNode, 5}, {OsmType::kWay, -12}, {OsmType::kRelation, (std::int64_t{1} << 53) + 1}};
   tile.attributes = {
-      {}, {"oak", "", 12.3f, ""}, {"Apartments", "Château «Ω»", 31, R"({"building":"yes"})"}, {"Park", "Parc", 0, ""}};
+      {}, {"oak", "", 12.3f}, {"Apartments", "Château «Ω»", 31, {{"building", "yes"}}}, {"Park", "Parc", 0}};
   tile.primitives = {made_primitive(dice, materials::Material::kGrass, 9, 4),
                      made_primitive(dice, materials::Material::kAsphalt, 30, 4, bake::Layer::kRoads)};
   tile.instanced = {made_instances(dice, "BroadLeaved", 4, 4), made_instances(dice, "NeedleLeaved", 3, 4)};

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "compiler/commands/view/place_pictures.h"
@@ -45,13 +44,10 @@ const map::ElementText* element_text_of(const scene::Scene& scene, OsmId id) {
   return nullptr;
 }
 
-std::string tags_html(std::string_view json) {
-  const auto tags = nlohmann::json::parse(json, nullptr, false);
+std::string tags_html(const map::TagList& tags) {
   std::string html;
-  if (!tags.is_object()) return html;
-  for (const auto& [key, value] : tags.items())
-    if (value.is_string())
-      html += fmt::format(" <code>{}={}</code>", html_text(key), html_text(value.get<std::string>()));
+  for (const map::TagView& tag : tags.views())
+    html += fmt::format(" <code>{}={}</code>", html_text(tag.key), html_text(tag.value));
   return html;
 }
 

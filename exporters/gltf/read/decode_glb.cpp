@@ -19,6 +19,7 @@
 #include "exporters/gltf/read/decode_nodes.h"
 #include "exporters/gltf/read/decode_pictures.h"
 #include "exporters/gltf/read/glb_reader.h"
+#include "exporters/tags_json.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -108,18 +109,27 @@ std::vector<std::uint32_t> text_offsets_in(const Table& table, const Value& colu
   return {narrow.begin(), narrow.end()};
 }
 
-// A column of texts, if the table has it.
-void read_texts(const Table& table, const char* name, std::string FeatureAttributes::*to,
-                std::vector<FeatureAttributes>& rows) {
+// Stores each text of a column, if the table has it.
+template <typename Store>
+void read_texts(const Table& table, const char* name, Store store, std::vector<FeatureAttributes>& rows) {
   if (!table.columns.Has(name)) return;
   const Value& column = table.columns.Get(name);
   const std::vector<std::uint32_t> offsets = text_offsets_in(table, column);
   const auto bytes = bytes_of(table.reader, whole(member(column, "values")));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     expect(offsets[i] <= offsets[i + 1] && offsets[i + 1] <= bytes.size(), "texts inside their buffer view");
-    (rows[i].*to).assign(reinterpret_cast<const char*>(bytes.data()) + offsets[i], offsets[i + 1] - offsets[i]);
-    expect(is_utf8(rows[i].*to), "texts in UTF-8");
+    std::string text(reinterpret_cast<const char*>(bytes.data()) + offsets[i], offsets[i + 1] - offsets[i]);
+    expect(is_utf8(text), "texts in UTF-8");
+    store(std::move(text), rows[i]);
   }
+}
+
+void store_name(std::string text, FeatureAttributes& row) { row.name = std::move(text); }
+
+void store_tags(const std::string& text, FeatureAttributes& row) {
+  std::optional<map::TagList> tags = tags_in(text);
+  expect(tags.has_value(), "tags as JSON objects of texts");
+  row.tags = std::move(*tags);
 }
 
 // Reads the features and attributes that property_table() writes into the tile. Throws FormatError.
@@ -135,9 +145,9 @@ void read_property_table(GltfReader& reader, bake::BakedTile& tile) {
   if (!table.columns.Has("class")) return;
   tile.attributes.resize(table.count);
   read_kinds(table, tile.attributes);
-  read_texts(table, "name", &FeatureAttributes::name, tile.attributes);
+  read_texts(table, "name", store_name, tile.attributes);
   read_heights(table, tile.attributes);
-  read_texts(table, "tags", &FeatureAttributes::tags, tile.attributes);
+  read_texts(table, "tags", store_tags, tile.attributes);
   read_assumed(table, tile.attributes);
 }
 

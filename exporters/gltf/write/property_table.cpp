@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -12,6 +13,7 @@
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/contract/findings/assumption_names.h"
 #include "exporters/gltf/glb_names.h"
+#include "exporters/tags_json.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -84,11 +86,13 @@ Json text_offset_columns(GlbBuilder& builder, const std::vector<std::size_t>& en
 }
 
 // A column of texts, unless all are empty: a buffer view has at least one byte.
-void add_texts(Columns& columns, const char* id, const char* description, std::string FeatureAttributes::*member) {
+template <typename TextOf>
+void add_texts(Columns& columns, const char* id, const char* description, TextOf text_of) {
   std::vector<char> bytes;
   std::vector<std::size_t> ends;
   for (const FeatureAttributes& row : columns.builder.tile.attributes) {
-    bytes.insert(bytes.end(), (row.*member).begin(), (row.*member).end());
+    const std::string& text = std::invoke(text_of, row);
+    bytes.insert(bytes.end(), text.begin(), text.end());
     ends.push_back(bytes.size());
   }
   if (bytes.empty()) return;
@@ -125,22 +129,12 @@ Json id_value(std::int64_t v) {
   return fits ? Json(v) : Json(static_cast<double>(v));
 }
 
-// The tags as an object of texts; null where they are no JSON object.
-Json tags_object(const std::string& json) {
-  Json tags;
-  const Json parsed = Json::parse(json, nullptr, false);
-  if (parsed.is_object())
-    for (const auto& [key, value] : parsed.items())
-      if (value.is_string()) tags[key] = value;
-  return tags;
-}
-
 void add_attributes(const FeatureAttributes& row, Json& extras) {
   if (!row.kind.empty()) extras["class"] = row.kind;
   if (!row.name.empty()) extras["name"] = row.name;
   // as many digits as single precision has, so that 12.3 stays 12.3
   if (row.height_m > 0) extras["height_m"] = std::stod(fmt::format("{}", row.height_m));
-  if (!row.tags.empty()) extras["tags"] = tags_object(row.tags);
+  for (const map::TagView& tag : row.tags.views()) extras["tags"][std::string(tag.key)] = tag.value;
   if (row.assumed != kNoAssumptions) extras["assumed"] = names_in(row.assumed);
 }
 
@@ -155,7 +149,8 @@ Json property_table(GlbBuilder& builder) {
     add_kinds(columns);
     add_texts(columns, "name", "name of the object", &FeatureAttributes::name);
     add_heights(columns);
-    add_texts(columns, "tags", "all tags of the element, as a JSON object", &FeatureAttributes::tags);
+    add_texts(columns, "tags", "all tags of the element, as a JSON object",
+              [](const FeatureAttributes& row) { return tags_text(row.tags); });
     add_assumed(columns);
   }
   Json schema = {{"id", "citykiln"}, {"classes", {{"osm", {{"properties", std::move(columns.schema)}}}}}};

@@ -26,7 +26,7 @@ TEST(ElementTexts, AreSortedAndOnlyOfElementsThatHaveSome) {
   std::vector<std::pair<std::string, std::string>> names;
   for (const ElementText& text : located_with(kTown, false).texts) {
     names.emplace_back(to_string(text.id), text.name);
-    EXPECT_EQ(text.tags, "");
+    EXPECT_TRUE(text.tags.empty());
   }
   EXPECT_EQ(
       names,
@@ -34,16 +34,16 @@ TEST(ElementTexts, AreSortedAndOnlyOfElementsThatHaveSome) {
           {"n5", "Old Oak"}, {"w12", "Rue \"A\""}, {"w20", "Saint Anna"}, {"w21", "Saint Anna"}, {"w22", "Tower"}}));
 }
 
-TEST(ElementTexts, KeepAllTagsAsJsonWhenAsked) {
+TEST(ElementTexts, KeepAllTagsWhenAsked) {
   const Features features = located_with(kTown, true);
   const auto tags_of = [&](OsmId id) {
     const ElementText* text = find_text(features.texts, id);
-    return text == nullptr ? std::string("none") : text->tags;
+    return text == nullptr ? TagList{} : text->tags;
   };
-  EXPECT_EQ(tags_of({OsmType::kNode, 6}), R"({"natural":"tree"})");
-  EXPECT_EQ(tags_of({OsmType::kWay, 12}), R"({"highway":"residential","name":"Rue \"A\""})");
-  EXPECT_EQ(tags_of({OsmType::kWay, 21}), R"({"building:part":"yes","height":"20"})");
-  EXPECT_EQ(tags_of({OsmType::kWay, 99}), "none");
+  EXPECT_EQ(tags_of({OsmType::kNode, 6}), (TagList{{"natural", "tree"}}));
+  EXPECT_EQ(tags_of({OsmType::kWay, 12}), (TagList{{"highway", "residential"}, {"name", "Rue \"A\""}}));
+  EXPECT_EQ(tags_of({OsmType::kWay, 21}), (TagList{{"building:part", "yes"}, {"height", "20"}}));
+  EXPECT_TRUE(tags_of({OsmType::kWay, 99}).empty());
 }
 
 TEST(ElementTexts, NamesAreCutBetweenCharacters) {

@@ -13,7 +13,7 @@ FeatureRecords some_records() {
   FeatureRecords records;
   FeatureRecord& house = records[{OsmType::kWay, 1001}];
   house.kind = "House", house.name = "</script><img src=x>", house.at = {1.234, -5, 7};
-  house.tags = R"({"building":"house"})", house.assumed = bit_of(Assumption::kRoofs);
+  house.tags.add("building", "house"), house.assumed = bit_of(Assumption::kRoofs);
   house.recipe = {{"storeys", std::int64_t{2}}, {"eaves_m", 6.125}, {"shop", true}, {"roof", std::string("gabled")}};
   records[{OsmType::kNode, -7}].kind = "oak";
   records[{OsmType::kRelation, 1001}].name = "Abbey";

@@ -58,11 +58,11 @@ TEST(JoinTiles, KeepsTheFeatureOfEveryTriangleAndInstance) {
 TEST(JoinTiles, KeepsWhatTheTileThatKnowsMostSaysOfAFeature) {
   std::vector tiles = {tile_at({0, 0, 0}, way_id(5), 0), tile_at({1024, 0, 0}, way_id(5), 0)};
   tiles[0].attributes = {{}, {"Building", "", 0, ""}};
-  tiles[1].attributes = {{}, {"Church", "St. Anna", 31.5f, ""}};
+  tiles[1].attributes = {{}, {"Church", "St. Anna", 31.5f}};
   for (int i = 0; i < 2; ++i) {
     const Result<BakedTile> joined = join_tiles(tiles);
     ASSERT_TRUE(joined);
-    EXPECT_EQ(joined->attributes, (std::vector<FeatureAttributes>{{}, {"Church", "St. Anna", 31.5f, ""}}));
+    EXPECT_EQ(joined->attributes, (std::vector<FeatureAttributes>{{}, {"Church", "St. Anna", 31.5f}}));
     std::ranges::reverse(tiles);
   }
 }

@@ -28,7 +28,7 @@ TEST(GlbPropertyTable, HasTheAttributesOfEachFeature) {
 
 TEST(GlbPropertyTable, LeavesOutColumnsWithoutValues) {
   BakedTile tile = made_tile(1);
-  for (bake::FeatureAttributes& row : tile.attributes) row.name.clear(), row.tags.clear();
+  for (bake::FeatureAttributes& row : tile.attributes) row.name.clear(), row.tags = {};
   auto gltf = nlohmann::json::parse(json_of(encoded(tile, kExtension)));
   EXPECT_EQ(gltf["extensions"]["EXT_structural_metadata"]["propertyTables"][0]["properties"].size(), 4u);
   EXPECT_TRUE(*decoded(encoded(tile, kExtension)) == tile);
