@@ -16,6 +16,7 @@
 #include "compiler/geometry/trig.h"
 #include "compiler/map/heights/fit_heightmaps.h"
 #include "compiler/map/plane/lonlat_box.h"
+#include "compiler/map/things/thing_role.h"
 #include "compiler/sky/clouds/read_clouds.h"
 #include "compiler/sky/inside/plan_inside.h"
 #include "compiler/sky/plan.h"
@@ -23,7 +24,6 @@
 #include "compiler/source/read_texts.h"
 #include "compiler/surroundings/grid_lines.h"
 #include "compiler/surroundings/plan.h"
-#include "compiler/things/parked_cars.h"
 #include "lsystems/plant_file.h"
 
 namespace citykiln {
@@ -223,7 +223,7 @@ Result<things::Catalogue> read_things(const CompileSpec& spec) {
   }
   Result<things::Catalogue> catalogue = things::read_catalogue(own, spec.things_folder);
   if (catalogue && !spec.cars)
-    std::erase_if(catalogue->table, [](const auto& row) { return row.name == things::kCar; });
+    std::erase_if(catalogue->table, [](const auto& row) { return map::role_of(row.name) == map::ThingRole::kCar; });
   return catalogue;
 }
 

@@ -6,8 +6,8 @@
 #include "compiler/contract/derived_id.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/land_cover_class.h"
+#include "compiler/map/things/thing_role.h"
 #include "compiler/scene/kinds.h"
-#include "compiler/things/contact_masts.h"
 
 namespace citykiln::bake {
 namespace {
@@ -64,7 +64,7 @@ struct Describer {
   void add(const props::Lamp& lamp) { table.add(lamp.id.osm, "StreetLamp", lamp.height_m); }
   // equipment of a sports pitch belongs to the pitch's area
   void add(const things::Thing& thing) {
-    if (things::is_contact_kind(thing.form.kind) && is_derived(thing.id))
+    if (map::is_contact(map::role_of(thing.form.kind)) && is_derived(thing.id))
       table.add(thing.id.osm, "", 0, bit_of(Assumption::kMasts));  // of the track
     else if (!is_derived(thing.id))
       table.add(thing.id.osm, class_of_thing(classes, thing.form.kind), thing.form.height_m);

@@ -10,6 +10,7 @@
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/plane/plane.h"
+#include "compiler/map/things/thing_role.h"
 #include "compiler/structures/deck_dimensions.h"
 #include "compiler/things/facing.h"
 #include "compiler/things/free_places.h"
@@ -17,6 +18,8 @@
 
 namespace citykiln::things {
 namespace {
+
+using map::ThingRole;
 
 // Masts stand at whole multiples of this from their track, so that they have few forms; heights are multiples of 1/8 m.
 constexpr double kReachStep_m = 0.25, kHeightStep_m = 0.125;
@@ -71,7 +74,7 @@ void index_decks(std::span<const structures::Span> bridges, MastPlanner& planner
 void index_mapped(MastPlanner& planner) {
   std::vector<Box2> boxes;
   for (const map::ThingFeature& thing : planner.features.things) {
-    if (thing.kind != "catenary_mast") continue;
+    if (map::role_of(thing.kind) != ThingRole::kCatenaryMast) continue;
     planner.mapped.push_back(&thing);
     boxes.push_back(Box2{thing.at, thing.at}.widened(kMappedMasts_m));
   }
@@ -164,12 +167,12 @@ struct Structure {
 double wire_height_m(const ContactTrack& track) { return track.is_tram ? kTramWire_m : kRailWire_m; }
 
 // A thing with its top at a plane height or up to kHeightStep_m above it.
-Thing thing_with_top(const MastPlanner& planner, std::string_view kind, Vec2 at, Vec2 faces, Vec2 size, double top_m) {
+Thing thing_with_top(const MastPlanner& planner, ThingRole role, Vec2 at, Vec2 faces, Vec2 size, double top_m) {
   Thing thing{.id = {},
               .at = snapped_to(map::kMapStep_m, at),
               .direction = nearest_direction(faces),
-              .is_in_way = kind == kContactPortal || kind == kContactHanger,
-              .form = {.kind = std::string(kind), .width_m = size.x, .depth_m = size.y}};
+              .is_in_way = role == ThingRole::kContactPortal || role == ThingRole::kContactHanger,
+              .form = {.kind = std::string(map::name_of(role)), .width_m = size.x, .depth_m = size.y}};
   const double high_m = top_m - place(thing, planner.ground).at.z;
   thing.form.height_m = std::max(1.0, std::ceil(high_m / kHeightStep_m) * kHeightStep_m);
   return thing;
@@ -202,7 +205,7 @@ double free_reach_m(const StationSite& site, double from_m, double side, double 
 Thing mast_beside(const StationSite& site, double track_left_m, double side, double reach_m) {
   const Vec2 left = left_of(site.station.place.along);
   const double width_m = site.is_tram ? kPoleSide_m : kMastSide_m;
-  Thing mast = thing_with_top(site.planner, site.is_tram ? kContactPole : kContactMast,
+  Thing mast = thing_with_top(site.planner, site.is_tram ? ThingRole::kContactPole : ThingRole::kContactMast,
                               site.at(track_left_m + side * reach_m), left * -side, {width_m, width_m}, site.top_m());
   mast.form.capacity = static_cast<std::uint16_t>(reach_m / kReachStep_m + 0.5);
   return mast;
@@ -233,7 +236,7 @@ bool add_cantilevers(const StationSite& site, Structure& structure) {
 
 void add_hangers(const StationSite& site, double top_m, Structure& structure) {
   for (const SectionTrack& s : site.held)
-    structure.things.push_back(thing_with_top(site.planner, kContactHanger, site.at(s.left_m),
+    structure.things.push_back(thing_with_top(site.planner, ThingRole::kContactHanger, site.at(s.left_m),
                                               left_of(site.station.place.along), {kPoleSide_m, kPoleSide_m}, top_m));
 }
 
@@ -246,7 +249,7 @@ bool add_portal(const StationSite& site, Structure& structure) {
   const double from_m = right_m - right_reach_m, to_m = left_m + left_reach_m;
   const double wide_m = std::ceil((to_m - from_m) / kReachStep_m) * kReachStep_m;
   if (wide_m > kWidestPortal_m || !site.is_free(from_m + wide_m)) return false;
-  const Thing portal = thing_with_top(site.planner, kContactPortal, site.at(from_m + wide_m / 2),
+  const Thing portal = thing_with_top(site.planner, ThingRole::kContactPortal, site.at(from_m + wide_m / 2),
                                       site.station.place.along, {wide_m, kMastSide_m}, site.top_m());
   add_hangers(site, place(portal, site.planner.ground).at.z + portal.form.height_m, structure);
   structure.things.push_back(portal);
@@ -418,8 +421,8 @@ void add_mapped(const map::ThingFeature& mapped, MastPlanner& planner, ContactLi
       track_height_m(track, nearest->along_m, planner.ground) +
       (track.is_tram ? kTramWire_m + kPoleAboveWire_m : kRailWire_m + kSystemHeight_m + kMastAboveMessenger_m);
   const double wide_m = track.is_tram ? kPoleSide_m : kMastSide_m;
-  Thing mast = thing_with_top(planner, track.is_tram ? kContactPole : kContactMast, mapped.at, place.at - mapped.at,
-                              {wide_m, wide_m}, top_m);
+  Thing mast = thing_with_top(planner, track.is_tram ? ThingRole::kContactPole : ThingRole::kContactMast, mapped.at,
+                              place.at - mapped.at, {wide_m, wide_m}, top_m);
   mast.form.capacity = static_cast<std::uint16_t>(nearest_m / kReachStep_m + 0.5);
   mast.id = mapped.id, mast.is_in_way = true;
   lines.masts.push_back(std::move(mast));
@@ -445,10 +448,6 @@ void remove_double_supports(std::vector<ContactSupport>& supports) {
 
 }  // namespace
 
-bool is_contact_kind(std::string_view kind) {
-  return kind == kContactMast || kind == kContactPortal || kind == kContactHanger || kind == kContactPole;
-}
-
 ContactLines plan_contact_lines(const map::FeatureView& features, const ContactSurroundings& around, Report& report) {
   ContactLines lines;
   lines.index = index_tracks(features, around.roads, around.bridges);
@@ -465,7 +464,8 @@ ContactLines plan_contact_lines(const map::FeatureView& features, const ContactS
     std::optional<Structure> structure = structure_at(planner, index, station);
     account.in += report.counts(way);
     if (!structure) {
-      report.drop(account, {Code::kNoPlaceForThing, way, 0, {}, {}, std::string(kContactMast)});
+      report.drop(account,
+                  {Code::kNoPlaceForThing, way, 0, {}, {}, std::string(map::name_of(ThingRole::kContactMast))});
       continue;
     }
     account.out += report.counts(way);

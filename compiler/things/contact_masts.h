@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <set>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "compiler/contract/findings/report.h"
@@ -23,12 +22,6 @@
 #include "compiler/things/recipe.h"
 
 namespace citykiln::things {
-
-/// The rows of the table for masts.
-inline constexpr std::string_view kContactMast = "contact_mast", kContactPortal = "contact_portal",
-                                  kContactHanger = "contact_hanger", kContactPole = "contact_pole";
-/// True for a kind of things that is a mast of a contact line, or hangs from one.
-bool is_contact_kind(std::string_view kind);
 
 /// Heights above the rail of the contact wire of railways and tramways, and of the messenger wire. Source: nominal
 /// contact wire heights of 5.0 to 5.75 m (TSI ENE 4.2.9.1), system heights of 1.1 to 1.8 m (Kiessling and others 2018).

@@ -8,6 +8,7 @@
 #include "compiler/geometry/line_part.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/things/outline_places.h"
+#include "compiler/map/things/thing_role.h"
 
 namespace citykiln::things {
 namespace {
@@ -75,7 +76,7 @@ class Cars {
   void add_car(const ParkingPlace& place, bool is_turned, const RandomSequence& draw) {
     ThingFeature car{.id = place.id,
                      .at = snapped(place.at),
-                     .kind = kCar,
+                     .kind = std::string(map::name_of(map::ThingRole::kCar)),
                      .value = "parked",
                      .width_m = kCarWidth_m,
                      .depth_m = kCarLength_m,

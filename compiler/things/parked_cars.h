@@ -14,9 +14,6 @@
 
 namespace citykiln::things {
 
-/// The name of the row of cars in the table of things. Without it no cars are planned.
-inline constexpr const char* kCar = "car";
-
 /// The share of places with a car. Source: 60 to 90 % of places at kerbs are occupied (D. Shoup, The High Cost of Free
 /// Parking, 2005).
 inline constexpr double kOccupied = 0.7;
@@ -25,7 +22,7 @@ inline constexpr double kOccupied = 0.7;
 /// long, or 2.6 m where the lane is wide enough for cars across it; places on car parks, in pairs of rows along the
 /// longer side of the area with lanes of 6 m between them. The ids are those of the space, the road or the car park,
 /// with the numbers of places as parts. Draws depend on the seed and on the id alone. O(places · land cover near them).
-/// @param spaces  Things of kind kCar.
+/// @param spaces  Things of the role map::ThingRole::kCar.
 /// @param places  The land cover of the map.
 std::vector<map::ThingFeature> parked_cars(std::span<const map::ThingFeature> spaces, const map::FeatureView& features,
                                            std::span<const roads::Road> roads, FreePlaces& places, std::uint64_t seed);

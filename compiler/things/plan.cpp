@@ -11,6 +11,7 @@
 #include "compiler/contract/joined.h"
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/snap.h"
+#include "compiler/map/things/thing_role.h"
 #include "compiler/things/facing.h"
 #include "compiler/things/free_places.h"
 #include "compiler/things/junction_signals.h"
@@ -104,14 +105,15 @@ std::vector<map::ThingFeature> with_derived(const map::FeatureView& features, co
   std::vector<map::ThingFeature> things, spaces;
   std::map<std::string, std::vector<map::ThingFeature>> on_arms;
   for (const map::ThingFeature& thing : features.things) {
-    const bool is_car = thing.kind == kCar;
+    const bool is_car = map::role_of(thing.kind) == map::ThingRole::kCar;
     (is_car ? spaces : is_for_arms(thing, kinds) ? on_arms[thing.kind] : things).push_back(thing);
   }
   const auto append = [&](std::vector<map::ThingFeature>&& more) {
     std::ranges::move(more, std::back_inserter(things));
   };
   for (auto& [kind, mapped] : on_arms) append(with_one_for_each_arm(mapped, network.roads, network.junctions));
-  if (kinds.contains(kCar)) append(parked_cars(spaces, features, network.roads, places, seed));
+  if (kinds.contains(map::name_of(map::ThingRole::kCar)))
+    append(parked_cars(spaces, features, network.roads, places, seed));
   return things;
 }
 
@@ -131,7 +133,7 @@ void count_derived(const map::FeatureView& features, const std::vector<map::Thin
 std::set<std::string> kind_names(const map::FeatureView& features, const map::ThingTable& table) {
   std::set<std::string> names;
   for (const map::ThingRow& row : table)
-    if (row.name == kCar) names.insert(row.name);
+    if (map::role_of(row.name) == map::ThingRole::kCar) names.insert(row.name);
   for (const map::ThingFeature& thing : features.things) names.insert(thing.kind);
   for (const map::ThingFeature& thing : features.supports_beyond) names.insert(thing.kind);
   return names;

@@ -10,11 +10,11 @@
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/polygons/centroid.h"
 #include "compiler/geometry/segment.h"
+#include "compiler/map/things/thing_role.h"
 #include "compiler/props/luminaire.h"
 #include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/width_limits/narrowed_section.h"
 #include "compiler/scene/land_cover.h"
-#include "compiler/things/contact_masts.h"
 #include "compiler/things/facing.h"
 #include "compiler/verify/standing/taken_land.h"
 
@@ -285,9 +285,9 @@ void test_railing(const props::Barrier& railing, const RailingObstacles& obstacl
 
 // The places where an assumed mast stands on the ground; none for other things.
 std::vector<Vec2> feet_of(const things::Thing& thing) {
-  if (!is_derived(thing.id) || !things::is_contact_kind(thing.form.kind)) return {};
-  if (thing.form.kind == things::kContactHanger) return {};
-  if (thing.form.kind != things::kContactPortal) return {thing.at};
+  const map::ThingRole role = map::role_of(thing.form.kind);
+  if (!is_derived(thing.id) || !map::is_contact(role) || role == map::ThingRole::kContactHanger) return {};
+  if (role != map::ThingRole::kContactPortal) return {thing.at};
   const Vec2 half = left_of(things::unit_vector(thing.direction)) * (thing.form.width_m / 2);
   return {thing.at + half, thing.at - half};
 }

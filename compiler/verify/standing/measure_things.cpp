@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "compiler/things/contact_masts.h"
+#include "compiler/map/things/thing_role.h"
 #include "compiler/verify/standing/taken_land.h"
 
 namespace citykiln::verify {
@@ -10,7 +10,7 @@ StandingThings measure_things(const bake::BakedTile& tile, const scene::Chunk& c
                               const ground::LandCoverIndex& land_cover) {
   std::set<OsmId> tested;
   for (const things::Thing& thing : chunk.things)
-    if (!thing.is_in_way && !things::is_contact_kind(thing.form.kind)) tested.insert(thing.id.osm);
+    if (!thing.is_in_way && !map::is_contact(map::role_of(thing.form.kind))) tested.insert(thing.id.osm);
   StandingThings found;
   for (const bake::InstancedMesh& instanced : tile.instanced)
     for (std::size_t i = 0; i < instanced.translations.size(); ++i) {

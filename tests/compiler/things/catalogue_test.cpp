@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/map/things/thing_role.h"
 #include "compiler/pitches/pitch_lines.h"
 #include "compiler/pitches/pitch_rules.h"
 #include "compiler/things/generate.h"
@@ -42,6 +43,18 @@ TEST(Catalogue, EveryShippedRowHasRulesThatMakeAMeshWithoutErrors) {
       EXPECT_EQ(thing.meshes.empty(), !is_shown(form, kind.row, tolerance_m)) << name << " at " << tolerance_m;
       EXPECT_LE(thing.error_m, tolerance_m) << name;
     }
+}
+
+TEST(Catalogue, EveryRoleIsAShippedRowOfItsName) {
+  const Result<Catalogue> catalogue = read_catalogue({}, "");
+  ASSERT_TRUE(catalogue) << to_string(catalogue.error());
+  for (int i = 1; i < static_cast<int>(map::ThingRole::kCount); ++i) {
+    const auto role = static_cast<map::ThingRole>(i);
+    EXPECT_EQ(map::role_of(map::name_of(role)), role);
+    EXPECT_EQ(std::ranges::count(catalogue->table, map::name_of(role), &map::ThingRow::name), 1) << map::name_of(role);
+  }
+  EXPECT_EQ(map::role_of("bench"), map::ThingRole::kNone);
+  EXPECT_EQ(map::role_of(""), map::ThingRole::kNone);
 }
 
 TEST(Catalogue, AFolderAddsRowsAndRules) {

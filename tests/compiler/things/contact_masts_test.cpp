@@ -7,12 +7,14 @@
 
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/segment.h"
+#include "compiler/map/things/thing_role.h"
 #include "compiler/things/facing.h"
 
 namespace citykiln::things {
 namespace {
 
 using map::LandCoverClass;
+using map::ThingRole;
 
 ground::GradedTerrain flat_land() {
   map::Heightfield field{{-1024, -1024}, {16, 16}, 129, 129, {}, 0};
@@ -54,9 +56,9 @@ struct Line {
   }
 };
 
-std::size_t count_of(const ContactLines& lines, std::string_view kind) {
+std::size_t count_of(const ContactLines& lines, ThingRole role) {
   return static_cast<std::size_t>(
-      std::ranges::count_if(lines.masts, [&](const Thing& mast) { return mast.form.kind == kind; }));
+      std::ranges::count_if(lines.masts, [&](const Thing& mast) { return map::role_of(mast.form.kind) == role; }));
 }
 
 TEST(ContactTracks, SpansAreShorterInCurves) {
@@ -85,7 +87,7 @@ TEST(ContactMasts, StandBesideOneTrack) {
   EXPECT_EQ(lines.masts.size(), 10u);
   EXPECT_EQ(lines.supports.size(), 10u);
   for (const Thing& mast : lines.masts) {
-    EXPECT_EQ(mast.form.kind, kContactMast);
+    EXPECT_EQ(map::role_of(mast.form.kind), ThingRole::kContactMast);
     EXPECT_EQ(mast.at.y, 3.25) << "on the northern side";
     EXPECT_LT(unit_vector(mast.direction).y, -0.99) << "it faces the track";
     EXPECT_EQ(mast.form.capacity, 13);
@@ -108,9 +110,9 @@ TEST(ContactMasts, StandOutsideOfTwoTracksAtTheSameStations) {
 TEST(ContactMasts, AreAPortalOverThreeTracks) {
   const ContactLines lines =
       Line({rails(1, {{0, 0}, {600, 0}}), rails(2, {{0, 4.5}, {600, 4.5}}), rails(3, {{0, 9}, {600, 9}})}).lines();
-  EXPECT_EQ(count_of(lines, kContactPortal), 10u);
-  EXPECT_EQ(count_of(lines, kContactHanger), 30u);
-  EXPECT_EQ(count_of(lines, kContactMast), 0u);
+  EXPECT_EQ(count_of(lines, ThingRole::kContactPortal), 10u);
+  EXPECT_EQ(count_of(lines, ThingRole::kContactHanger), 30u);
+  EXPECT_EQ(count_of(lines, ThingRole::kContactMast), 0u);
   EXPECT_EQ(lines.supports.size(), 30u);
 }
 
@@ -119,13 +121,13 @@ TEST(ContactMasts, ArePolesOnBothSidesOfATramway) {
       {rails(1, {{0, 0}, {300, 0}}, LandCoverClass::kTram), rails(2, {{0, 3}, {300, 3}}, LandCoverClass::kTram)});
   tramway.add_cover(LandCoverClass::kResidentialRoad, {-10, -6}, {310, 9});
   const ContactLines lines = tramway.lines();
-  EXPECT_EQ(count_of(lines, kContactPole), 18u);
+  EXPECT_EQ(count_of(lines, ThingRole::kContactPole), 18u);
   EXPECT_EQ(lines.cross_wires.size(), 9u);
   for (const Thing& pole : lines.masts) EXPECT_TRUE(pole.at.y < -6 || pole.at.y > 9);
   tramway.add_cover(LandCoverClass::kBuilding, {-10, 9}, {310, 30});
   const ContactLines beside_houses = tramway.lines();
   EXPECT_EQ(beside_houses.cross_wires.size(), 0u);
-  EXPECT_EQ(count_of(beside_houses, kContactPole), 0u) << "6 m and 3 m are too far for an arm";
+  EXPECT_EQ(count_of(beside_houses, ThingRole::kContactPole), 0u) << "6 m and 3 m are too far for an arm";
 }
 
 TEST(ContactMasts, StandOnTheOtherSideOfAWall) {
@@ -219,7 +221,8 @@ TEST(ContactMasts, KeepClearOfEveryTrack) {
     }
     const Line line(tracks);
     for (const Thing& mast : line.lines().masts) {
-      if (mast.form.kind != kContactMast && mast.form.kind != kContactPole) continue;
+      const ThingRole role = map::role_of(mast.form.kind);
+      if (role != ThingRole::kContactMast && role != ThingRole::kContactPole) continue;
       for (const map::Track& track : tracks)
         EXPECT_GE(distance_to_polyline(track.axis, mast.at),
                   (track.surface == LandCoverClass::kTram ? kPoleClear_m : kMastClear_m) - 0.01);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "compiler/contract/derived_id.h"
-#include "compiler/things/contact_masts.h"
+#include "compiler/map/things/thing_role.h"
 
 namespace citykiln::verify {
 namespace {
@@ -183,9 +183,10 @@ TEST(MeasureAssumed, FindsRailingsAcrossWaysBeforeDoorsAndOnCarriageways) {
 TEST(MeasureAssumed, FindsMastsInTheClearSpaceOfATrack) {
   scene::Chunk chunk;
   chunk.roads = {way_along(kMainStreet, {{0, 50}, {120, 50}}, LandCoverClass::kRailway, 3)};
-  chunk.things = {{.id = {kMainStreet, kFirstDerivedPart + 1},
-                   .at = {40, 53},
-                   .form = {.kind = std::string(things::kContactMast), .width_m = 0.5, .depth_m = 0.5}}};
+  chunk.things = {
+      {.id = {kMainStreet, kFirstDerivedPart + 1},
+       .at = {40, 53},
+       .form = {.kind = std::string(map::name_of(map::ThingRole::kContactMast)), .width_m = 0.5, .depth_m = 0.5}}};
   const std::vector<ground::LandCoverPolygon> none;
   const ground::LandCoverIndex index = ground::index_land_cover(none, kTile);
   const auto measured = [&] { return measure_assumed_masts(chunk, index, kTile); };
@@ -194,7 +195,7 @@ TEST(MeasureAssumed, FindsMastsInTheClearSpaceOfATrack) {
   chunk.things[0].at.y = 52;
   EXPECT_EQ(measured().conflicts, 1u);
   // the feet of a portal are half its width beside its middle
-  chunk.things[0].form.kind = things::kContactPortal, chunk.things[0].at = {40, 50};
+  chunk.things[0].form.kind = map::name_of(map::ThingRole::kContactPortal), chunk.things[0].at = {40, 50};
   chunk.things[0].direction = 0, chunk.things[0].form.width_m = 8;
   EXPECT_EQ(measured().tested, 2u);
   EXPECT_EQ(measured().conflicts, 0u);
