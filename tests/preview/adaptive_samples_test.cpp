@@ -76,7 +76,7 @@ double welch_t_of(const std::vector<double>& a, const std::vector<double>& b) {
 
 TEST(AdaptiveSampling, HasNoBias) {
   const std::vector tiles = {passage()};
-  const sky::Sky sky{"", unit(Vec3{-0.5, -0.4, 0.7}), 2.6};
+  const sky::Sky sky{{}, unit(Vec3{-0.5, -0.4, 0.7}), 2.6};
   const Camera camera{{0, 2, 1.6}, {12, 20, 6}, 50};
   Options options;
   options.width = 64, options.height = 32, options.samples = 32;
@@ -102,7 +102,7 @@ TEST(AdaptiveSampling, HasNoBias) {
 
 TEST(AdaptiveSampling, AnyNumberOfThreadsIsTheSamePicture) {
   const std::vector tiles = {passage()};
-  const sky::Sky sky{"", unit(Vec3{-0.5, -0.4, 0.7}), 2.6};
+  const sky::Sky sky{{}, unit(Vec3{-0.5, -0.4, 0.7}), 2.6};
   Options options;
   options.width = 70, options.height = 50, options.samples = 32, options.noise = 0.2, options.has_guides = true;
   options.threads = 1;

@@ -19,7 +19,7 @@ Image town_corner(int samples, std::uint64_t seed) {
                 box({6, -20, 0}, {18, -8, 14}, Material::kBrick), box({-4, 6, 0}, {10, 16, 6}, Material::kPlaster)})};
   Options options;
   options.width = 96, options.height = 64, options.samples = samples, options.seed = seed, options.has_guides = true;
-  const sky::Sky sky{"", unit(Vec3{-0.5, -0.4, 0.7}), 2.6};
+  const sky::Sky sky{{}, unit(Vec3{-0.5, -0.4, 0.7}), 2.6};
   return render(tiles, sky, {{20, -45, 14}, {0, 0, 3}, 45}, options);
 }
 

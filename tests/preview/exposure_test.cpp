@@ -30,7 +30,7 @@ TEST(DayExposure, LeavesDeepShadeTwoStopsDarkerThanLight) {
 TEST(DayExposure, OfABlackPictureIsThatOfAdaptedEyes) { EXPECT_EQ(day_exposure(grey(0), 1), 1); }
 
 TEST(Exposure, FollowsTheSunDown) {
-  const auto at = [](double z) { return adapted_exposure({"", {0, 0, z}, 2.6}); };
+  const auto at = [](double z) { return adapted_exposure({{}, {0, 0, z}, 2.6}); };
   EXPECT_EQ(at(0.5), 1);
   EXPECT_NEAR(at(0), std::exp2(3.6), 1e-4);
   EXPECT_NEAR(at(-0.5), std::exp2(9.4), 1e-4);
@@ -38,7 +38,7 @@ TEST(Exposure, FollowsTheSunDown) {
 }
 
 TEST(Exposure, IsAutomaticByNightOnly) {
-  const sky::Sky day{"", {0, 0, 1}, 2.6}, night{"", {0, 0, -1}, 2.6};
+  const sky::Sky day{{}, {0, 0, 1}, 2.6}, night{{}, {0, 0, -1}, 2.6};
   EXPECT_EQ(exposure_under(night, grey(1e-4)), auto_exposure(grey(1e-4)));
   EXPECT_EQ(exposure_under(day, grey(1e-4)), day_exposure(grey(1e-4), 1));
   EXPECT_NE(auto_exposure(grey(1e-4)), day_exposure(grey(1e-4), 1));

@@ -13,7 +13,7 @@ namespace {
 
 using materials::Material;
 
-const sky::Sky kAfternoon{"", unit(Vec3{-0.5, -0.4, 0.7}), 2.6};
+const sky::Sky kAfternoon{{}, unit(Vec3{-0.5, -0.4, 0.7}), 2.6};
 
 Options options_of_size(int width, int height, int samples) {
   Options options;
@@ -60,7 +60,7 @@ TEST(Render, AnotherSeedIsAnotherGrainOfTheSamePicture) {
 // A ceiling that shines with 100 cd/m² under a sky of which 1 is 6,250.
 TEST(Render, WhatShinesIsSeenByNight) {
   const std::vector tiles = {tile({}, {floor({-60, -60, 0}, {60, 60, 0}, Material::kOfficeCeiling)})};
-  const sky::Sky night{"", unit(Vec3{0, -0.9, -0.4}), 2.6};
+  const sky::Sky night{{}, unit(Vec3{0, -0.9, -0.4}), 2.6};
   const Image image = render(tiles, night, {{0, 0, 10}, {0, 1, 0}, 30}, options_of_size(8, 8, 4));
   ASSERT_FALSE(image.rgb.empty());
   for (std::size_t i = 0; i < image.rgb.size(); i += 3) EXPECT_NEAR(image.rgb[i], 100.0 / 6250, 1e-4);

@@ -53,7 +53,7 @@ struct Made {
   Lights lights;
   LocalLights local;
 
-  explicit Made(Vec3 to_sun) : lights(sky::generate({"", unit(to_sun), 2.6})), local(world, {}, 1) {}
+  explicit Made(Vec3 to_sun) : lights(sky::generate({{}, unit(to_sun), 2.6})), local(world, {}, 1) {}
   double mean(const Options& options, std::uint64_t seed) const {
     Options own = options;
     own.seed = seed;
@@ -93,7 +93,7 @@ TEST(Unbiased, SampledEmittersAreAsBrightAsThoseFoundByChance) {
   bake::BakedTile room = tile(
       {}, {floor({-9, -9, 0}, {9, 9, 0}, Material::kConcrete), box({-2, -1, 2}, {1, 1, 3}, Material::kOfficeCeiling)});
   const World world(std::span(&room, 1), {});
-  const Lights dark(sky::generate({"", unit(Vec3{0, -0.5, -0.9}), 2.6}));
+  const Lights dark(sky::generate({{}, unit(Vec3{0, -0.5, -0.9}), 2.6}));
   const LocalLights local(world, {}, 1);
   ASSERT_TRUE(local.has_emitters());
   ASSERT_EQ(world.emitters().size(), 12u);

@@ -25,20 +25,21 @@ scene::Chunk town() {
   chunk.roads = {road};
   chunk.surfaces = {{way(7), map::LandCoverClass::kPark, 500, {}}, {way(10), map::LandCoverClass::kForest, 500, {}}};
   chunk.barriers = {{way(11), {}, map::BarrierKind::kCityWall, 6, 1}};
-  chunk.texts = {{way(7).osm, "Town Hall", "{}"}, {way(9).osm, "Main Street", ""}};
+  chunk.texts = {{way(7).osm, "Town Hall", {{"building", "yes"}}}, {way(9).osm, "Main Street"}};
   return chunk;
 }
 
 TEST(FeatureAttributes, AreThoseOfTheRecipes) {
   std::vector<OsmId> features = {{}};
   for (const int id : {7, 8, 9, 10, 11, 12}) features.push_back(way(id).osm);
-  EXPECT_EQ(attributes_of(town(), features), (std::vector<FeatureAttributes>{{},
-                                                                             {"House", "Town Hall", 12.5f, "{}"},
-                                                                             {"Building", "", 10, ""},
-                                                                             {"ResidentialRoad", "Main Street", 0, ""},
-                                                                             {"Forest", "", 0, ""},
-                                                                             {"CityWall", "", 6, ""},
-                                                                             {}}));
+  EXPECT_EQ(attributes_of(town(), features),
+            (std::vector<FeatureAttributes>{{},
+                                            {"House", "Town Hall", 12.5f, {{"building", "yes"}}},
+                                            {"Building", "", 10},
+                                            {"ResidentialRoad", "Main Street", 0},
+                                            {"Forest", "", 0},
+                                            {"CityWall", "", 6},
+                                            {}}));
 }
 
 TEST(FeatureAttributes, HaveWhatIsAssumedOfAnyRecipeOfTheElement) {

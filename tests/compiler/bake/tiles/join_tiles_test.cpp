@@ -57,7 +57,7 @@ TEST(JoinTiles, KeepsTheFeatureOfEveryTriangleAndInstance) {
 
 TEST(JoinTiles, KeepsWhatTheTileThatKnowsMostSaysOfAFeature) {
   std::vector tiles = {tile_at({0, 0, 0}, way_id(5), 0), tile_at({1024, 0, 0}, way_id(5), 0)};
-  tiles[0].attributes = {{}, {"Building", "", 0, ""}};
+  tiles[0].attributes = {{}, {"Building", "", 0}};
   tiles[1].attributes = {{}, {"Church", "St. Anna", 31.5f}};
   for (int i = 0; i < 2; ++i) {
     const Result<BakedTile> joined = join_tiles(tiles);
@@ -69,8 +69,8 @@ TEST(JoinTiles, KeepsWhatTheTileThatKnowsMostSaysOfAFeature) {
 
 TEST(JoinTiles, KeepsWhatAnyTileKnowsToBeAssumed) {
   std::vector tiles = {tile_at({0, 0, 0}, way_id(5), 0), tile_at({1024, 0, 0}, way_id(5), 0)};
-  tiles[0].attributes = {{}, {"Church", "", 31.5f, ""}};
-  tiles[1].attributes = {{}, {"Building", "", 0, "", bit_of(Assumption::kHeights)}};
+  tiles[0].attributes = {{}, {"Church", "", 31.5f}};
+  tiles[1].attributes = {{}, {"Building", "", 0, {}, bit_of(Assumption::kHeights)}};
   const Result<BakedTile> joined = join_tiles(tiles);
   ASSERT_TRUE(joined);
   EXPECT_EQ(joined->attributes[1].assumed, bit_of(Assumption::kHeights));

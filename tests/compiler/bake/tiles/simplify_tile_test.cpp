@@ -129,7 +129,7 @@ TEST(SimplifyTile, KeepsThingsThatTheToleranceDoesNotHide) {
 
 TEST(SimplifyTile, DropsFeaturesThatNothingHas) {
   BakedTile tile = two_tiles();
-  tile.attributes = {{}, {"Park", "", 0, ""}, {"Church", "", 0, ""}};
+  tile.attributes = {{}, {"Park", "", 0}, {"Church", "", 0}};
   tile.primitives.front().features.assign(tile.primitives.front().features.size(), 2);
   drop_unused_features(tile);
   EXPECT_EQ(tile.features, (std::vector<OsmId>{OsmId{}, {OsmType::kWay, 9}}));

@@ -92,7 +92,7 @@ TEST(GeoJson, JunctionsSayTheirLayer) {
 
 TEST(GeoJson, PropertiesAreWhatTheMapSays) {
   map::Features features = one_of_each();
-  features.texts = {{{OsmType::kWay, 7}, "Rue \"A\"", ""}, {{OsmType::kRelation, 8}, "Hall", ""}};
+  features.texts = {{{OsmType::kWay, 7}, "Rue \"A\""}, {{OsmType::kRelation, 8}, "Hall"}};
   features.tracks[0].layer = -1, features.tracks[0].passage = map::Passage::kTunnel;
   features.footprints[0].levels = 3, features.footprints[0].has_roof_shape = true;
   const auto properties_of = [&](const char* layer) {
