@@ -300,11 +300,12 @@ std::optional<sky::Inside> plain(const fbs::Inside& i) {
   return is_shaped && has_light ? std::optional(std::move(inside)) : std::nullopt;
 }
 
-// Nothing for a text that is no time; no moment for none.
-std::optional<std::optional<sky::Moment>> moment_of(const flatbuffers::String* text) {
+// No moment for an empty text.
+Result<std::optional<sky::Moment>> moment_of(const flatbuffers::String* text) {
   if (text == nullptr || text->size() == 0) return std::optional<sky::Moment>();
   const Result<sky::Moment> moment = sky::parse_time(text->string_view());
-  return moment ? std::optional(std::optional(*moment)) : std::nullopt;
+  if (!moment) return moment.error();
+  return std::optional(*moment);
 }
 
 std::optional<sky::Sky> plain(const fbs::Sky& s) {

@@ -164,6 +164,15 @@ TEST(Manifest, TextsWithZeroBytesAreKept) {
   EXPECT_EQ(*back, scene);
 }
 
+TEST(Manifest, HasATimeOrNoneAndRefusesOtherTexts) {
+  const Bytes bytes = encode_manifest(made_scene(1), 1);
+  const auto without = decoded_manifest(with_header(bytes, [](fbs::HeaderT& h) { h.sky->time.clear(); }));
+  ASSERT_TRUE(without) << manifest_refusal(without);
+  EXPECT_FALSE(without->header.sky.time);
+  EXPECT_EQ(manifest_refusal(decoded_manifest(with_header(bytes, [](fbs::HeaderT& h) { h.sky->time = "noon"; }))),
+            "town.kiln: expected a citykiln manifest, found one whose header is damaged");
+}
+
 TEST(Manifest, SameSceneSameBytesWithAnyThreads) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Bytes bytes = encode_manifest(made_scene(seed), 1);
