@@ -378,7 +378,8 @@ constexpr Setting kSettings[] = {
      "of the same name",
      false, set_text<&CompileSpec::things_folder>},
     {"species", "FOLDER",
-     "folder with user-defined species (.lsys, .honda, .family, .tree) and tables of them, species.txt and spawners.txt, "
+     "folder with user-defined species (.lsys, .honda, .family, .tree) and tables of them, species.txt and "
+     "spawners.txt, "
      "which "
      "add to the shipped ones or replace those of the same name",
      false, set_text<&CompileSpec::species_folder>},
