@@ -1,4 +1,6 @@
-// Reads and writes the fields of buildings. `io` is a Writer or a Reader (chunk_io.h); each function does both.
+// Reads and writes the fields of buildings. `io` is a Writer, a Reader or a PointStepProbe (chunk_io.h); each function
+// serves all three. The strings are names of streams. With a Reader the functions check values: io.fail(stream) marks
+// the chunk as wrong, reading goes on, and decode_chunk() refuses the chunk at its end.
 #pragma once
 
 #include <algorithm>

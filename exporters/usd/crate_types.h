@@ -52,7 +52,9 @@ inline constexpr std::size_t kCrateLeastCompressed = 16;
 /// Flags of lists of tokens and paths.
 inline constexpr std::uint8_t kListExplicit = 0x03, kListPrepended = 0x20;
 
-/// Jumps in PATHS. A number above 0 is the distance to the next sibling of a prim with children.
+/// Jumps in PATHS, one for each entry. Entries are in depth-first order, so that the first child of a prim follows it.
+/// kJumpSibling: no child, the next entry is a sibling. kJumpChild: a child follows, and there is no further sibling.
+/// kJumpLeaf: neither. A number above 0: a child follows, and the next sibling is that many entries on.
 inline constexpr std::int32_t kJumpSibling = 0, kJumpChild = -1, kJumpLeaf = -2;
 
 }  // namespace citykiln::exporters
