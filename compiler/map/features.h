@@ -263,7 +263,7 @@ struct ThingFeature {
   double width_m = 0, depth_m = 0, height_m = 0;
   std::optional<Vec2> along{};  ///< The direction of its width if its line or area says it; length 1.
   std::optional<Srgb> colour{};
-  std::string material{};               ///< material=*, as it is tagged.
+  std::string material{};               ///< material=*, by thing_materials.inc; other words in lower case.
   std::string text{};                   ///< Digits that it shows, such as those of maxspeed=*.
   std::uint16_t capacity = 0;           ///< 0: untagged.
   std::optional<double> bearing_deg{};  ///< direction=*, clockwise of north.

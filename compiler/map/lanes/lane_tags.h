@@ -19,10 +19,11 @@
 namespace citykiln::map {
 
 /// The traffic in one direction: along the way, or against it.
-enum class Flow : std::uint8_t { kForward, kBackward };  ///< Along the way, and against it.
+enum class Flow : std::uint8_t { kForward, kBackward };
 inline constexpr std::array kFlows = {Flow::kForward, Flow::kBackward};
 
 inline Flow opposite(Flow flow) { return flow == Flow::kForward ? Flow::kBackward : Flow::kForward; }
+/// Returns a flow as the direction of a lane (Lane::way).
 inline LaneDirection way_of(Flow flow) {
   return flow == Flow::kForward ? LaneDirection::kForward : LaneDirection::kBackward;
 }
@@ -50,7 +51,8 @@ struct LaneTags {
   std::string_view operator()(std::string_view key) const { return context.tag(tags, key); }
   /// Diagnoses the value of a key.
   void add_bad_value(std::string_view key) const { context.report.add_tag(Code::kBadTagValue, id, key, (*this)(key)); }
-  /// Diagnoses the first tagged number of lanes, which contradicts other tags.
+  /// Diagnoses a tagged number of lanes that contradicts other tags: the first of lanes, lanes:forward, lanes:backward
+  /// and lanes:both_ways that is tagged.
   void add_bad_count() const;
 
   bool is_one_way() const { return traffic == Traffic::kForward || traffic == Traffic::kBackward; }
@@ -59,14 +61,17 @@ struct LaneTags {
     assert(is_one_way());
     return traffic == Traffic::kBackward ? Flow::kBackward : Flow::kForward;
   }
-  /// True if the flow has lanes of its own; false for the opposite flow of a one-way road.
+  /// True if the flow has lanes of its own: both flows of a two-way road, and the flow of a one-way road. False for the
+  /// opposite flow of a one-way road, and for both flows of kInTurns, whose traffic shares its lanes.
   bool has(Flow flow) const { return traffic == Traffic::kTwoWay || (is_one_way() && flow == only_flow()); }
 
   /// Returns ":forward" or ":backward".
   static std::string_view suffix(Flow flow) { return flow == Flow::kForward ? ":forward" : ":backward"; }
   /// Returns the side of the road on which a flow drives: "left" or "right", as seen along the way.
   std::string_view roadside(Flow flow) const;
-  /// The value of key:<side><suffix> for the side of a flow, else of key:both<suffix>; "" if neither is tagged.
+  /// Returns the value of key:<side><suffix> for the side of a flow, else of key:both<suffix>; "" if neither is tagged.
+  ///
+  /// @param suffix  The rest of the key with its colon, such as ":width"; "" for none.
   std::string_view beside(Flow flow, std::string_view key, std::string_view suffix = "") const;
   /// The key that applies to the lanes of one flow: key+":forward" or key+":backward"; if that is not tagged and the
   /// road is one-way in this direction, the key alone.

@@ -4,10 +4,15 @@
 //   1. lanes:forward, lanes:backward, lanes:both_ways over lanes; lanes over the number of entries of …:lanes lists
 //   2. bicycle:lanes, bus:lanes, psv:lanes over lanes:bus, lanes:psv, busway, cycleway
 //   3. …:left and …:right over …:both over the key alone; parking:… over parking:lane:…
-//   4. width:lanes over width over est_width over the class's widths (regional_widths.inc, track_rules.inc). A width
-//      gives each lane that width:lanes does not state kNarrowestLane_m of lane_rules.inc at least, except a lane that
-//      is alone on the carriageway. A width that would give each lane of lanes=* more than kWidestLane_m, even with a
-//      row of parked cars on each side that has no lane beside the moving ones, is that of the whole street and ignored
+//   4. width:lanes over width over est_width over the class's widths (regional_widths.inc, track_rules.inc)
+//
+// The width of the carriageway, width=* or est_width=*:
+//   - lanes that width:lanes does not state share what is left of the width evenly
+//   - a width that leaves them less than kNarrowestLane_m each (lane_rules.inc) is too small: it is diagnosed, and each
+//     of them is that wide. A lane that is alone on the carriageway has the stated width, however narrow
+//   - a width that leaves the lanes of lanes=* more than kWidestLane_m each is too large: it is diagnosed and ignored,
+//     as some imports state the width of the whole street. Lanes for cycles and parked cars that count in the width are
+//     subtracted before, and 2.5 m for parked cars on each side without a level lane beside the moving ones
 //
 // Defaults without tags:
 //   - pavements, verges, shoulders, parking and cycle lanes exist only if tagged
@@ -39,7 +44,11 @@ struct TaggedSection {
   std::uint8_t tagged_parking = 0;    ///< Sides on which tags say whether cars park.
   bool is_transition = false;         ///< True if placement=transition leaves it to the ways before and after.
 };
-/// Returns the cross-section of a way and its sources; default widths and numbers of lanes follow a set of guidelines.
+/// Returns the cross-section of a way, and which of its values are tagged.
+///
+/// @param tags        The tags of the way.
+/// @param side        The side on which traffic drives.
+/// @param guidelines  The source of widths and numbers of lanes that no tag states.
 ///
 /// Guarantees: where only class, lanes, oneway and width are tagged and agree, the lanes together have the width of
 /// track_rules.inc. Swapping the driving side and left and right in all tags mirrors the lanes exactly. Reversing the

@@ -13,13 +13,14 @@
 
 namespace citykiln::map {
 
-/// The geoid over a box of the plane: heights at the points of a grid, interpolated bilinearly. Beyond the grid, the
-/// nearest height on its border applies.
+/// The geoid over a box of the plane: heights above the ellipsoid at the points of a grid, interpolated bilinearly.
+/// Beyond the grid, the nearest height on its border applies. Heights are multiples of kQuantum_m; their number is a
+/// multiple of `columns`.
 struct Geoid {
   Vec2 low;                             ///< The first point, plane metres.
   double step_m = 1;                    ///< > 0.
   std::size_t columns = 1;              ///< Points along x.
-  std::vector<double> heights_m = {0};  ///< Row by row, columns first; multiples of kQuantum_m.
+  std::vector<double> heights_m = {0};  ///< Row by row from the south, each from west to east.
   bool operator==(const Geoid&) const = default;
 };
 
@@ -36,12 +37,13 @@ Result<GeoidSource> parse_geoid(std::string_view text);
 /// The grid step of the result of read_geoid(). GeographicLib's own grids have steps of 1' (1.8 km) or more.
 inline constexpr double kGeoidStep_m = 1024;
 
-/// The height of the geoid above the ellipsoid at a point of the plane.
+/// Returns the height of the geoid above the ellipsoid at a point of the plane, metres.
 double height_m(const Geoid& geoid, Vec2 p);
 
-/// Returns the geoid over a box, widened by kGeoidStep_m.
+/// Returns the geoid over a box of the plane, widened by kGeoidStep_m on each side.
 ///
 /// @param source  Grids are interpolated cubically. Empty for height 0.
+///
 /// Errors: a file that cannot be read as such a grid. Every CPU gives the same bytes, except for heights that fall on a
 /// tie of kQuantum_m.
 Result<Geoid> read_geoid(const std::optional<GeoidSource>& source, const Box2& box, const Plane& plane);
