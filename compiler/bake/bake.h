@@ -27,8 +27,8 @@ namespace citykiln::bake {
 /// mapped trees on roads, rails, buildings or water.
 ///
 /// @param tolerance_m  Largest deviation, > 0.
-/// @param prototypes   Shared meshes of plants, for all tiles of this header. Null: they are made for this call.
-///                     Parameter of all functions below.
+/// @param prototypes   Shared meshes of plants, for all tiles of this header. Null: they are made for this call. The
+///                     other functions with this parameter do the same.
 ///
 /// Cost: linear in the objects that are baked, n log n in the ground's vertices.
 BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report,
@@ -71,11 +71,14 @@ struct ExpectedGround {
 /// the result stays valid when it is.
 ExpectedGround expected_ground_of(const PreparedTile& prepared, std::size_t level);
 
-/// Bakes one level of a prepared tile, with the same result as bake(). Call it once per level, in any order, on any
-/// thread, also at the same time. The level's ground is freed.
+/// Bakes one level of a prepared tile: the result of bake() at its tolerance, except that plants become merged meshes
+/// if prepare() was given a most_instances that the level exceeds. Call it once per level, in any order, on any thread,
+/// also at the same time as other levels. The level's ground is freed.
+/// @param level  Index of its tolerance in the tolerances of prepare().
 BakedTile bake_prepared(PreparedTile& prepared, std::size_t level, int threads, Report& report);
 
-/// Returns the ground of each cell of a level that is not baked yet. The span is valid until the level is baked.
+/// Returns the ground of each cell of a level that is not baked yet, in the order of cells_of(). The span is valid
+/// until the level is baked.
 std::span<const ground::GroundMesh> ground_of(const PreparedTile& prepared, std::size_t level);
 
 /// Bakes a tile for one viewpoint, as one part per tolerance, finest first. All parts together are the tile

@@ -17,7 +17,11 @@ struct LevelRequest {
   std::size_t most_instances;        ///< If the tile has more instances, many of its plants become meshes (stands.h).
 };
 
-/// Bakes a level. Objects smaller than the tolerance are dropped and reported.
+/// Bakes a level. Objects smaller than the tolerance are dropped and reported. The result's positions are metres from
+/// its origin, which is in plane metres. The result owns its data and refers to no argument.
+///
+/// @param level  The level's ground. Its buildings are generated if it has none yet. Their meshes are moved into the
+///               result, so a level can be baked only once.
 BakedTile bake_level(const LevelRequest& request, TileLevel& level, const PrototypeCache& prototypes, int threads,
                      Report& report);
 

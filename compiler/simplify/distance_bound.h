@@ -10,7 +10,7 @@ namespace citykiln::simplify {
 
 /// The precision and the limits of a search.
 struct BoundOptions {
-  /// > 0. The bound exceeds the distance by no more than this and 2^-20 m, or is least_m + 2^-20 m.
+  /// > 0. The bound exceeds the distance by at most precision_m + 2^-20 m, unless it is least_m + 2^-20 m.
   double precision_m;
   double least_m = 0;  ///< Lower limit of the bound: no smaller distance is resolved, which is faster.
   /// The search ends at the first point that is farther away than this; the result is then its distance.
@@ -20,7 +20,8 @@ struct BoundOptions {
 /// A bound, and the place that determines it.
 struct DistanceBound {
   double distance_m;
-  /// A point of `from` whose distance is within precision_m + 2^-20 m of distance_m; unset if least_m decides.
+  /// A point of `from` whose distance is within precision_m + 2^-20 m of distance_m; (0, 0, 0) if
+  /// least_m decides or a set is empty.
   Vec3 at{};
 };
 

@@ -4,10 +4,11 @@
 //                                      |___            ___|
 //                                          `--slab----'
 //
-// A span is a bridge as a recipe: a road with its axis, lanes and profile of heights. A rib is a straight line across
-// the deck at one distance along the axis; surfaces are linear between neighbouring ribs (ribs.h). A section is a list
-// of corners in the plane of a rib: metres to the left of the axis, and metres above the road (loft.h). A parapet gap
-// is a part of an edge without parapet, as another deck continues there.
+// A span (recipe.h) is a bridge or a tunnel: a road with its axis, lanes and profile of heights. add_road() and
+// add_kerb_faces() are for both, the other functions for bridges. A rib is a straight line across the span at one
+// distance along the axis; surfaces are linear between neighbouring ribs (ribs.h). A section is a list of corners in
+// the plane of a rib: metres to the left of the axis, and metres above the road (loft.h). A parapet gap is a part of an
+// edge without parapet, as another deck continues there. Meshes are in plane metres, z up.
 #pragma once
 
 #include "compiler/structures/deck_dimensions.h"
@@ -17,7 +18,9 @@ namespace citykiln::structures {
 
 /// Parts of a deck that a level of detail includes.
 struct DeckDetail {
-  bool has_kerbs = true, has_parapets = true, has_slab = true;
+  bool has_kerbs = true;     ///< True if pavements stand a kerb above the carriageway, and strips may have markings.
+  bool has_parapets = true;  ///< True if parapets rise above the slab's edges. Without a slab there are none.
+  bool has_slab = true;      ///< False: the deck is the road's surface alone.
 };
 
 /// Adds the lanes of the road as strips along the ribs, from left to right. Returns the section of the road's top: two
@@ -54,9 +57,13 @@ std::vector<EdgeRun> edge_runs(const Span& bridge, std::span<const Rib> ribs);
 /// edge_runs() and add_deck().
 std::vector<Rib> with_gap_ribs(const Span& bridge, std::span<const Rib> ribs);
 
-/// Adds the road and, if detail.has_slab, the parapets, edges, underside and both ends, which close it to a solid.
+/// Adds the road and, if detail.has_slab, the slab: kerb faces, edges, parapets, underside and both ends, which close
+/// it to a solid. If not detail.has_parapets, the slab's edges end at the height of the road.
+///
 /// @param ribs              Result of with_gap_ribs().
+/// @param dimensions        Result of deck_dimensions().
 /// @param lane_tolerance_m  Parameter of add_road().
+/// @param generated         Receives the meshes.
 void add_deck(const Span& bridge, std::span<const Rib> ribs, const DeckDimensions& dimensions, const DeckDetail& detail,
               double lane_tolerance_m, GeneratedStructure& generated);
 

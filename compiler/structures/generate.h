@@ -24,19 +24,24 @@ struct GeneratedStructure {
   double error_m = 0;  ///< Upper bound of the deviation of the surface that omitted parts and cross-sections cause.
 };
 
-/// Generates a bridge, in plane metres, and the plates that are stored with it (plate_mesh.h). The deck is the road
-/// with pavements and kerbs, between parapets or railings, on a slab. It rests on piers and, at ends on the ground, on
-/// abutments. Deck and slab together are closed, unless the slab is left out, and so is every other part.
+/// Generates a bridge, in plane metres, z up, and the plates that are stored with it (plate_mesh.h). A plate is a deck
+/// that the map has as an area; it may carry several bridges. DeckForm says which parts a bridge has itself:
 ///
-/// A bridge that a plate carries has no slab, parapets and railings of its own (DeckForm): kPlate keeps road, kerbs and
-/// supports, kNone, the axis of an area, only piers.
+/// - kOwn: the road with pavements and kerbs, on a slab between parapets or railings. The slab rests on piers and, at
+///   ends on the ground, on abutments.
+/// - kPlate: road, kerbs, piers and abutments. The plate takes the place of slab, parapets and railings.
+/// - kNone: the bridge is only the axis of a plate. It has piers and nothing else.
+///
+/// Road and slab together are a closed surface; without the slab, the road's surface is open. Each pier, abutment and
+/// railing is closed on its own.
+///
+/// @param bridge       The recipe: a road with profile, ends and piers.
+/// @param tolerance_m  Largest deviation, > 0. A part other than the road is left out if that moves the surface by
+///                     less.
 ///
 /// Guarantees: error_m <= tolerance_m; bridges that meet in a joint have the same vertices there. Cannot fail; a bridge
 /// without length has no mesh but those of its plates. O(points · knots + length), plus the simplification of its
 /// cross-sections (simplify_ribs()).
-/// @param bridge       The recipe: a road with profile, ends and piers.
-/// @param tolerance_m  Largest deviation, > 0. A part other than the deck is left out if that moves the surface by
-///                     less.
 GeneratedStructure generate(const Span& bridge, double tolerance_m);
 
 }  // namespace citykiln::structures

@@ -42,8 +42,7 @@ inline constexpr double kCylinderSagShare = 0.1;
 /// - Positions and instances as above. An instance is not bent: its distance from the bent mesh is bounded by its size,
 ///   its height above z = 0 and the radius, and added to error_m, or to plant_error_m for plants.
 /// - error_m is multiplied by the largest factor of lengths in the tile; the largest sag of a triangle, as measured,
-/// and
-///   rounding are added.
+///   and rounding are added.
 ///
 /// Guarantees and cost as above.
 BakedTile bent(BakedTile tile, const map::Cylinder& cylinder);

@@ -18,6 +18,11 @@ inline constexpr double kSkirtDepthTolerances = 6;
 /// Adds outward-facing vertical faces below every edge of the surface that lies in the tile's border. Their vertices
 /// repeat the normals, tints and uvs of the vertices above, so that they look like the ground beside them. Skirts are
 /// not part of the ground's certified error. O(triangles).
+///
+/// @param surface  Triangles counter-clockwise seen from above, in the same frame as `tile`.
+/// @param tile     The tile's box in plan, plane metres. An edge is in the border only if its coordinates equal the
+///                 box's.
+/// @param depth_m  >= 0; rounded to kQuantum_m.
 void add_skirt(materials::MaterialMesh& surface, const Box2& tile, double depth_m);
 
 }  // namespace citykiln::bake

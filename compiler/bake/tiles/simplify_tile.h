@@ -12,14 +12,17 @@ namespace citykiln::bake {
 /// Removes the skirts between the parts of a joined tile. A skirt is a vertical strip below a tile's border that hides
 /// gaps between neighbours of different levels; inside a joined tile all parts have one level. Vertical triangles of
 /// ground, roads or water in the common border of two parts count as skirts.
+///
 /// @param tiles   Keys of the tiles that were joined.
-/// @param tile_m  Side of these tiles.
+/// @param tile_m  Side of these tiles, metres.
 void remove_inner_skirts(BakedTile& joined, const std::set<scene::TileKey>& tiles, double tile_m);
 
 /// Decimates ground, roads and water as one surface (simplify/decimate.h), and adds the certified distance, which is at
 /// most the tolerance, to error_m. Borders between materials move by at most that distance. Vertices keep their
 /// normals, colours and uvs, and lose their features.
-/// @param square  The joined tile's square in plan. Vertices on its border stay, so that neighbouring tiles still meet.
+///
+/// @param square  The joined tile's square in the plane's metres, not from its origin. Vertices on its border stay, so
+///                that neighbouring tiles still meet.
 void simplify_terrain(BakedTile& joined, const Box2& square, double tolerance_m);
 
 /// Removes all plants, and the lamps, things and parts of buildings, structures and props that lie within the tolerance

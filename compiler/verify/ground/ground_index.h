@@ -10,7 +10,7 @@
 
 namespace citykiln::verify {
 
-/// The ground faces that are visible from above, with an index of their boxes.
+/// The ground faces that are visible from above, in plane metres, with an index of their boxes.
 struct GroundIndex {
   std::vector<GroundFace> faces;
   BoxGrid grid;
@@ -25,8 +25,12 @@ struct GroundHit {
   OsmId feature;   ///< The feature of the face.
 };
 
-/// Returns the ground faces at a place, from the lowest to the highest: two at a vertical face, none in a hole. A face
-/// within 2^-9 m of the place counts, since snapping moves borders. O(1) expected.
+/// Returns a hit for each ground face at a place, from the lowest to the highest. There is one hit inside a face and
+/// none in a hole. On an edge that two faces share there are two, of equal heights; at a vertical face there are two,
+/// of the faces above and below it; at corners there are more. A face within 2^-9 m of the place in plan counts, since
+/// snapping moves borders by as much. O(1) expected.
+///
+/// @param p  The place, plane metres.
 std::vector<GroundHit> ground_at(const GroundIndex& index, Vec2 p);
 
 }  // namespace citykiln::verify
