@@ -18,7 +18,8 @@
 
 namespace citykiln::assume {
 
-/// The facts of a stretch depend on what is mapped within this distance of its axis. Each kind has a smaller limit.
+/// The largest distance from the axis of a stretch at which mapped things count, unless a kerb is more than kBeside_m -
+/// kBesideKerb_m from the axis (facts_beside()). Each kind has a smaller limit.
 inline constexpr double kBeside_m = 64;
 /// Houses count up to the first distance from the axis, and the other carriageway up to the second. The land use of a
 /// side is read at the third.
@@ -56,8 +57,8 @@ struct SideFacts {
   double near_cross_street = 0;  ///< The share near a cross street, on either side (kCrossStreet_m).
   double path = 0;               ///< The share with a path or a paved square beside the kerb.
   double oncoming = 0;           ///< The share with a one-way street of the other direction on this side.
-  /// The free width beyond the kerb: room_beside(), or if it is smaller the lower quartile, over the samples, of the
-  /// distance from the kerb to buildings, walls and car parks.
+  /// The free width beyond the kerb, metres: the smaller of room_beside() (room.h) and the lower quartile, over the
+  /// samples, of the distance from the kerb to buildings, walls and car parks. Infinity if nothing is near.
   double room_m = std::numeric_limits<double>::infinity();
   LandUse land{};  ///< The most frequent land use of this side; on a tie the first enumerator.
 };
@@ -104,8 +105,10 @@ struct BothSides {
   SideFacts left, right;
 };
 
-/// Returns the facts of a stretch. They depend on what is mapped within kBeside_m of its axis, and beside very wide
-/// carriageways on paths within kBesideKerb_m of its kerbs. O(length · lines near it).
+/// Returns the facts of a stretch. The stretch's own way (the element with its OSM id) does not count, be it another
+/// piece of it or the way on the other side of a bend. The facts depend on what is mapped within kBeside_m of the axis,
+/// and on paths within kBesideKerb_m and other things within kWidestStrip_m (room.h) of the kerbs where these are
+/// farther away. O(length · lines near it).
 BothSides facts_beside(const Surroundings& surroundings, const map::Track& stretch);
 
 }  // namespace citykiln::assume

@@ -10,13 +10,15 @@
 
 namespace citykiln::assume {
 
-/// The fronts of a map, sorted by id, then by position, and the indices of the footprints that have assumed ones.
+/// The fronts of a map, mapped and assumed, sorted by FrontPoint::id, then by position; and the indices of the
+/// footprints that have assumed ones.
 struct AssumedFronts {
   std::vector<map::FrontPoint> fronts;
   std::vector<std::uint32_t> footprints;
 };
 
-/// Returns all fronts. Without this function no building has fronts, not even those of mapped points.
+/// Returns all fronts, mapped and assumed. Without this function no building has fronts, not even those of mapped
+/// points.
 ///
 /// Every point of a shop, restaurant, office or workshop gets a front, which buildings/planning/fronts.h places if
 /// there is room. The map states that the shop exists; width, door and colours of its front are assumed.
@@ -27,7 +29,9 @@ struct AssumedFronts {
 /// the length of the wall divided by kWallPerFront_m, rounded, at least 1.
 ///
 /// The result for a wall depends on the footprints that touch its building, the streets within kFrontKerb_m, the shops
-/// within kFrontSearch_m, and on assumed storeys (assume_heights()). O(n · edges near), n: walls.
+/// within kFrontSearch_m, and on assumed storeys (assume_heights()). Cannot fail. O(n · edges near), n: walls.
+///
+/// @param report  Counts each footprint with assumed fronts as Assumption::kFronts.
 AssumedFronts assume_fronts(const map::FeatureView& features, std::uint64_t seed, Report& report);
 
 /// No front is assumed this near to a shop that is mapped as a point or as an outline.

@@ -14,15 +14,13 @@
 
 namespace citykiln::lots {
 
-// Finds the distance from a place to the nearest of many strips, each the places within a distance of a segment.
-
-/// The places within radius_m of the segment from a to b, its axis.
+/// A strip with round ends: the places within radius_m of the segment from a to b, its axis. Plane metres.
 struct Capsule {
   Vec2 a, b;
   double radius_m = 0;
 };
 
-/// Capsules with a spatial index.
+/// Capsules with a spatial index, to find the nearest one of a place.
 struct Capsules {
   std::vector<Capsule> all;
   BoxGrid grid;
@@ -65,11 +63,12 @@ struct MappedThings {
   Capsules paths;          ///< Paths.
   Capsules drives;         ///< Private ways.
   Capsules barriers;
-  Capsules trees;           ///< Trees and tree rows.
-  Capsules wires;           ///< Power lines, as wide as trees keep clear of them.
-  Capsules junction_zones;  ///< Nodes and outlines of junctions: hedges and trees there would hide traffic.
-  OwnPolygons corners;      ///< The surfaces of all junctions, and the outer corners of bends.
-  Capsules parking;         ///< Borders of car parks.
+  Capsules trees;  ///< Trees and tree rows.
+  Capsules wires;  ///< Power lines, as wide as trees keep clear: the corridor, and kClearOfWires_m to each side.
+  /// About nodes and outlines of junctions of streets: hedges and trees there would hide traffic.
+  Capsules junction_zones;
+  OwnPolygons corners;  ///< The surfaces of all junctions, and the outer corners of bends.
+  Capsules parking;     ///< Borders of car parks.
   PolygonIndex pools;
 };
 
@@ -78,16 +77,17 @@ struct MappedThings {
 MappedThings mapped_things(const map::FeatureView& features, std::span<const roads::Road> roads,
                            std::span<const roads::Junction> junctions, std::span<const OsmId> private_ways);
 
-/// The distance of hedges and trees to a node of a junction, beyond half its widest arm: the triangle of sight of a
-/// crossing in built-up land is about 10 m (RASt 06, 6.3.9.3).
+/// The distance of hedges and trees to the node of a junction with a through street, beyond half the width of its
+/// widest arm. A through street is of residential or higher class (roads::is_through_street()). The triangle of sight
+/// of a crossing in built-up land is about 10 m (RASt 06, 6.3.9.3).
 inline constexpr double kSight_m = 10;
-/// The distance of hedges and trees to a node of another junction, such as of service roads, beyond half its widest
-/// arm: its outline is larger than the strips of its arms.
+/// This distance for a junction without a through street, such as one of service roads. There the junction's
+/// outline is larger than the strips of its arms.
 inline constexpr double kBesideJunction_m = 4;
 /// The distance of hedges and trees to the outline of any junction, which has far corners where arms meet at a small
 /// angle.
 inline constexpr double kBesideCorner_m = 1;
-/// The distance of trees to wires of power lines, beyond the half of their corridor.
+/// The distance of trees to the corridor of a power line (half of PowerLine::corridor_m to each side of the axis).
 inline constexpr double kClearOfWires_m = 3;
 
 }  // namespace citykiln::lots

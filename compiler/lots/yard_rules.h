@@ -23,8 +23,10 @@ struct YardRule {
   double trees = 0, shrubs = 0;  ///< On 100 m2 of soft ground.
 };
 
-/// Returns a rule drawn among the variants of the lot's group and kind, changed by its climate: in deserts and steppes
-/// half of the lawns are gravel or earth, with half of the plants. Nothing for lots of kind kNone.
+/// Returns a rule drawn among the variants of the lot's group and kind, changed by its climate. In deserts and steppes
+/// a lawn has a chance of 1/2 to become gravel (in front) or earth (behind the house), and there are half as many trees
+/// and shrubs. Nothing for lots of kind kNone.
+///
 /// @param draw  The random numbers of the lot; indices 0 to 3 are used.
 std::optional<YardRule> rule_for(const Lot& lot, const RandomSequence& draw);
 

@@ -17,7 +17,7 @@ namespace citykiln::buildings {
 /// The role of a building in merging.
 enum class BlockRole : std::uint8_t {
   kMerged,  ///< The building may be merged with neighbours. Small blocks are left out.
-  kAlone,   ///< The building is a block of its own.
+  kAlone,   ///< The building is a block of its own, which is never left out.
   kAbsent   ///< The building is in no block, and other buildings may take its area.
 };
 
@@ -25,10 +25,11 @@ enum class BlockRole : std::uint8_t {
 inline constexpr double kHeightShare = 0.25;    ///< The largest difference of heights in a block.
 inline constexpr double kGapShare = 0.5;        ///< The longest edge of a triangle that closes a gap.
 inline constexpr double kOutlineShare = 0.125;  ///< The largest movement of an outline.
-/// Blocks are left out if they are lower than kLowShare, or lower than kSmallShare and smaller than its square, in
-/// units of the tolerance.
+/// Small blocks of kMerged buildings, which are left out: lower than kLowShare of the tolerance; or lower than s and
+/// with an area below s², where s is kSmallShare of the tolerance.
 inline constexpr double kLowShare = 0.0625, kSmallShare = 0.25;
 
+/// A block of buildings, in plane metres, z up.
 struct Block {
   std::vector<std::uint32_t> members;  ///< Indices of buildings, ascending, even if the block is left out.
   Mesh roof, walls;                    ///< Empty if the block is left out.
@@ -36,8 +37,12 @@ struct Block {
 
 /// Returns blocks of buildings. Each building that is not kAbsent is a member of one block.
 ///
-/// - Where footprints overlap, the highest building has the area. Buildings that touch, and those across a gap that a
-///   triangle of their Delaunay triangulation with edges up to kGapShare closes, are neighbours. Neighbours whose
+/// @param buildings    In plane metres. Indices in the result are indices into this list.
+/// @param roles        One per building.
+/// @param tolerance_m  > 0. Shares below are shares of it.
+///
+/// - Where footprints overlap, the highest building has the area. Two buildings are neighbours if they touch, or if a
+///   triangle of their Delaunay triangulation with edges up to kGapShare closes the gap between them. Neighbours whose
 ///   heights are most alike are merged first.
 /// - A roof lies above each vertex of its outline by the mean height of the block's buildings, weighted by area,
 ///   measured from the lower ends of the walls there. So roofs follow slopes.
@@ -46,11 +51,9 @@ struct Block {
 /// Guarantees, before certified_blocks() measures: a point of a closed gap is within kGapShare / √3 of a footprint in
 /// plan (the farthest place of a triangle from its corners is nearer than its longest edge / √3); outlines move by up
 /// to kOutlineShare; at a vertex of a building its roof moves by up to kHeightShare. Walls and roofs of all blocks
-/// together are closed but for their undersides. Same input, same bytes; all tests are exact. Cost: O(n log n) in
-/// vertices. Sources: Jones, Bundy, Ware, "Map generalization with a triangulated data structure", CaGIS 22, 1995
-/// (closing gaps by triangles); simplify_borders.h for outlines.
-///
-/// @param roles  One per building.
+/// together are closed but for their undersides. Same input, same bytes; all tests are exact. Cannot fail. Cost: O(n
+/// log n) in vertices. Sources: Jones, Bundy, Ware, "Map generalization with a triangulated data structure", CaGIS 22,
+/// 1995 (closing gaps by triangles); simplify_borders.h for outlines.
 std::vector<Block> merge_buildings(std::span<const Building> buildings, std::span<const BlockRole> roles,
                                    double tolerance_m);
 

@@ -25,24 +25,28 @@ struct FrontSite {
   std::span<const std::vector<SharedWall>> shared_walls;  ///< One entry for each footprint.
   const Streets& streets;
   const MappedDoors& doors;
-  std::span<const map::Passageway> passageways;  ///< Sorted by building.
+  std::span<const map::Passageway> passageways;  ///< Sorted by Passageway::building.
 };
 
 /// Returns one list of fronts for each footprint, sorted by edge, then from_m.
 ///
 /// A point goes to a wall of the footprint that contains it: to the nearest one that faces a street, at most
-/// kFrontInside_m away, else to the nearest one at most kNearWall_m away. Without such a wall it goes to a wall of
-/// a footprint that does not contain it, at most kFrontOutside_m away: to the nearest one that faces a street, else to
+/// kFrontInside_m away, else to the nearest one at most kNearWall_m away. Without such a wall it goes to a wall of a
+/// footprint that does not contain it, at most kFrontOutside_m away: to the nearest one that faces a street, else to
 /// the nearest one. An assumed point only goes to walls of its own footprint. Later planning treats an edge with a
 /// front as one that faces a street.
 ///
 /// All fronts on one stretch of wall have the same width, from kLeastFront_m to kWidestFront_m, and lie near their
 /// points. If a building has no mapped door, its longest stretch that faces a street keeps kDoorTile_m free for a door,
 /// if there is room. A point without a wall or without room gets no front. Mapped points are placed before assumed
-/// ones, and are reported if they get none (kNoWallForFront).
+/// ones.
 ///
-/// Footprints for which may_have_fronts() is false have no fronts. The mapped points are counted in the account
-/// "buildings/front". The result does not depend on the order of the points. O(points · edges near).
+/// Footprints for which may_have_fronts() is false have no fronts. The result does not depend on the order of the
+/// points. Cannot fail. O(points · edges near).
+///
+/// @param points  Mapped and assumed ones (FrontPoint::is_assumed), plane metres.
+/// @param report  Counts the mapped points in the account "buildings/front"; those that get no front are dropped there,
+///                kNoWallForFront.
 std::vector<std::vector<Front>> plan_fronts(std::span<const map::FrontPoint> points, const FrontSite& site,
                                             Report& report);
 

@@ -12,8 +12,8 @@ namespace citykiln::buildings {
 /// Linear reflectance, 0 … 1.
 using LinearRgb = std::array<double, 3>;
 
-/// Returns the reflectance of weathered paint of a colour: between 4 and 76 percent, with saturation reduced by 15
-/// percent.
+/// Returns the reflectance of weathered paint of a colour. Each channel is moved by 15 percent towards the colour's
+/// grey, then scaled linearly from 0 … 1 to 0.04 … 0.76.
 LinearRgb paint_reflectance(const map::Srgb& colour);
 
 /// Returns the first material that can be tinted to the paint; tints only darken. If no material can be tinted so,

@@ -30,8 +30,8 @@ Result<std::vector<RuleText>> rules_for(std::span<const Style> styles, std::span
 /// The parsed rules by style; Style::kPlain has no rules.
 using Rulebook = std::map<Style, grammars::Program>;
 
-/// Parses the rules of every style. Leaves out styles whose files are missing or do not parse. Cost: linear in the
-/// length of the texts.
+/// Parses the rules of every style. Leaves out styles whose files are missing or do not parse. The programs are copies
+/// and do not refer to the texts. Cost: linear in the length of the texts.
 Rulebook parse_rulebook(std::span<const RuleText> texts);
 
 /// Returns the styles of some buildings, sorted and unique.
