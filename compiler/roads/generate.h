@@ -21,13 +21,14 @@ inline Vec2 mitre_of(Vec2 before, Vec2 after) {
   return (left_of(before) + left_of(after)) * (1 / (1 + dot(before, after)));
 }
 
-/// Returns a counter-clockwise ring of 16 points on a circle, snapped. Its sides lie inside the circle by less than 2 %
-/// of the radius.
+/// Returns a counter-clockwise ring of 16 points on a circle, snapped to 2^-10 m (kQuantum_m). Its sides lie inside the
+/// circle by less than 2 % of the radius.
 Ring sixteen_gon(Vec2 centre, double radius_m);
 
-/// Returns the strip as overlapping counter-clockwise rings, snapped to 2^-10 m: one quad per segment, a wedge or a
-/// disk at each bend, and the ends. The strip is their union (sum of winding numbers not zero). Disks are 16-gons
-/// (sixteen_gon()). O(n).
+/// Returns the strip as overlapping counter-clockwise rings, in plane metres snapped to 2^-10 m: one quad per segment,
+/// one ring at each bend, and the ends. A bend of less than a right angle has a wedge, filled to the mitre; a sharper
+/// one has a disk, a sixteen_gon(). The strip is the rings' union (sum of winding numbers not zero). O(n).
+///
 /// @param strip  At least two points.
 std::vector<Ring> stroke(const Strip& strip, const StripEnds& ends = {});
 

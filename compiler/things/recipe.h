@@ -41,7 +41,7 @@ struct Thing {
   std::uint16_t direction = 0;  ///< The direction that it faces: parts of a turn, counter-clockwise from east.
   bool is_in_way = false;       ///< True if it may stand in a carriageway, a wall or water, since it is mapped there.
   Form form;
-  std::optional<double> foot_m{};  ///< The height of its lower end on a building, plane metres, snapped.
+  std::optional<double> foot_m{};  ///< The height of its lower end on a building, snapped. Empty: on the ground.
   bool operator==(const Thing&) const = default;
 };
 

@@ -7,8 +7,9 @@
 
 namespace citykiln {
 
-/// Returns the parts of a polyline that lie in a box, in order along it; empty if none does. A closed polyline whose
-/// first point lies in the box is not cut at that point: the part through it comes first.
+/// Returns the parts of a polyline that lie in a box, in order along it; empty if none does. A closed polyline (its
+/// first point is repeated at the end) whose first point lies in the box is not cut there: the part through it comes
+/// first.
 ///
 /// @param box     Corners on the grid of step_m.
 /// @param step_m  Grid step of the points, a power of two, in metres.

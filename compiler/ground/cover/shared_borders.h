@@ -10,7 +10,7 @@
 
 namespace citykiln::ground {
 
-/// Two points, the lower first.
+/// Two points in plane metres, the smaller first: compared by x, then by y.
 using Edge = std::pair<Vec2, Vec2>;
 
 /// Returns the edges with members on both sides, sorted: rings of members run along them in both directions. The two
@@ -19,8 +19,9 @@ using Edge = std::pair<Vec2, Vec2>;
 /// @param members  Indices of polygons.
 std::vector<Edge> edges_between(std::span<const LandCoverPolygon> surfaces, std::span<const std::uint32_t> members);
 
-/// Returns pairs of members, as indices into `members`, the lower first, sorted, without repeats: polygons with a
-/// common edge in either direction, and polygons one of which has a vertex inside the other.
+/// Returns pairs of members, as indices into `members`: polygons with a common edge in either direction, and polygons
+/// one of which has a vertex inside the other. The smaller index is the first of a pair. Pairs are sorted, without
+/// repeats.
 ///
 /// @param members  Indices of polygons.
 /// O(n log n) in edges, plus vertices times edges in their bands for pairs whose boxes touch.

@@ -10,10 +10,12 @@ namespace citykiln::invent {
 
 /// Returns the terrain about a map, with its water indexed.
 ///
+/// @param map_side_m  The side of the mapped square, metres. The square's middle is the origin; the terrain reaches
+///                    beyond it on all sides.
+///
 /// Guarantees: every lattice point inside the border has a lower neighbour, except in lakes; rivers run from point to
 /// point of equal or lower ground, and each ends in another river, a lake, the sea or on the border. Every CPU gives
-/// the same bits. @param map_side_m  The side of the mapped square, metres. Cost: about 0.15 s a step of erosion and
-/// million points.
+/// the same bytes. Cost: about 0.15 s a step of erosion and million points.
 Terrain make_terrain(const TerrainSettings& settings, double map_side_m, std::uint64_t seed);
 
 }  // namespace citykiln::invent

@@ -22,13 +22,14 @@ namespace citykiln::plants {
 
 inline constexpr std::int32_t kNoOutline = -1;
 
-/// A rectangle with sides `across` and `along` at `corner`. Its front faces cross(along, across).
+/// A rectangle with sides `across` and `along` at `corner`, in the skeleton's frame and units, z up. Its front faces
+/// cross(along, across).
 struct Card {
   Vec3 corner, across, along;
   Vec3 normal;             ///< A unit vector for shading, between the card's normal and the direction out of the crown.
   materials::Tint tint{};  ///< Multiplies the picture's colour.
   std::uint8_t spray = 0;  ///< Index into Foliage::sprays.
-  bool is_clump = false;   ///< The card shows several sprays: it replaces cards of a larger area.
+  bool is_clump = false;   ///< It shows several sprays, in place of cards with a larger area together.
   std::int32_t outline = kNoOutline;  ///< Index into Foliage::outlines.
 
   Vec3 centre() const { return corner + (across + along) * 0.5; }
@@ -44,7 +45,8 @@ CentreBounds bounds_of(std::span<const Card> cards);
 double area_of(const Card& card);
 /// Returns the distance from a position to the rectangle.
 double distance(const Card& card, Vec3 place);
-/// Returns the corners of a card.
+/// Returns the corners of a card in the order corner, + along, + along + across, + across. They run counter-clockwise
+/// seen from the front.
 std::array<Vec3, 4> corners_of(const Card& card);
 
 /// The leaves of a plant, in the skeleton's units.

@@ -3,8 +3,8 @@
 //
 //     ______________......-----------   1. lanes that continue on the other side are matched, each with one of the
 //     - - - - - - - - - - - - - - - -      same direction
-//     ____________                      2. between the junction's cut and the node, the side with fewer lanes leads its
-//                 ```````- - - - - -       lines to those of the other
+//     ____________                      2. between the junction's cut and the node, the side with fewer lanes (of equal
+//                 ```````- - - - - -       numbers, the narrower one) leads its lines to those of the other
 //                        ------------   3. lanes that begin or end have lines only on the side with more lanes
 #pragma once
 
@@ -17,9 +17,9 @@ namespace citykiln::roads {
 
 /// The part of a road, from a node to the cut of its junction, along which its lanes lead to those of the next road.
 struct LaneChange {
-  double node_m = 0, cut_m = 0;  ///< Distances along the whole way.
-  /// The edges of all its lanes at the node, left to right as seen along the way: distances from the axis, positive to
-  /// the left.
+  double node_m = 0, cut_m = 0;  ///< Distances from the first point of the road's axis, metres along it.
+  /// The edges of all the road's lanes at the node, left to right as seen along the road: distances from the axis in
+  /// metres, positive to the left. One more than there are lanes.
   std::vector<double> offsets_m;
   /// Returns how far edges have moved from their usual place (0) to offsets_m (1) at a distance along the way: 0 at the
   /// cut, 1 at the node, linear in between; 0 outside the change.

@@ -40,7 +40,9 @@ double extinction_per_m(CloudKind kind);
 
 /// Returns the particles of a cloud down to a radius: large spheres (heaps), with smaller spheres on their upper
 /// surfaces, and so on (Bouthors, Neyret, "Modeling Clouds Shape", Eurographics 2004). With a larger `finest_m` the
-/// smallest particles are left out; all others have equal positions and radii. Cost: O(particles).
+/// smallest particles are left out; all others have equal positions and radii. Random numbers depend on layer.seed and
+/// cloud.id alone. Cost: O(particles).
+///
 /// @param finest_m  Smallest radius, > 0, in metres of the layer's frame.
 CloudParticles generate_cloud(const CloudLayer& layer, const Cloud& cloud, double finest_m);
 
@@ -50,8 +52,8 @@ CloudParticles generate_cloud(const CloudLayer& layer, const Cloud& cloud, doubl
 double optical_depth_error(const CloudLayer& layer, const Cloud& cloud, double coarse_m, double finest_m, int rays);
 
 /// Returns the distances, in units of the length of `direction`, at which the line of a ray enters and leaves a sphere;
-/// {0, 0} if the line misses the sphere. The first distance may be negative. Points and directions are in the layer's
-/// frame.
+/// {0, 0} if the line misses the sphere. Places behind `from` have negative distances: the first is negative if the ray
+/// begins in the sphere, both if the sphere is behind. Points and directions are in the layer's frame.
 std::pair<double, double> chord_of(const CloudParticle& sphere, Vec3 from, Vec3 direction);
 /// Returns the part of a chord (the result of chord_of()) above z = 0, the base of the layer. Its end is not after its
 /// begin if no part is above the base.
