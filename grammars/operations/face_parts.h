@@ -15,7 +15,10 @@ struct Key {
   std::optional<std::size_t> index;
 };
 
-/// Returns the keys of a statement's selectors. A word that is not in `words` raises a warning and selects nothing.
+/// Returns the keys of a statement's selectors, in their order. A word that is not among `words` raises a warning and
+/// selects nothing.
+///
+/// @param words  The allowed words, each between blanks: " front back ".
 std::vector<Key> keys_of(Execution& execution, const Statement& statement, const char* words);
 
 /// Returns the index of the key with this word; -1 if there is none.
@@ -27,7 +30,8 @@ struct PartOf {
   int selector = -1;
 };
 
-/// Returns the displacement of the surface by cutting faces along their planes: 0 for planar faces.
+/// Returns by how much cutting moves the surface. Cut edges lie on the plane of each face, so planar faces do not move;
+/// others move by up to bend_m(), their extent along their normal.
 Displacement of_cutting(std::span<const Face> faces);
 
 /// Applies the bodies of the selectors to the faces: for `:` to each face, for `=` to all together. A single face gets
@@ -35,8 +39,9 @@ Displacement of_cutting(std::span<const Face> faces);
 /// @param parts  Their union is the current surface, moved by at most `moved`.
 void spawn_parts(Execution& execution, const Statement& statement, std::vector<PartOf> parts, Displacement moved);
 
-/// The directions right and front within the plane of a face. `front` is the scope's z for horizontal faces such as
-/// lots, and downwards for walls.
+/// The directions right and front of a face, as axes of the scope, which are unit vectors. They lie exactly in the
+/// plane of a face that is square to an axis. `front` is the scope's z for horizontal faces such as lots, and downwards
+/// for walls.
 struct PlanAxes {
   Vec3 right, front;
 };

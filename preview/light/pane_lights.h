@@ -53,7 +53,8 @@ class PaneLights {
   /// hit, the pane that the ray crosses nearest to the hit, within 1.5 m. kNoPane if there is none. O(panes of the
   /// building).
   std::uint32_t pane_of(const Hit& hit, Vec3 at, Vec3 direction) const;
-  /// Returns the density, per steradian, with which sample() gives this pane and direction; 0 for kNoPane.
+  /// Returns the density, per steradian, with which sample() gives this pane and direction from a place; 0 for kNoPane.
+  /// Places and directions are in the frame of the world.
   double pdf(std::uint32_t pane, Vec3 at, Vec3 normal, Vec3 direction) const;
 
  private:

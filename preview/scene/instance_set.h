@@ -51,7 +51,9 @@ struct InstanceTransform {
   bake::Float4 rotation;  ///< Unit quaternion x, y, z, w.
 };
 
-/// A mesh and the placements of its instances.
+/// A mesh and the placements of its instances. First add() the instances of all tiles, then attach_to() once; box_of()
+/// and size() may be called any time, hit_in_world() after attach_to(). Instances are counted from 0 in the order in
+/// which they are added.
 class InstanceSet {
  public:
   explicit InstanceSet(std::shared_ptr<const MeshScene> mesh) : mesh_(std::move(mesh)) {}
@@ -59,15 +61,20 @@ class InstanceSet {
   InstanceSet& operator=(const InstanceSet&) = delete;
 
   const MeshScene& mesh() const { return *mesh_; }
-  /// Adds the instances of a tile. Refers to `instanced` and `features`, which must outlive this object.
+  /// Adds the instances of a tile. Refers to `instanced` and `features`, which must outlive this object. Must not be
+  /// called after attach_to().
+  ///
+  /// @param instanced  Instances of mesh(), which MeshScene::is_of() tests.
   /// @param features   The OSM objects of the tile, which instances index.
-  /// @param offset    The tile's origin in the frame of the world.
+  /// @param offset     The tile's origin in the frame of the world: metres from the world's origin, z up.
   void add(const bake::InstancedMesh& instanced, const std::vector<OsmId>& features, Vec3 offset);
-  /// Adds the instances to a scene that is not committed yet. Their numbers in RTCHit::instID begin at `first`. The
-  /// scene refers to this object, which must not move.
+  /// Adds all instances to a scene that is not committed yet. In RTCHit::instID, instance i has the number `first` + i.
+  /// The scene refers to this object, which must not move.
   void attach_to(RTCDevice device, RTCScene top, unsigned first);
 
-  /// Returns the box of an instance in the world; empty for a mesh without triangles.
+  /// Returns the box of an instance in the world's frame; empty for a mesh without triangles.
+  ///
+  /// @param instance  From 0, without first().
   RTCBounds box_of(std::size_t instance) const;
   unsigned first() const { return first_; }
   std::size_t size() const { return transforms_.size(); }
