@@ -9,10 +9,12 @@
 
 namespace citykiln::commands {
 
-/// Returns "OUT/scene.kiln" for "OUT", the folder of a run; any other path unchanged. The manifest is the file
-/// with the scene. Changes the folder, also for "OUT/scene.kiln": if a run was interrupted while its complete files
-/// were moved into the folder, the function first moves the others (exporters/finish_commit.h). Errors: a folder
-/// without a manifest; files that cannot be moved.
+/// Returns "OUT/scene.kiln" for "OUT", the folder of a run; any other path unchanged. The manifest is the file with the
+/// scene.
+///
+/// May change the folder, also for "OUT/scene.kiln": an interrupted run may have moved only some of its finished files
+/// into the folder; the function then moves the rest (exporters/finish_commit.h). Errors: nothing is there; a map,
+/// which has to be compiled first; a folder without a manifest; files that cannot be moved.
 Result<std::string> find_committed_manifest(const std::string& path);
 
 /// Tests whether a path may be the output of a run: a folder, or a .kiln, .glb or other file. Errors that say what to

@@ -79,7 +79,7 @@ StoreValue store_number(std::optional<double>& number, NumberRange range);
 /// Returns a function that stores a tolerance: metres above 0, at most kCoarsest_m.
 StoreValue store_tolerance(double& tolerance_m);
 StoreValue store_tolerance(std::optional<double>& tolerance_m);
-/// Returns a function that stores an integer of at least `least`.
+/// Returns a function that stores an integer from `least` to 2^31 - 1, which the type must hold.
 template <typename Whole>
 StoreValue store_whole(Whole& number, int least) {
   return [&number, least](const std::string& text) -> Result<Done> {

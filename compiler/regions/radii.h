@@ -1,5 +1,6 @@
 // The radius of influence of each stage: how far from a tile data can change the tile. A region is compiled from the
-// data within the sum of these radii. Stages that are not listed (styles, tags, random draws) look at one object alone.
+// data within kRegionHalo_m of it, which is at least the sum of the radii along the longest chain of stages that depend
+// on each other, not of all radii. Stages that are not listed (styles, tags, random draws) look at one object alone.
 #pragma once
 
 #include "compiler/assume/bridge_pavements.h"
@@ -44,16 +45,21 @@ namespace citykiln::regions {
 // | assumed storeys        | assume::kHeightNeighbours_m    |    200 | buildings with tagged heights                  |
 // | assumed roofs          | assume::kHeightRow_m           |     64 | the house that draws for its row               |
 // | assumed fronts         | assume::kFrontSearch_m         |    150 | mapped shops                                   |
-// | profiles               | ground::kProfileRadius_m       |   2560 | smoothing, planes, limits of grade             |
+// | profiles               | ground::kProfileRadius_m       |   2560 | smoothing, junction planes, limits of grade    |
 // | bridges and tunnels    | ground::kSpanEndRadius_m       |   4096 | their ends                                     |
-// | ramps of storeys       | kStoreyRadius_m                |   1700 | two ramps of a railway that crosses a bridge   |
+// | storeys of bridges     | kStoreyRadius_m                |   1700 | two ramps of a railway that crosses a bridge   |
 // | paths to a bridge      | ground::kLongestApproach_m     |   2048 | a bridge or tunnel that moves the path         |
-// | knots                  | ground::kKnotStretch_m         |   1024 | heights along the same way                     |
+// | ends of these paths    | ground::kApproach_m            |     32 | the end of a bridge or tunnel                  |
+// | knots of profiles      | ground::kKnotStretch_m         |   1024 | heights along the same way                     |
 // | assumed yards          | lots::kYardRadius_m            |    768 | buildings and streets about the lots beside    |
 // | houses of filled lots  | parcels::kInfluenceRadius_m    |    512 | buildings and streets about the lot            |
 // | assumed railings       | things::kRailingRadius_m       |     72 | barriers, ways and heights beside the edge     |
 // | assumed contact lines  | things::kContactRadius_m       |    384 | tracks beside those at the other support       |
 // | wires                  | wires::kSpanRadius_m           |    512 | a support, and the ground that it stands on    |
+//
+// A storey is one level of bridges or tunnels above each other: a bridge over a bridge is the second. A junction plane
+// is the common plane of the roads at a junction. A knot is a point of a profile of heights; between knots the profile
+// is straight.
 //
 // A way has either a transition of lanes or a fitted width, so their radii do not add up. Assumed pavements depend on
 // the kerbs of the streets beside them, which are fitted before. Storeys, roofs and fronts change buildings alone.

@@ -19,7 +19,9 @@ class GroundLookup {
  public:
   explicit GroundLookup(const Scene& scene);
 
-  /// Returns the ground of the nearest tile: its topmost area at the place, or kUnknown. O(areas of the chunk).
+  /// Returns the ground at a place, in plane metres, from the nearest tile: the topmost land cover polygon there, or
+  /// kUnknown. Outside all tiles, the height is that of the nearest point of that tile's terrain. O(polygons of the
+  /// chunk).
   GroundPlace at(Vec2 place) const;
   /// True if the tile of a chunk covers the place.
   bool is_in_tile(Vec2 place) const;
@@ -38,8 +40,8 @@ class GroundLookup {
   Box2 box_;
 };
 
-/// Returns `count` places just inside the border of a box, at equal steps, counter-clockwise from the middle of the
-/// eastern side.
+/// Returns `count` places on a box that is 0.2 % smaller about the same centre, so that they lie inside the given one.
+/// They are at equal steps, counter-clockwise from the middle of the eastern side.
 std::vector<Vec2> places_on_border(const Box2& box, int count);
 
 }  // namespace citykiln::scene

@@ -9,9 +9,12 @@
 
 namespace citykiln::commands {
 
-/// Returns the lots with buildings as polygons: their id is that of the main building, their class the kind of lot
-/// ("Detached"). They are planned as compile plans them with all assumptions about roads.
+/// Returns the lots with buildings as polygons in plane metres. The id of a lot is that of its main building
+/// (Lot::main), its class the kind of lot ("Detached"). Lots are planned as compile plans them with all assumptions
+/// about roads.
+///
 /// @param private_ways  Sorted (map/ways/private_ways.h).
+/// @param plane         The plane of `mapped`; the climate is looked up by longitude and latitude.
 Layer lots_layer(const map::FeatureView& mapped, std::span<const OsmId> private_ways, const map::Plane& plane);
 
 }  // namespace citykiln::commands

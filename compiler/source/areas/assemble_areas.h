@@ -24,16 +24,21 @@ struct AssembledAreas {
 /// Assembles areas from two sources: closed ways of at least four nodes that have a descriptive tag and no area=no, and
 /// relations of type multipolygon or boundary with at least one way member.
 ///
-/// Where a member of a multipolygon is itself such a relation, its rings are used: an island that is a relation is a
-/// hole of its lake. Missing nodes are left out of rings. If members of a relation are missing, the others are
-/// assembled, and an outer ring that would consist of members with the role inner is left out. A relation that was
-/// closed along the box of the map (close_cut_areas.h) consists of its closing rings, and is diagnosed kAreaClosed.
-/// Rings that cross or touch are mended (mended_rings.h) and diagnosed kAreaMended; lines that remain open are
-/// diagnosed kIncompleteArea if member ways are missing, else kBrokenArea. Failed candidates without a tag of a visible
-/// thing (bodies.h) are counted as without_body and not diagnosed. Ledger account "source/area". Guarantees: areas are
-/// sorted by id; outer rings run counter-clockwise and inner ones clockwise; each ring starts at its westernmost point,
-/// the southernmost of several. Cost: O(n log n) per area if few segments overlap in longitude; parallel. Mending takes
-/// O(n²).
+/// - Relations as members: if a member of a multipolygon is itself such a relation, its rings are used. So an island
+///   that is a relation is a hole of its lake.
+/// - Missing data: missing nodes are left out of rings. If members of a relation are missing, the others are assembled;
+///   an outer ring that would consist of members with the role inner is left out.
+/// - Cut areas: close_cut_areas() may have closed a relation along the box of the map before, and have added ways for
+///   its closed rings. Then the area is made of these ways alone, and is diagnosed kAreaClosed.
+/// - Broken rings: rings that cross or touch are mended (mended_rings.h) and diagnosed kAreaMended. Lines that remain
+///   open are diagnosed kIncompleteArea if member ways are missing, else kBrokenArea. Failed candidates without a tag
+///   of a visible thing (bodies.h) are counted as without_body and not diagnosed.
+///
+/// Ledger account "source/area". Cannot fail.
+///
+/// Guarantees: areas are sorted by id; outer rings run counter-clockwise and inner ones clockwise; each ring starts at
+/// its westernmost point, the southernmost of several. Cost: O(n log n) per area if few segments overlap in longitude;
+/// parallel. Mending takes O(n²).
 AssembledAreas assemble_areas(const Elements& elements, int threads, Report& report);
 
 }  // namespace citykiln::source

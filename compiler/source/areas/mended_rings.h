@@ -15,7 +15,8 @@ struct AreaLine {
   bool is_inner = false;  ///< Its role: true for the border of a hole.
 };
 
-/// A polygon of longitudes and latitudes: the outer ring, then its holes. The first point is not repeated.
+/// A polygon of longitudes and latitudes: the outer ring, counter-clockwise, then its holes, clockwise. Each ring
+/// begins at its westernmost point; the first point is not repeated.
 using MendedPolygon = std::vector<std::vector<Location>>;
 
 /// Joins open lines of one role at common ends. Where several lines could continue, the first in order does. Lines that

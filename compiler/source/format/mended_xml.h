@@ -1,6 +1,6 @@
 // Rewrites OSM files that libosmium would not read as intended. In XML: text in UTF-16; elements that JOSM marks with
 // action="delete"; coordinates inside ways and members of relations, as Overpass writes them with `out geom`; elements
-// that are not part of the format.
+// that are not part of the format. In PBF: blobs that mended_pbf.h rewrites.
 #pragma once
 
 #include <optional>
@@ -30,9 +30,14 @@ std::optional<std::string> utf8_of_utf16(std::string_view bytes);
 /// The new nodes come before all elements, and the new ways before the relations. O(text).
 std::optional<std::string> mended_elements(std::string_view text);
 
-/// Reads a file and returns the bytes to decode instead of it: XML, or a PBF file (mended_pbf.h). Nothing if the file
-/// can be decoded as it is. Holds the whole text of XML in memory. Errors: a packed file that cannot be read, a file of
-/// changes.
+/// Reads a file and returns the bytes to decode instead of it; nothing if the file can be decoded as it is. XML may be
+/// plain or packed with gzip or bzip2; the whole unpacked text is held in memory, and the result is unpacked. A PBF
+/// file is left to mended_pbf().
+///
+/// @param format  The result of osm_format_of() for this file.
+///
+/// Errors: a file that cannot be read, be it plain or packed; a file of changes (.osc); for PBF the errors of
+/// mended_pbf().
 Result<std::optional<std::string>> mended_file(const std::string& path, OsmFormat format);
 
 }  // namespace citykiln::source
