@@ -1,4 +1,5 @@
-// Assumes pavements beside streets in built-up land, on each side of which no tag says whether it has a pavement.
+// Assumes pavements beside streets in built-up land. It decides for each side of a street of which no tag says whether
+// it has a pavement.
 //
 //     houses   [###]  [###]  [####]      1. a side has a pavement if the sum of the rows of pavements.inc for class,
 //     pavement ...................          land use, houses and country group is above 0

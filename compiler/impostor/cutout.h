@@ -53,7 +53,8 @@ struct CutoutLayout {
 /// more texels.
 inline constexpr std::uint32_t kCell_px = 16, kWideCell_px = 64;
 
-/// Packs pictures, without normals, and gives them opacities that survive mip levels (mip_opacity.h).
+/// Packs pictures, without normals, and gives them opacities that survive mip levels (mip_opacity.h). Positions in the
+/// result are in the order of `pictures`.
 ///
 /// @param pictures  Each has at least one texel. They are halved until the image has at most kMaxAtlasTexels.
 /// @param texel_m   The side of a texel of the pictures in metres, > 0. It doubles when pictures are halved.

@@ -36,7 +36,7 @@ struct WeldedPrimitives {
 /// Welds the primitives that `is_in` selects. Triangles that are degenerate after welding are left out. O(n log n).
 WeldedPrimitives welded(std::span<const Primitive> primitives, bool (*is_in)(const Primitive&));
 
-/// The primitive with only these triangles and their vertices, in the order of their first use.
+/// Returns the primitive with only these triangles and their vertices, in the order of their first use.
 Primitive with_triangles(const Primitive& from, std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// Returns the triangles of a decimated mesh that belong to one primitive, with that primitive's own vertices.

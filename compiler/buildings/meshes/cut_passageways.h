@@ -12,8 +12,9 @@
 
 namespace citykiln::buildings {
 
-/// Cuts the openings of all passageways out of a building's meshes and textured faces, and appends one mesh of jambs,
-/// ceilings and pillars. Meshes without triangles are removed. A building without passageways stays unchanged.
+/// Cuts, in plane metres, the openings of all passageways out of a building's meshes and textured faces, and appends
+/// one mesh of jambs, ceilings and pillars. Meshes without triangles are removed. A building without passageways stays
+/// unchanged.
 ///
 /// Guarantees: no triangle has a point inside an opening, apart from rounding (2^-10 m) and pillars; jambs and ceilings
 /// lie inside the footprint. All levels of detail are cut alike, so the error of a level does not change. Cost:

@@ -10,12 +10,14 @@
 
 namespace citykiln::ground {
 
-/// The cache. Refers to the graded terrain, which must outlive it. Grows with the number of different places.
+/// The cache. Refers to the graded terrain, which must outlive it. Grows with the number of different places. Not
+/// thread-safe: at() adds to it.
 class GradedNormals {
  public:
   explicit GradedNormals(const GradedTerrain& graded) : graded_(graded) {}
 
-  /// Returns the layer's normal of normals_at() at p, bit for bit. O(1) for places sampled before.
+  /// Returns the unit normal of one height layer at p, as normals_at() gives it, bit for bit. O(1) for places sampled
+  /// before.
   Vec3 at(GridPoint p, HeightLayer layer) {
     const auto [found, is_new] = normals_.try_emplace(p);
     if (is_new) found->second = normals_at(graded_, plane_point(p));

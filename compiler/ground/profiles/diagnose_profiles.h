@@ -12,7 +12,8 @@ namespace citykiln::ground {
 /// these are all lines except bridges and tunnels of paths, whose heights are preliminary there; in a graph of
 /// Lines::kPaths these are the bridges and tunnels of paths.
 ///
-/// @param lines_m  Initial heights by node: the terrain, off the ground the line between the ends.
+/// @param lines_m  Initial heights by node: the terrain's; on a bridge or in a tunnel, those of the line between
+///                 its ends.
 /// @param z_m      Planned heights by node.
 void diagnose_profiles(const ProfileGraph& graph, std::span<const double> lines_m, std::span<const double> z_m,
                        Report& report);

@@ -8,7 +8,7 @@
 
 namespace citykiln::invent {
 
-/// (cells + 1)² heights, row by row from the south-west corner.
+/// (cells + 1)² heights in metres above sea level, row by row from the south-west corner, each row from west to east.
 struct Lattice {
   int cells = 0;
   double step_m = 0;
@@ -18,7 +18,7 @@ struct Lattice {
   std::size_t size() const { return heights_m.size(); }
   int column(std::size_t i) const { return static_cast<int>(i % count()); }
   int row(std::size_t i) const { return static_cast<int>(i / count()); }
-  /// The place of a point in a square about the middle of the world.
+  /// Returns the place of a point: metres east and north of the middle of the world.
   Vec2 place(std::size_t i) const {
     const double half_m = cells * step_m / 2;
     return {column(i) * step_m - half_m, row(i) * step_m - half_m};

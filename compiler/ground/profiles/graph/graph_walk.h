@@ -15,7 +15,8 @@
 
 namespace citykiln::ground {
 
-/// Working memory for many walks over one graph.
+/// Working memory for many walks over one graph, which must outlive it. A walk must not start another one, and the
+/// object is not thread-safe.
 class GraphWalk {
  public:
   explicit GraphWalk(const ProfileGraph& graph)
@@ -64,7 +65,9 @@ class GraphWalk {
   std::vector<Start> queue_;
 };
 
-/// Returns the stations before and after a place along a way, as starts of cost 0.
+/// Returns the nodes of the stations before and after a place along a way, as starts of cost 0.
+///
+/// @param way   Index into ProfileGraph::ways.
 /// @param at_m  Distance along the way.
 std::vector<GraphWalk::Start> starts_about(const ProfileGraph& graph, std::uint32_t way, double at_m);
 
