@@ -11,7 +11,7 @@
 
 namespace citykiln::invent {
 
-/// Sets a tag and keeps tags sorted by key. An empty value adds nothing.
+/// Adds a tag, or replaces its value. Tags must be sorted by key, and stay so. An empty value changes nothing.
 inline void set_tag(Tags& tags, std::string key, std::string value) {
   if (value.empty()) return;
   const auto at = std::ranges::lower_bound(tags, key, {}, &std::pair<std::string, std::string>::first);

@@ -18,17 +18,21 @@ namespace citykiln::outputs {
 /// An encoded level of a tile. Levels are written in order.
 struct ReadyUsd {
   exporters::UsdLevel encoded;
-  Vec3 origin;
+  Vec3 origin;  ///< The tile's origin, plane metres.
   double plant_error_m = 0;
   std::vector<bake::PlacedLamp> lights;
   WrittenTile record;
 };
 
-/// Encodes a level of a tile. @param lights  The lights of the tile.
+/// Encodes a level of a tile.
+///
+/// @param level   Index into the tolerances of the run.
+/// @param lights  The lights of the tile.
 ReadyUsd ready_usd(const bake::BakedTile& tile, std::size_t level, const std::vector<bake::PlacedLamp>& lights,
                    const scene::Header& header);
 
-/// Writes levels in the order of tiles, then levels, and each texture once. Keeps a small record per tile.
+/// Writes levels in the order of tiles, then levels, and each texture once. Keeps a small record per tile. Header and
+/// folder must outlive it. Errors of all functions: a file that cannot be written.
 class UsdWriter {
  public:
   UsdWriter(const scene::Header& header, exporters::OutputFolder& folder) : header_(header), folder_(folder) {}

@@ -33,6 +33,9 @@ Result<map::Geoid> geoid_of(const scene::Header& header, const Outputs& outputs)
 /// - With Outputs::surroundings, where the land around is known, the root has no content and two children: the tree and
 ///   that land.
 ///
+/// Returns the files that were written; none if the scene has no chunk. Errors: a file that cannot be written; those of
+/// joining tiles (bake/tiles/join_tiles.h).
+///
 /// Adds to `report` kNoGeoidHeight, if no geoid is given and the world is no cylinder; and what baking reports, unless
 /// .glb or USD files are written too, whose tiles are counted instead.
 /// @param geoid  The result of geoid_of(), here and below.

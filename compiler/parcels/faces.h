@@ -19,16 +19,23 @@ namespace citykiln::parcels {
 /// The side of the cells of faces. Cells begin at whole multiples of it.
 inline constexpr double kFaceCell_m = 128;
 
-enum class FaceKind : std::uint8_t { kOutside, kLine, kTaken, kLand };
+/// The place of a face: the first of these in which it lies.
+enum class FaceKind : std::uint8_t {
+  kOutside,  ///< Outside of the extent.
+  kLine,     ///< A right-of-way (RightOfWayPiece).
+  kTaken,    ///< Taken land (Layout::taken).
+  kLand      ///< Land for lots.
+};
 
+/// A face. Where it lies is found for a point inside it.
 struct Face {
   FaceKind kind = FaceKind::kLand;
-  std::uint32_t label = 0;             ///< By the field (edge_owners.h).
+  std::uint32_t label = 0;             ///< Whom land belongs to (edge_owners.h); for kLand only.
   std::uint32_t footprint = kNoIndex;  ///< The footprint that it lies in, the first of several.
   double area_m2 = 0;
 };
 
-/// An edge of a face, which lies to its left.
+/// An edge of a face, which lies to its left. Points are on the plane's grid of kQuantum_m.
 struct FaceEdge {
   GridPoint from, to;
   std::uint32_t face = 0;
@@ -41,7 +48,7 @@ struct Faces {
   std::vector<FaceEdge> edges;  ///< Sorted by (from, to).
 };
 
-/// The lines that divide the plane. Refers to its parts.
+/// The lines that divide the plane, in plane metres. Refers to its parts.
 struct Layout {
   Box2 extent;
   std::span<const RightOfWayPiece> ways;
@@ -52,7 +59,8 @@ struct Layout {
   const Splits* splits = nullptr;  ///< Null: no lots are split.
 };
 
-/// Returns the faces of all cells that the extent touches. Cost: that of arrange() and of a triangulation.
+/// Returns the faces of all cells that the extent touches. Edges between cells are edges of faces, too. Cannot fail.
+/// Cost: that of arrange() and of a triangulation.
 Faces faces_of(const Layout& layout, int threads);
 
 }  // namespace citykiln::parcels

@@ -19,12 +19,12 @@ struct PlantRecipes {
 /// terrain; all plants stand on the graded terrain.
 ///
 /// Guarantees: no trunk of a wood or planting is within kTrunkClearance_m of a road, building or water other than the
-/// sea; of plantings up to 2 m tall within 0.25 m. Trees of woods are blue noise (blue_noise.h) and keep clear of
-/// mapped trees, rows and corridors. A plant does not depend on data beyond kInfluenceRadius_m, except that trees of a
-/// row depend on its whole axis. A single tree up to 8 m inside a carriageway or railway, or up to 2 m inside a
-/// building or water, moves to half a metre beside it (kTreeMoved); one deeper inside is dropped (kTreeOnRoad). Trees
-/// of rows are left out there. Single trees are counted in the account "bake/tree" of the report's ledger
-/// (contract/findings/report.h). O(n log n).
+/// sea; for plantings up to 2 m tall this distance is 0.25 m. Trees of woods are blue noise (blue_noise.h) and keep
+/// clear of mapped trees, rows and corridors. A plant does not depend on data beyond kInfluenceRadius_m, except that
+/// trees of a row depend on its whole axis. A single tree up to 8 m inside a carriageway or railway, or up to 2 m
+/// inside a building or water, moves to half a metre beside it (kTreeMoved); one deeper inside is dropped
+/// (kTreeOnRoad). Trees of rows are left out there. Single trees are counted in the account "bake/tree" of the report's
+/// ledger (contract/findings/report.h). O(n log n).
 PlacedPlants generate(const PlantRecipes& recipes, const PlacingContext& context, Report& report);
 
 /// The largest density of blades. Blades are grass, reed and corn, with one plant per tuft. Only tolerances with

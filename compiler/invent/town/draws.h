@@ -7,7 +7,8 @@
 
 namespace citykiln::invent {
 
-/// The numbers depend on seed, role and ordinal only (contract/random_sequence.h). All bounds are as there.
+/// Draws numbers one after the other. They depend only on seed, role, ordinal and the number of draws before
+/// (contract/random_sequence.h).
 class Draws {
  public:
   /// @param role     A short constant, such as "street", that separates kinds of objects.
@@ -15,8 +16,11 @@ class Draws {
   Draws(std::uint64_t seed, const char* role, std::uint64_t ordinal)
       : sequence_(seed, stable_id(StableId{0}, role, ordinal), role) {}
 
+  /// Returns a number in [0, 1).
   double unit() { return sequence_.unit(next_++); }
+  /// Returns a number in [low, high).
   double between(double low, double high) { return low + (high - low) * unit(); }
+  /// Returns a whole number from 0 to count - 1. count > 0.
   std::uint32_t below(std::uint32_t count) { return sequence_.below(count, next_++); }
   /// True with this probability.
   bool chance(double probability) { return unit() < probability; }

@@ -19,7 +19,9 @@ namespace citykiln::map {
 /// samples.
 ///
 /// @param rasters  Without voids (source::fill_voids()). At each place the first raster that covers it counts. Places
-///                 that no raster covers get the nearest height (source::fill_uncovered()), diagnosed kNoHeight.
+///                 that no raster covers get the nearest height (source::fill_uncovered()), diagnosed kNoHeight with
+///                 their share.
+/// @param extent   Plane metres, not empty.
 ///
 /// Errors: no raster covers any vertex, or a raster's reference system is unknown.
 Result<Heightfield> resample(std::span<const source::Raster> rasters, const Plane& plane, const Box2& extent,

@@ -16,7 +16,7 @@ namespace citykiln::plants {
 struct SampleDensity {
   double spacing_m = 0;     ///< The least distance on the ground to the next sample, up to kWidest_m; 0: no samples.
   double share = 1;         ///< The share of the samples that are kept, for densities below one per kWidest_m.
-  double height_m = 0;      ///< The height of the ground.
+  double height_m = 0;      ///< The height of the ground, plane metres.
   double normal_z = 1;      ///< The z component of the ground's unit normal.
   std::uint32_t owner = 0;  ///< A number of the caller's, copied to samples.
 };
@@ -45,12 +45,13 @@ inline constexpr double kLeastNormal_z = 0.5;
 /// @param trees_per_ha  Clamped to kLeastTreesPerHa … kMostTreesPerHa.
 SampleDensity density_for(double trees_per_ha);
 
-/// Returns a lower bound of the spacings in a block; 0 if the block has no samples.
+/// Returns a lower bound of the spacings in a block, which is a square of 16 by 16 cells of the lattice; 0 if the block
+/// has no samples, so that it is skipped. Plane metres.
 using LeastSpacing = std::function<double(const Box2& block)>;
-/// Returns the density at a position. Called for positions in the box widened by kSampleInfluence_m.
+/// Returns the density at a position in plane metres. Called for positions in the box widened by kSampleInfluence_m.
 using DensityAt = std::function<SampleDensity(Vec2 at)>;
 
-/// Returns the samples in the half-open box, by rows of a lattice.
+/// Returns the samples in the half-open box (plane metres), by rows of a lattice.
 ///
 /// Guarantees: two samples are at least the mean of their spacings apart in space; a sample depends only on densities
 /// within kSampleInfluence_m. Method: each cell of a fixed lattice has a jittered candidate; a hash keeps as many as
