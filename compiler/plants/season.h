@@ -10,8 +10,9 @@
 
 namespace citykiln::plants {
 
-/// A month of central Europe, 1 to 12, whose leaves, crops and grass those of a place look like. In the tropics it is
-/// always kMidsummer (climate::equivalent_month).
+/// A month of the year in central Europe, 1 to 12. The plants of a place look as those of central Europe do in this
+/// month, which need not be the month of the place's calendar. In the tropics it is always kMidsummer
+/// (climate::equivalent_month).
 enum class Month : std::uint8_t {};
 /// June, in which all species are in their summer state.
 inline constexpr Month kMidsummer{6};
@@ -20,7 +21,7 @@ inline constexpr Month kMidsummer{6};
 /// south is June.
 climate::LocalMonth local_month_of(std::chrono::month month, double latitude_deg);
 
-/// Returns the month of the leaves.
+/// Returns the month of central Europe in which plants look as those of a climate do in a month.
 Month month_for(climate::LocalMonth month, climate::ClimateClass climate);
 
 /// The state of a plant in a month.
@@ -30,7 +31,8 @@ struct SeasonState {
   double height_share = 1;       ///< The height as a share of the summer height; 0: no plant.
 };
 
-/// True for a text of 12 letters that stand for states of months, June in summer.
+/// True for a text of 12 characters, each a known state of a month from January on, with "s" (summer) for June.
+/// user_species.md lists the states.
 bool are_months(std::string_view months);
 
 /// Returns the state of a variant of a species in a month, by the species' `months`.

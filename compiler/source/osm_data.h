@@ -27,7 +27,7 @@ struct LonLatBox {
   bool operator==(const LonLatBox&) const = default;
 };
 
-/// A range of elements in one of the flat vectors of OsmData.
+/// A range of elements in one of the flat vectors of OsmData. Ranges named `tags` are into OsmData::tags.
 struct Range {
   std::uint32_t first = 0, count = 0;
 };

@@ -14,7 +14,8 @@
 
 namespace citykiln::structures {
 
-/// A corner of a section: its distance to the left of the axis, and its height above the road.
+/// A corner of a section: its distance to the left of the axis, and its height above the road, metres. Meshes are in
+/// plane metres, z up.
 struct Corner {
   double left_m = 0, rise_m = 0;
   bool operator==(const Corner&) const = default;
@@ -24,6 +25,8 @@ using Section = std::vector<Corner>;
 
 /// Adds the surface that the straight line from corner a to corner b sweeps, with two vertices per rib. The surface
 /// faces to the left of the direction from a to b, as seen along the axis.
+///
+/// @param ribs  In order along the axis, at least two; here and below.
 void add_band(std::span<const Rib> ribs, Corner a, Corner b, Mesh& mesh);
 
 /// Adds an end face of a loft. The face points against the axis if `is_begin`, else along it.

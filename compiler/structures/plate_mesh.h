@@ -12,20 +12,21 @@ namespace citykiln::structures {
 
 /// The parts of a plate that a level keeps.
 struct PlateDetail {
-  bool has_slab = true;      ///< Else only its top.
-  bool has_parapets = true;  ///< False if has_slab is.
+  bool has_slab = true;      ///< False: only the plate's top is kept.
+  bool has_parapets = true;  ///< Must be false if has_slab is false.
 };
 
-/// Appends the meshes of a plate to generated.meshes: the top of each part, in the material of the plate's class, and
-/// one mesh of concrete with the rest. With a slab, top, sides and underside of each part together are closed. The top
-/// of a part below a road is 0.25 m lower, so that the road lies in a step. Each parapet is closed. O(n log n) in
-/// corners.
-/// @param dimensions  thickness_m of the slab, and parapet_m, the height of parapets above the top.
+/// Appends the meshes of a plate to generated.meshes, in plane metres, z up: the top of each part, in the material of
+/// the plate's class, and one mesh of concrete with the rest. With a slab, top, sides and underside of each part
+/// together are closed. The top of a part below a road is 0.25 m lower, so that the road lies in a step. Each parapet
+/// is closed. O(n log n) in corners.
+///
+/// @param dimensions  Only thickness_m of the slab and parapet_m, the height of parapets above the top, are used.
 void add_plate(const Plate& plate, const DeckDimensions& dimensions, PlateDetail detail, GeneratedStructure& generated);
 
-/// Returns the lines of a plate on which walls stand (PlateCorner::has_wall), each as ribs in order along it, at least
-/// two, with a mitre at corners; the plate is to the left. A ring whose every edge has a wall is one line that ends
-/// where it begins. Empty if no edge has a wall.
+/// Returns the lines of a plate on which walls stand (PlateCorner::has_wall; a wall is a parapet or a railing). Each
+/// line is a list of ribs in order along it, at least two, with a mitre at corners; the plate is to the left. A ring
+/// whose every edge has a wall is one line that ends where it begins. Empty if no edge has a wall.
 std::vector<std::vector<Rib>> wall_runs(const Plate& plate);
 
 }  // namespace citykiln::structures

@@ -29,9 +29,9 @@ struct WallPlace {
   Vec2 at, out;
 };
 
-/// Finds free places on the land cover of a map. Barred are carriageways but for pedestrian streets, parking lanes,
-/// cycle paths, steps, rails, water and buildings: nothing stands there unless it is mapped there. Polygons are sorted
-/// into blocks when a place in these is asked for.
+/// Finds free places on the land cover of a map, in plane metres. Barred land cover is where nothing stands unless it
+/// is mapped there: carriageways other than pedestrian streets, parking lanes, cycle paths, steps, rails, water and
+/// buildings. Polygons are sorted into blocks when a place in these is asked for, so the object is not thread-safe.
 class FreePlaces {
  public:
   /// @param cover  The land cover of the map, with buildings; must outlive the object.
@@ -44,11 +44,14 @@ class FreePlaces {
   const ground::LandCoverPolygon* polygon_at(Vec2 at);
   /// True if a disc is outside of barred land cover, as far as its centre and eight points of its border say.
   bool is_free(Vec2 at, double radius_m);
-  /// Returns `at` if it is free, else the nearest free one of places on circles around it.
+  /// Returns `at` if it is free for a disc of this radius, else the nearest free one of places on circles around it, up
+  /// to kMaxMove_m away. Empty: none is free.
   std::optional<Vec2> nearest_free(Vec2 at, double radius_m);
-  /// Returns the first free place from `from` in a direction, at most kMaxOffAxis_m away.
+  /// Returns the first free place from `from` on in a direction (a unit vector), at most kMaxOffAxis_m away. Empty:
+  /// none is free.
   std::optional<Vec2> first_free(Vec2 from, Vec2 direction, double radius_m);
-  /// Returns the nearest place on the wall of a building, of those with a free place at a distance before them.
+  /// Returns the nearest place on the wall of a building, less than kMaxWall_m away. A place counts only if the place
+  /// `before_m` in front of the wall is free. Empty: there is none.
   std::optional<WallPlace> nearest_wall(Vec2 at, double before_m);
 
  private:

@@ -1,4 +1,5 @@
-// Supports of wires: things of whose rules wires hang, with their attachments in the plane.
+// Supports of wires: masts, poles and other things whose rules state where wires hang (grammars/things/README.md), with
+// these places in plane metres.
 #pragma once
 
 #include <map>
@@ -14,19 +15,22 @@ namespace citykiln::wires {
 
 /// A thing that holds wires.
 struct Support {
-  Vec2 at;
+  Vec2 at;                              ///< The middle of its base, plane metres.
   std::vector<things::WireHold> holds;  ///< At least one; places in plane metres.
 };
 
 /// Supports by the number of their OSM node.
 using Supports = std::map<std::int64_t, Support>;
 
-/// Adds the things that hold wires, as they stand on the ground. Each form is derived once. O(things · log + forms).
+/// Adds the things that hold wires, as they stand on the ground. Other things are skipped. Each form is derived once.
+/// O(things · log + forms).
 void add_supports(Supports& supports, std::span<const things::Thing> things, const things::Kinds& kinds,
                   std::uint64_t seed, const ground::GradedTerrain& ground);
 
 /// Returns the attachments of one kind for wires in a direction: those on the left, then those in the middle, then
-/// those on the right; each from the highest to the lowest.
+/// those on the right; each from the highest to the lowest. Left and right are as seen along the direction.
+///
+/// @param along  A unit vector in plan.
 std::vector<Vec3> ordered_holds(const Support& support, things::WireKind kind, Vec2 along);
 
 /// Returns `count` of the attachments, in their order: the highest ones on the right side if that has enough of them,

@@ -13,7 +13,7 @@
 
 namespace citykiln::roads {
 
-/// The part of a road that lies in one junction. Distances are along the whole way.
+/// The part of a road that lies in one junction. Distances are metres along the road's axis from its first point.
 struct JunctionInterval {
   double at_m = 0;                   ///< Distance of the junction's node.
   double before_m = 0, after_m = 0;  ///< Lengths of the road in the junction before and after the node.
@@ -41,9 +41,9 @@ struct RoadStretch {
 /// shorter, but at least 3 m).
 ///
 /// @param intervals  The road's entry of junction_intervals_of().
-/// @param tile_m     Side of the tiles. A tile has all junctions within kJunctionHalo_m. Markings before a junction
-///                   that touch several tiles are left out unless each of these tiles has all junctions that they
-///                   depend on, so that tiles agree.
+/// @param tile_m     Side of the tiles. A tile knows the junctions up to kJunctionHalo_m around it. Markings before a
+///                   junction may touch several tiles. If one of these does not know all junctions that the markings
+///                   depend on, they are left out in all, so that tiles agree.
 std::vector<RoadStretch> stretches_of(const Road& road, std::span<const JunctionInterval> intervals, double tile_m);
 
 /// The distance beyond a tile within which all junctions are known.

@@ -30,8 +30,8 @@ namespace citykiln::roads {
 /// Guarantees: edges stay out of footprints, apart from snapping, unless the minimum width (narrowed_section.h) or a
 /// junction's cut prevents it; no edge turns by more than kTaper, or jumps by more than kUnit_m at a joint of two
 /// roads; a road without a building in its strip stays unchanged if no limit of a joined road reaches it. A limit
-/// depends on no data farther along the roads than 1 / kTaper times half the road's width and a block of 64 m, or
-/// farther across than max_offset_m(). The order of roads and footprints does not matter. Diagnosed, once a road:
+/// depends on data along the roads up to 64 m plus half the road's width / kTaper, and across them up to
+/// max_offset_m(). The order of roads and footprints does not matter. Diagnosed, once a road:
 /// kRoadNarrowed, kBuildingOnRoad. O(n log n).
 std::vector<Road> limit_widths(std::vector<Road> roads, std::span<const Junction> junctions,
                                std::span<const map::Footprint> footprints, std::span<const OsmId> through_buildings,

@@ -22,9 +22,11 @@ namespace citykiln::source {
 /// separate. Rasters of different grids keep their order. Cannot fail. O(samples).
 std::vector<Raster> join_rasters(std::vector<Raster> rasters);
 
-/// Returns the mean of the differences between two heightmaps where they meet if it is a step between two datums: at
-/// least 8 differences, whose mean is more than 2 m plus a tenth of the sum of the sample spacings, and more than twice
-/// their standard deviation. Nothing else.
+/// Returns the step between two heightmaps with different datums: the mean of their differences where they meet. Empty
+/// if there is no clear step. A step is clear if there are at least 8 differences, and their mean is, in either
+/// direction, more than 2 m plus a tenth of `spacings_m`, and more than twice their standard deviation.
+///
+/// @param spacings_m  The sum of the spacings of samples of both.
 std::optional<double> step_of_m(std::span<const double> differences_m, double spacings_m);
 
 }  // namespace citykiln::source
