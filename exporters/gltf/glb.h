@@ -68,8 +68,11 @@ GlbParts build_glb(const bake::BakedTile& tile, const scene::Header& header, con
 /// @param name  The name of the file in error messages.
 Result<bake::BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string& name);
 
+/// Writes the result of encode_glb() to a file. Error: a file that cannot be written.
 Result<Done> write_glb(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options,
                        const std::string& path, int threads = 1);
+/// Reads a file that write_glb() or a run wrote, with the files of shared images beside it. Errors: files that cannot
+/// be read; those of decode_glb().
 Result<bake::BakedTile> read_glb(const std::string& path);
 
 }  // namespace citykiln::exporters

@@ -12,8 +12,9 @@
 
 namespace citykiln::exporters {
 
-/// A writer of a crate. Each value is added to the file when write() is called; the tables that refer to values are
-/// added by finish(). Deterministic.
+/// A writer of a crate. The order of calls is that of LayerWriter: prims depth first, the attributes and relationships
+/// of a prim before its children, finish() once at the end. Each value is added to the file when write() is called; the
+/// tables that refer to values are added by finish(). Deterministic. Cannot fail.
 class CrateWriter final : public LayerWriter {
  public:
   explicit CrateWriter(const UsdLayerHead& head);

@@ -34,7 +34,7 @@ Section section_along(RoofForm form, double span_m, double rise_m, double tolera
 /// Returns the section of a roof over a straight skeleton (inset_facets.h). The sides of such a roof meet at any angle,
 /// so the error is the largest vertical distance, which is equal for every angle. Parameters and guarantees are equal
 /// to section_along().
-/// @param knee  The knee of a mansard roof, as shares of span and rise, if it is not the default.
+/// @param knee  The knee of a mansard roof, as shares of span (x) and rise (y); empty for the default.
 Section section_over_skeleton(RoofForm form, double span_m, double rise_m, double tolerance_m,
                               std::optional<Vec2> knee = {});
 

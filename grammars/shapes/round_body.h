@@ -30,9 +30,11 @@ struct RoundSides {
 /// RoundSides::kMost; one of 17 numbers, so that few different bodies occur.
 int sides_for(double radius_m, double most_m);
 
-/// Returns the cylinder, or the frustum of a cone, that fills the scope.
-/// @param axis  The index of the scope's axis along which it stands.
+/// Returns the cylinder, or the frustum of a cone, that fills the scope, in plane metres.
+///
+/// @param axis  The index of the scope's axis along which it stands: 0, 1 or 2.
 /// @param top   The radius at the far end as a share of the one at the near end, 0 … 1; 0: a cone with an apex.
+///
 /// Guarantees: closed; uses no function of libm other than the square root. With given sides, the polygon fills the
 /// scope's rectangle, so that one of four sides is the scope's box. O(sides).
 RoundBody cylinder_in(const Scope& scope, int axis, double top, RoundSides sides);
@@ -42,8 +44,9 @@ RoundBody cylinder_in(const Scope& scope, int axis, double top, RoundSides sides
 /// other than the square root. O(sides²).
 RoundBody sphere_in(const Scope& scope, int axis, RoundSides sides);
 
-/// Returns the half of an ellipsoid that stands on the near end of the scope along `axis` and fills the scope.
-/// Sides and guarantees as of sphere_in(). O(sides²).
+/// Returns the half of an ellipsoid that stands on the near end of the scope along `axis` and fills the scope. It has
+/// at least 4 sides; with given sides, corners lie on the ellipsoid. Closed; uses no function of libm other than the
+/// square root. O(sides²).
 RoundBody dome_in(const Scope& scope, int axis, RoundSides sides);
 
 }  // namespace citykiln::grammars

@@ -24,8 +24,8 @@ inline constexpr std::size_t kMostSideStems = 4;
 struct Joint {
   /// The corners of the box: four lower, four upper.
   std::array<Vec3, 8> box;
-  /// The rings of the arriving stem, of the continuing stem, and of the side stems in the order of box sides.
-  /// Ring::sides is not set.
+  /// The rings of the arriving stem, of the continuing stem, and of the side stems; only the first `stems` are set.
+  /// Side stems are in the order of the box sides through which they leave (bits of `open`). Ring::sides is not set.
   std::array<Ring, 2 + kMostSideStems> rings;
   std::array<std::int32_t, 2 + kMostSideStems> ids{};  ///< The Stem::id of each ring's stem.
   std::size_t stems = 2;
@@ -33,13 +33,14 @@ struct Joint {
   double extent_m = 0;  ///< An upper bound of the distance of cage points from the box's centre.
 };
 
-/// Places the cage of a joint. Rings lie where stems no longer overlap, or nearer to the node if Stem::room_m requires.
-/// O(1).
+/// Places the cage of a joint, in the frame and units of `node`. Rings lie where stems no longer overlap, or nearer to
+/// the node if Stem::room_m requires. Each side stem leaves through the free side of the box that is nearest to its
+/// direction. Cannot fail. O(1).
 ///
-/// @param node  The common point of the axes.
+/// @param node    The common point of the axes.
 /// @param parent  The arriving stem, with its direction at the node.
-/// @param upper    The stem that continues the arriving one.
-/// @param sides    One to kMostSideStems other stems; the first, which should be the thickest, orients the box.
+/// @param upper   The stem that continues the arriving one.
+/// @param sides   One to kMostSideStems other stems; the first, which should be the thickest, orients the box.
 Joint place_joint(Vec3 node, const Stem& parent, const Stem& upper, std::span<const Stem> sides);
 
 }  // namespace citykiln::lsystems

@@ -36,10 +36,13 @@ class CloudSpheres {
 
   /// Sets `parts` to all parts of a ray inside of spheres and above the layer's base, sorted by `begin`. Parts may
   /// overlap.
-  /// @param from  Plane metres; z above sea level.
-  /// @param direction  Unit vector.
+  ///
+  /// @param from        Plane metres; z above sea level.
+  /// @param direction   Unit vector.
+  /// @param distance_m  The length of the ray. Nothing beyond four times kFarthestCloud_m is found.
   void parts_of(Vec3 from, Vec3 direction, double distance_m, std::vector<SpherePart>& parts) const;
-  /// Returns the optical depth from a place (plane metres) to infinity, as if edges were sharp.
+  /// Returns the optical depth from a place (plane metres) in a direction (unit vector) to infinity, as if edges were
+  /// sharp.
   double optical_depth(Vec3 from, Vec3 direction) const;
   /// Returns the density at a distance along a ray, relative to the middle of clouds, 0 to 1. Inside of sharp spheres
   /// the density is 1. The density of a soft sphere rises from 0 at its surface to about 1 within a quarter of the

@@ -9,7 +9,7 @@
 
 namespace citykiln::preview {
 
-/// A triangle that shines from its front, in the world's frame.
+/// A triangle that shines from its front, in the frame of the world: metres from the world's origin, z up.
 struct Emitter {
   /// A corner, and the vectors from it to the two others. Counter-clockwise seen from the front.
   Vec3 corner, edge1, edge2;
