@@ -29,9 +29,10 @@ using CollectTile = std::function<Result<Done>(ChunkLevel at, const Report& diag
 using ExistsTile = std::function<bool(ChunkLevel at)>;
 
 /// Bakes every chunk at every tolerance and passes the tiles to `take`, one at a time, ordered by tile, then level.
-/// Adds dropped objects to `report`. Memory: kInFlightPerThread levels per thread, the ground of their tiles, and the
-/// ground of one more tile.
-/// @param tolerances_m  The tolerances of the levels, increasing, > 0.
+/// Adds dropped objects to `report`. Errors: only those of `take`. Memory: kInFlightPerThread levels per thread, the
+/// ground of their tiles, and the ground of one more tile.
+///
+/// @param tolerances_m    The tolerances of the levels, increasing, > 0.
 /// @param most_instances  Passed to bake::prepare().
 Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> tolerances_m, int threads, Report& report,
                         const OnProgress& on_progress, const OnBakedTile& take,
@@ -45,7 +46,7 @@ struct TileHandlers {
 };
 
 /// Bakes like the function above and processes tiles in parallel. If one level of a tile is baked, the tile is prepared
-/// for all levels of the ladder, so that no level depends on which others exist.
+/// for all levels, so that no level depends on which others exist. Errors: only those of handlers.take.
 Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> tolerances_m, int threads, Report& report,
                         const OnProgress& on_progress, const TileHandlers& handlers,
                         std::size_t most_instances = bake::kAnyInstances);

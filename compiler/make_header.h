@@ -34,7 +34,7 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
 Result<lots::HouseRules> house_rules_for(const CompileSpec& spec);
 
 /// Returns the rule files for the styles of the buildings. A file in the spec's folder replaces the shipped file of its
-/// name.
+/// name. Errors: a folder that cannot be read; those of buildings::rules_for().
 Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
                                                    const std::vector<buildings::Building>& buildings);
 

@@ -41,7 +41,7 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
 /// @param owns     True for the places whose elements are counted and diagnosed (source/read_osm.cpp).
 ///
 /// Guarantees: the chunks equal those of compile(), and so does the header, except that `rules`, `species` and `things`
-/// list those of these tiles only. Memory: for this part.
+/// list those of these tiles only. Errors: those of compile(). Memory: for this part.
 Result<CompileResult> compile_region(const CompileSpec& spec, const std::string& extract, const Survey& survey,
                                      const source::OwnsPlace& owns, const OnProgress& on_progress);
 

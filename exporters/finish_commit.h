@@ -13,7 +13,7 @@ namespace citykiln::exporters {
 /// folder is read. Errors: files that cannot be renamed or removed.
 Result<Done> finish_commit(const std::string& folder);
 
-/// Does the work of finish_commit() for a caller that holds the lock of the folder.
+/// Does the work of finish_commit() for a caller that holds the lock of the folder, with the same errors.
 Result<Done> finish_commit_locked(const std::string& folder);
 
 /// True if the folder holds files of a run that was interrupted before all were complete.

@@ -71,12 +71,19 @@ class OutputFolder {
   OutputFolder& operator=(const OutputFolder&) = delete;
 
   /// Returns the complete file with this name and key that an earlier run left, after verifying its hash; else null.
-  /// May be called from several threads while nothing is written. @param key  Not 0.
+  /// May be called from several threads while nothing is written.
+  ///
+  /// @param key  Not 0.
   const StagedFile* find_whole(const std::string& name, std::uint64_t key) const;
-  /// Adds a file that find_whole() returned to this run.
+  /// Adds a file that find_whole() returned to this run. Error of this and the next functions: a file that cannot be
+  /// written.
   Result<Done> take_over(const StagedFile& staged);
 
-  /// Writes a file of this run. @param name  The path relative to the folder: "glb/0_0_L1.glb".
+  /// Writes a file of this run.
+  ///
+  /// @param name  The path relative to the folder: "glb/0_0_L1.glb".
+  /// @param key   A hash of all inputs that determine the bytes; 0: later runs cannot reuse the file.
+  /// @param note  Facts about the file for a run that reuses it, UTF-8.
   Result<Done> write(const std::string& name, std::span<const std::byte> bytes, std::uint64_t key = 0,
                      const std::string& note = {});
   /// Writes a file whose bytes differ between equal runs, such as times.
@@ -92,7 +99,8 @@ class OutputFolder {
   /// True if an earlier run left files that this one can reuse.
   bool has_earlier_files() const { return has_keyed_files() || !finished_.empty(); }
 
-  /// Replaces the earlier run by this one: steps 2 to 5.
+  /// Replaces the earlier run by this one: steps 2 to 5. Errors: files that cannot be written, moved or removed.
+  /// Nothing may be written afterwards.
   Result<Done> commit();
 
  private:

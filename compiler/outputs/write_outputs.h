@@ -33,10 +33,14 @@ struct WrittenOutputs {
 /// Complete .glb tiles of an earlier run with equal keys (bake_keys.h) are reused, but not with USD, Layout::kShared,
 /// max_bytes or max_triangles; records, report and findings are the same as if they were baked. Each tile is counted
 /// in `report` once, however many forms are written.
+///
+/// Errors: files that cannot be written; a geoid that cannot be read. If tiles of this run can be reused, the error
+/// says so.
 Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads,
                                      exporters::OutputFolder& folder, Report& report, const OnProgress& on_progress);
 
-/// Writes findings.json and report.json, and replaces the earlier run in the folder.
+/// Writes findings.json and report.json, and replaces the earlier run in the folder. Errors: files that cannot be
+/// written or moved.
 Result<Done> commit_outputs(const WrittenOutputs& written, const std::string& report_json, const scene::Header& header,
                             exporters::OutputFolder& folder);
 

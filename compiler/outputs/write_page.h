@@ -14,6 +14,7 @@ namespace citykiln::outputs {
 
 /// Writes index.html and page/: the files of the program, page.json (sky, classes, what is assumed), the records of
 /// features with their recipes, and names. The page also reads 3dtiles/ and findings.json of the same folder.
+/// Returns the files that were written. Error: a file that cannot be written.
 /// @param geoid  The result of geoid_of() (write_tiles3d.h).
 Result<std::vector<WrittenFile>> write_page(const scene::Scene& scene, const Outputs& outputs, const map::Geoid& geoid,
                                             int threads, exporters::OutputFolder& folder);

@@ -20,7 +20,7 @@ using Loader = std::function<Result<std::string>(const std::string& file)>;
 /// of arguments or a wrong word; unknown operations. O(text length), except analyse_bodies().
 Result<Program> read_rules(const std::string& file, const Loader& load);
 
-/// Reads a program from one text without imports.
+/// Reads a program from one text without imports. Errors: those of read_rules(); an import.
 Result<Program> read_rules_of(const std::string& text, const std::string& file = "rules");
 
 }  // namespace citykiln::grammars

@@ -46,7 +46,8 @@ struct Metadata {
 
 /// Writes PNG (8 bit sRGB, filmic tone curve) or EXR (linear), by the name's extension, through OpenImageIO, which is
 /// loaded only then. An EXR of a picture with guides has them as channels (preview/options.md). Both formats state
-/// OSM's credit and the metadata. Equal pictures and metadata give equal bytes.
+/// OSM's credit and the metadata. Equal pictures and metadata give equal bytes. Errors: another extension; OpenImageIO
+/// cannot be loaded; a file that cannot be written.
 Result<Done> write_image(const Image& image, const std::string& path, const std::vector<Metadata>& metadata = {});
 
 }  // namespace citykiln::preview

@@ -27,7 +27,7 @@ struct RegionState {
 /// Reads the state of a region. A file that is missing or broken means kWaiting.
 RegionState read_state(const std::string& plan_folder, regions::RegionKey region);
 
-/// Writes the state with the host and process of the caller.
+/// Writes the state with the host and process of the caller. Error: a file that cannot be written.
 Result<Done> write_state(const std::string& plan_folder, regions::RegionKey region, RegionState state);
 
 /// Locks a region against other tasks until this process ends, and waits for a task that has locked it. A task whose

@@ -67,7 +67,7 @@ Result<TileTree> read_tile_tree(const LoadRequest& request, const OnProgress& on
 std::optional<scene::Header> header_of(const std::string& manifest_path, std::span<const bake::BakedTile> tiles);
 
 /// Reads the contents of a tree at these paths (result of contents_of()). Coarse tiles among them are reused; the other
-/// coarse tiles are freed.
+/// coarse tiles are freed. Errors: files that cannot be read.
 Result<Loaded> load_contents(TileTree& tree, const std::vector<std::string>& paths, const OnProgress& on_progress);
 
 /// Loads the tiles of a request. Errors: files that cannot be read, a folder without the requested tiles and level,

@@ -31,7 +31,7 @@ struct CutoutImage {
   materials::TextureImage colour;
   std::vector<std::uint8_t> opacity;  ///< One per texel.
 };
-/// Decodes an image and its opacities; images without alpha are opaque.
+/// Decodes an image and its opacities; images without alpha are opaque. Errors and memory: those of decode_png().
 Result<CutoutImage> decode_cutout_png(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace citykiln::exporters
