@@ -41,8 +41,7 @@ struct TracedPath {
 /// - With has_caustics = false, light that mirrors throw on matt surfaces is blurred: behind a matt surface microfacets
 ///   are at least 0.3 wide (alpha).
 /// - Lamps are points of light, and the lights inside of a cylinder are lines; narrow mirrors show the glass of lamps
-/// and
-///   the tubes of lines.
+///   and the tubes of lines.
 /// - Air and fog dim, and add light to, only what the camera and mirrors see.
 /// - The camera alone sees stars and, by day, the moon's disk; they throw no light.
 /// - The rooms behind panes are seen by the camera alone, through the first surface; other rays meet panes without a

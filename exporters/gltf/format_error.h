@@ -10,7 +10,9 @@ struct FormatError {
   std::string what;
 };
 
-/// Throws FormatError unless the condition holds. @param what  Completes "expected …".
+/// Throws FormatError unless the condition holds.
+///
+/// @param what  Completes "expected …".
 inline void expect(bool holds, const char* what) {
   if (!holds) throw FormatError{what};
 }

@@ -18,8 +18,10 @@ class TextWriter final : public LayerWriter {
   void end_prim() override;
   std::vector<std::byte> finish() override;
 
-  /// Appends lines unchanged, indented like the attributes of the open prim. Used for variants and payloads, which
-  /// LayerWriter lacks. @param lines  Without a line feed at the end.
+  /// Appends lines, indented like the attributes of the open prim and unchanged otherwise. Used for variants and
+  /// payloads, which LayerWriter lacks.
+  ///
+  /// @param lines  Without a line feed at the end.
   void write_lines(std::string_view lines);
   /// Opens a block whose brace write_lines() has written; end_prim() closes it.
   void indent() { ++depth_; }

@@ -36,8 +36,9 @@ Ring clipped(std::span<const Vec2> ring, const Plane& plane);
 /// Returns the parts of a simple ring where plane.at() >= 0, one ring for each connected part. O(n log n).
 std::vector<Ring> clipped_pieces(const Ring& ring, const Plane& plane);
 
-/// Returns the signed distance from the line through a and b, positive to the left of the line. @param b Differs from
-/// a.
+/// Returns the signed distance from the line through a and b, positive to the left of the line.
+///
+/// @param b  Differs from a.
 Plane distance_left_of(Vec2 a, Vec2 b);
 
 }  // namespace citykiln::roofs

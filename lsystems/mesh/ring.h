@@ -23,8 +23,10 @@ using Circle = std::array<Vec2, kMostSides>;
 /// Returns the table of cosines and sines.
 Circle make_circle();
 
-/// Returns the unit direction from the axis at a turn about it, counter-clockwise. @param turn  {cosine, sine}.
-/// @param y  axis × x.
+/// Returns the unit direction from the axis at a turn about it, counter-clockwise.
+///
+/// @param y     The cross product of the ring's axis and ring.x.
+/// @param turn  {cosine, sine}.
 inline Vec3 outward(const Ring& ring, Vec3 y, Vec2 turn) { return ring.x * turn.x + y * turn.y; }
 /// Returns the point of the ring in a direction from its axis.
 /// @param outward  A result of outward().

@@ -16,7 +16,9 @@ struct CameraRay {
 struct ViewAxes {
   Vec3 forward, right, up;
 };
-/// Returns the axes of a view. @param vertical  Unit.
+/// Returns the axes of a view.
+///
+/// @param vertical  The unit vector upwards at the place.
 ViewAxes axes_of(const Pose& pose, Vec3 vertical = {0, 0, 1});
 
 /// The rays of a camera whose picture has a given size.

@@ -7,7 +7,9 @@
 
 namespace citykiln::bake {
 
-/// Returns whether an edge is too long. @param along  The vector between its ends, in either direction.
+/// Returns true if an edge is too long.
+///
+/// @param along  The vector between its ends, in either direction.
 using IsLong = std::function<bool(Vec3 along)>;
 
 /// Halves every edge that is too long until none is, and divides the triangles. Whether and where an edge is halved

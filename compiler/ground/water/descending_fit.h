@@ -32,6 +32,7 @@ struct FlowGraph {
 /// downstream, the sum of costs is minimal, and among equal sums the heights are the lowest. If a river splits, the
 /// node's cost counts for its lowest-numbered neighbour, and the other arms are lowered to that node's height. O(n log²
 /// n).
+///
 /// Source: isotonic regression on a rooted tree (problem: Stout, "Isotonic regression via partitioning", 2013) by
 /// mergeable heaps of slope changes ("slope trick"). Each height is a weighted quantile of the terrain along a part of
 /// the river.

@@ -12,7 +12,11 @@ struct SplitConvex {
 };
 
 /// Splits a convex ring along a line.
-/// @param direction  A vector of length 1. @param margin_m  Half the gap.
+///
+/// @param ring       Counter-clockwise, in metres as the other parameters.
+/// @param on_line    A point of the line.
+/// @param direction  The line's direction, a unit vector. `left` is on its left side.
+/// @param margin_m   Half the gap.
 SplitConvex split_convex(const Ring& ring, Vec2 on_line, Vec2 direction, double margin_m);
 
 }  // namespace citykiln::invent

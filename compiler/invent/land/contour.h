@@ -28,8 +28,10 @@ ValueGrid value_grid(double side_m, double step_m, const std::function<double(Ve
 /// Returns the area in which the values, linear along the lattice's edges, are above zero, closed along the lattice's
 /// border. Method: marching squares; where a square's corners alternate, areas above zero do not touch.
 ///
+/// @param least_m2  Rings of less area are left out.
+///
 /// Guarantees: rings are simple and share no point; outer rings counter-clockwise, holes clockwise; polygons are in the
-/// order of their lowest lattice edge. @param least_m2  Rings of less area are left out. O(n + rings · holes).
+/// order of their lowest lattice edge. O(n + rings · holes).
 std::vector<Polygon> area_above_zero(const ValueGrid& grid, double least_m2);
 
 }  // namespace citykiln::invent

@@ -16,9 +16,8 @@ struct Erosion {
 /// Lowers the land by the stream power law, dh/dt = -K √area slope, solved implicitly from the outlets upstream, so
 /// that every strength is stable; then by creep. Pits are filled before each step and at the end.
 ///
-/// @param is_fixed  Points that erosion does not lower, such as lakes with their outlets; empty for none. Filling pits
-/// may
-///                  raise them. The border is not lowered either.
+/// @param is_fixed  Points that erosion does not lower, such as lakes with their outlets; empty for none. Filling
+///                  pits may raise them. The border is not lowered either.
 /// Guarantee: the result has no pits.
 /// Source: Braun and Willett 2013 (drainage.h).
 void erode(Lattice& lattice, const Erosion& settings, const std::vector<bool>& is_fixed);

@@ -40,8 +40,10 @@ struct TownBlock {
   BlockUse use = BlockUse::kHouses;
 };
 
-/// Returns the use of each block. Single uses are spread by counts that towns have for their area; those of one kind
-/// are apart. @param land_inset_m  From a street's axis to the land beside it.
+/// Returns the use of each block. A use that few blocks have, such as a school, is given to as many blocks as towns of
+/// this area have, and blocks of one such use are far apart.
+///
+/// @param land_inset_m  The distance from a street's axis to the land beside it.
 std::vector<TownBlock> plan_quarters(const TownPlan& plan, const StreetBlocks& blocks, double land_inset_m);
 
 /// The use of land that no block has, along streets into the country.

@@ -31,8 +31,11 @@ double circumference_m(const Cylinder& cylinder);
 /// @param p  Plane metres, z < radius_m.
 BentPoint at(const Cylinder& cylinder, Vec3 p);
 
-/// Returns the point of the plane that at() maps to `p`; of those that differ by whole turns the nearest to `near_y_m`.
-/// Error: below 1e-12 of the radius. Same bits on every CPU. @param p  Not on the axis.
+/// Returns the point of the plane that at() maps to `p`. Several do, which differ by whole turns; the result is the one
+/// nearest to `near_y_m`. Error: below 1e-12 of the radius. Same bits on every CPU.
+///
+/// @param p         A point of the bent world, not on the axis.
+/// @param near_y_m  Plane metres.
 Vec3 flattened(const Cylinder& cylinder, Vec3 p, double near_y_m = 0);
 
 /// The largest factor by which at() stretches lengths at heights of at least `low_m`: 1, or more below z = 0.

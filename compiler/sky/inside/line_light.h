@@ -30,7 +30,9 @@ struct SeenLine {
 
 /// Returns the line as a place sees it; empty for a place on the line. Lines of no length have no extent.
 std::optional<SeenLine> seen_line(Vec3 from, Vec3 to, Vec3 place);
-/// Returns the line's part above the horizon of a surface; empty if it has none. @param normal  Unit vector.
+/// Returns the line's part above the horizon of a surface; empty if it has none.
+///
+/// @param normal  Unit normal of the surface.
 std::optional<SeenLine> seen_line(Vec3 from, Vec3 to, Vec3 place, Vec3 normal);
 
 /// Returns the direction from the place to a point of the line, by the sine of theta.

@@ -15,7 +15,9 @@ inline constexpr double kInsideDaylight_lx = 60000;
 /// @param extent  The extent of the map, plane metres.
 Inside plan_inside(const map::Cylinder& cylinder, const Box2& extent);
 
-/// Returns the illuminance of level ground by all lines, without air and shadows. @param at  Plane metres.
+/// Returns the illuminance of level ground by all lines in lux, without air and shadows.
+///
+/// @param at  The place of the ground, plane metres.
 double daylight_lx(const Inside& inside, Vec3 at);
 
 }  // namespace citykiln::sky

@@ -25,7 +25,9 @@ struct DracoMesh {
 std::optional<DracoMesh> encode_draco(const MeshArrays& mesh);
 
 /// Unpacks a mesh; returns std::nullopt if the bytes are invalid.
-/// @param wanted  The attributes, without bytes. @param ids  One per attribute.
+///
+/// @param wanted  The attributes to unpack, without bytes.
+/// @param ids     The Draco id of each of these attributes.
 std::optional<MeshArrays> decode_draco(std::span<const unsigned char> bytes, std::vector<VertexAttribute> wanted,
                                        std::span<const int> ids);
 

@@ -44,7 +44,9 @@ struct MeshoptMesh {
 /// @param index_stride  Bytes per index in the file: 2 or 4.
 MeshoptMesh meshopt_arrays(MeshArrays mesh, std::size_t index_stride);
 
-/// Packs an array. @param vertices  The number of vertices: indices are less.
+/// Packs an array.
+///
+/// @param vertices  The number of vertices. Indices must be less than it.
 MeshoptView encode_meshopt(const MeshoptArray& array, std::size_t vertices);
 
 /// Unpacks a view into the elements that a reader of the file sees. Returns std::nullopt if the bytes are invalid or

@@ -44,7 +44,9 @@ bool is_shared_uri(std::string_view uri);
 /// is_shared_uri(), a missing file, a symbolic link, a file whose length differs from the .glb's statement, a URI that
 /// appears twice. share_prototypes() writes each URI once, so repeated ones come from damaged files; refusing them
 /// bounds the result by the sizes of the files.
-/// @param folder  The folder of the .glb. @param name  The name of the file in error messages.
+///
+/// @param folder  The folder of the .glb.
+/// @param name    The name of the file in error messages.
 Result<std::vector<std::byte>> with_shared_files(std::vector<std::byte> glb, const std::string& folder,
                                                  const std::string& name);
 

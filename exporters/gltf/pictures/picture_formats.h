@@ -36,7 +36,9 @@ struct EncodedPicture {
   std::string_view mime_type;
 };
 
-/// Encodes an image. @param opacity  Empty, or one per texel.
+/// Encodes an image. Cannot fail.
+///
+/// @param opacity  Empty, or one per texel.
 EncodedPicture encode_picture(const materials::TextureImage& image, std::span<const std::uint8_t> opacity,
                               PictureContent content, PictureFormats formats);
 

@@ -23,9 +23,9 @@ struct CloudMeshes {
 ///
 /// - Surfaces are white and matt, lit by the viewer's light, not by their own. Thick layers are opaque. Thin ones
 ///   (sky::is_thin) have a vertex opacity in COLOR_0 and are blended: exp(-optical depth) of what is behind passes.
-/// - extras of the root: cell_m, error_m (of the surface: a cell's diagonal times the largest stretch of a layer's
-/// frame,
-///   so that it holds in plane metres), particle_m, and the plane; of layers: kind, cover, base_m, top_m, clouds.
+/// - extras of the root: cell_m, error_m (of the surface: a cell's diagonal times the largest stretch of a
+///   layer's frame, so that it holds in plane metres), particle_m, and the plane; of layers: kind, cover, base_m,
+///   top_m, clouds.
 ///
 /// Guarantees: deterministic; Khronos' validator reports 0 errors and 0 warnings.
 /// @param layers      At least one part in all.
