@@ -47,8 +47,8 @@ constexpr Species single_species(SpeciesMix species_mix) {
   assert(is_single_species(species_mix));
   return static_cast<Species>(species_mix);
 }
-/// True if a number read from a manifest is a SpeciesMix. Whether there is such a user-defined species or row depends
-/// on the manifest's texts.
+/// True if a number read from a manifest may be a SpeciesMix. Whether the user-defined species or the row of
+/// spawners.txt exists is not tested: the texts of the manifest decide that.
 bool is_species_mix(std::uint64_t number);
 
 /// Returns the community's enumerator without k, "AnyWood"; the file of a shipped species.
@@ -59,8 +59,8 @@ std::string name_of(SpeciesMix species_mix);
 /// @param species_mix  No spawner.
 std::vector<Species> species_in(SpeciesMix species_mix);
 
-/// Returns the species that the tags name, else the spawner that they fit, else the community of the tagged leaf type,
-/// else `otherwise`.
+/// Returns the first of these that there is: the species that the tags name, the spawner that they fit, the community
+/// of the tagged leaf type, `otherwise`.
 SpeciesMix species_mix_for(const map::PlantTags& plant_tags, SpeciesMix otherwise);
 
 /// Returns the share that multiplies a species' share in a community at places of a class (species_climates.inc); 0: it
@@ -82,17 +82,21 @@ struct Habitat {
 };
 
 /// Returns the growing conditions at a position.
-/// @param normal  The unit normal of the ground.
+///
+/// @param at        Plane metres.
+/// @param height_m  Above sea level.
+/// @param normal    The unit normal of the ground.
 Habitat habitat_at(const climate::ClimateMix& climate, double latitude_deg, Vec2 at, double height_m, Vec3 normal,
                    bool is_by_water);
 
 /// Draws the species of one plant. Members of a community are weighted by share, climate, belt, slope, water and
-/// groups. If no member has both the climate and the belt, the member of the climate with the nearest belt is chosen;
-/// of all members, if none has the climate: needle-leaved woods may be mapped where none are wild.
+/// groups. If no member fits both climate and belt, the result is the member that fits the climate and has the nearest
+/// belt. If none fits the climate, as woods may be mapped where they are not wild, it is the member with the nearest
+/// belt among all.
 ///
 /// @param species_mix  No spawner.
-/// @param seed    The seed of the scene, which decides where groups of a species stand.
-/// @param uniform  A uniform random number in [0, 1).
+/// @param seed         The seed of the scene, which decides where groups of a species stand.
+/// @param uniform      A uniform random number in [0, 1).
 Species draw_species(SpeciesMix species_mix, const Habitat& habitat, std::uint64_t seed, double uniform);
 
 /// Returns the height of trees as a share of their height in the valley. It falls towards the tree line.

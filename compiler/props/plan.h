@@ -21,8 +21,8 @@ bool has_hedges(const Props& props);
 /// The order of barriers: by id, then by axis.
 inline auto order_of(const Barrier& barrier) { return std::tie(barrier.id, barrier.axis); }
 
-/// Returns the props of a map. Barriers are cut 4 m outside of the extent; their parts are numbered. Ledger
-/// "props/barrier", "props/point". Dropped: kOutsideBounds. Cannot fail.
+/// Returns the props of a map. A barrier that leaves the extent is cut 4 m outside of it; its parts are numbered along
+/// it. Ledger "props/barrier", "props/point". Props outside of the extent are dropped as kOutsideBounds. Cannot fail.
 Props plan(const map::FeatureView& features, Report& report);
 
 }  // namespace citykiln::props

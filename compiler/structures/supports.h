@@ -12,15 +12,17 @@
 
 namespace citykiln::structures {
 
-/// Half the size of a pier's foot, across the deck and along it.
+/// Half the size of a pier's foot, across the deck and along it, metres.
 struct PierFoot {
   double half_across_m = 0, half_along_m = 0;
 };
 /// Returns the size of the foot of a pier under a deck of these dimensions.
 PierFoot foot_of(const DeckDimensions& dimensions);
 
-/// Adds a pier under the deck: one wall under a narrow deck, columns with a cap beam under a wide one. Each part is a
-/// closed body.
+/// Adds a pier under the deck, in plane metres, z up: one wall under a narrow deck, columns with a cap beam under a
+/// wide one. Each part is a closed body.
+///
+/// @param ribs  In order along the deck, at least two; here and below.
 /// @param pier  Its position along the way and the height of its lower end.
 void add_pier(std::span<const Rib> ribs, const DeckDimensions& dimensions, const Pier& pier, Mesh& mesh);
 
@@ -28,7 +30,7 @@ void add_pier(std::span<const Rib> ribs, const DeckDimensions& dimensions, const
 /// @param is_begin  True for the end at the first rib, else at the last.
 void add_abutment(std::span<const Rib> ribs, const DeckDimensions& dimensions, bool is_begin, Mesh& mesh);
 
-/// Height of an abutment below the slab, and its length along the deck.
+/// Height of an abutment from the underside of the slab down, and its length along the deck.
 inline constexpr double kAbutment_m = 2.5, kAbutmentLength_m = 1;
 
 }  // namespace citykiln::structures

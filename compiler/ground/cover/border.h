@@ -13,8 +13,8 @@
 
 namespace citykiln::ground {
 
-/// A piece of a visible border, and the polygons to its left and right. The cell's own border has the polygon inside
-/// the cell on both sides.
+/// A piece of a visible border, and the indices of the polygons to its left and right, seen from a to b. The cell's own
+/// border has the polygon inside the cell on both sides. Points are on the plane's grid of kQuantum_m.
 struct Border {
   GridPoint a, b;  ///< a < b
   std::uint32_t left = 0, right = 0;

@@ -13,7 +13,7 @@ namespace citykiln::ground {
 
 /// All water with heights.
 struct Waters {
-  std::vector<LandCoverPolygon> surfaces;  ///< The given polygons; standing water has its level.
+  std::vector<LandCoverPolygon> surfaces;  ///< The given polygons, in their order; standing water has its level.
   std::vector<roads::Strip> streams;       ///< The given streams, sorted by id, with profiles and influence radii.
 };
 

@@ -11,13 +11,13 @@ namespace citykiln::roads {
 
 /// Returns limit points whose interpolation is nowhere above the sampled limit and at most kSlack_units below it.
 ///
-/// Method: each point is followed by the farthest one possible: the bottom of the next dip, if the limit only widens
-/// and narrows by kTaper in between, else the end of the longest straight line that fits below the limit. Blocks of
-/// kBlock_steps are fitted independently, so that each result depends on its own block only.
+/// Method: from each point, the next one is the farthest possible. If the limit only widens and narrows by kTaper up to
+/// the bottom of the next dip, it is this bottom; else it is the end of the longest straight line that fits below the
+/// limit. Blocks of kBlock_steps are fitted independently, so that each result depends on its own block only.
 ///
 /// @param limit  The limit at each step of kStep_m, in units of kUnit_m; neighbours differ by at most one.
-/// @param whole  The full width; values at or above it are no limit.
-/// @param first  The number of the first step along the whole way.
+/// @param whole  The full width, in units of kUnit_m; values at or above it are no limit.
+/// @param first  The number of the first step, counted along the whole way.
 ///
 /// Exact at the first and the last step. Empty if there is no limit. O(n) as a rule, times the lengths of the lines at
 /// worst.

@@ -6,11 +6,12 @@
 
 namespace citykiln::invent {
 
-/// The radius of a roundabout's axis.
+/// The radius of a roundabout's axis, metres.
 inline constexpr double kRoundabout_m = 15;
 
-/// Replaces some junctions of main roads by circles, counter-clockwise, and returns their middles. A junction is left
-/// as it is if its arms are too close to each other or meet others within the circle.
+/// Replaces some junctions of main roads in the graph by circles, counter-clockwise, and returns the middles of these,
+/// in metres from the middle of the town. A junction stays as it is if its arms are too close to each other or meet
+/// others within the circle.
 std::vector<Vec2> make_roundabouts(const TownPlan& plan, StreetGraph& graph);
 
 }  // namespace citykiln::invent

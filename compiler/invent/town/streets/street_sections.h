@@ -7,6 +7,7 @@
 
 namespace citykiln::invent {
 
+/// The widths of a street, which is the same on both sides.
 struct StreetSection {
   int lanes = 2;
   double carriageway_m = 5.5;
