@@ -17,10 +17,10 @@ double tangent(double angle_deg);
 double arcsine_deg(double x);
 double arccosine_deg(double x);
 double arctangent_deg(double x);
-/// The direction of (x, y) in -180 … 180; 0 for (0, 0).
+/// Returns the direction of (x, y) in degrees, from -180 to 180; 0 for (0, 0).
 double arctangent2_deg(double y, double x);
 double exponential(double x);
-/// The natural logarithm; for x <= 0 the logarithm of the smallest normal double.
+/// Returns the natural logarithm; for x <= 0 that of the smallest normal double.
 double logarithm(double x);
 /// Returns base^exponent, by repeated squaring for integer exponents, else by logarithm. A negative base with an
 /// exponent that is not an integer gives 0.

@@ -31,6 +31,7 @@ materials::TextureImage::Texel srgb_of(const std::array<std::uint16_t, 3>& linea
 /// True if the texel emits light.
 inline bool emits(const Texel& texel) { return texel.emission != std::array<std::uint16_t, 3>{}; }
 
+/// A picture without a size in metres.
 struct Picture {
   std::uint32_t columns = 0, rows = 0;
   std::vector<Texel> texels;  ///< Row by row.

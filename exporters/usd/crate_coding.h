@@ -19,9 +19,17 @@ std::vector<std::byte> compress_bytes(std::span<const std::byte> bytes);
 /// "USDC File Format Specification", integer compression. O(n log n).
 std::vector<std::byte> compress_integers(std::span<const std::int32_t> numbers);
 
-/// Decompresses the result of compress_bytes(); decompress_integers() is the inverse of compress_integers(). Errors:
-/// bytes that do not unpack to exactly this size or count. No bytes make these functions crash.
+/// Decompresses the result of compress_bytes().
+///
+/// @param size  The number of bytes of the result.
+///
+/// Errors: bytes that do not unpack to exactly this size. No bytes make the function crash.
 Result<std::vector<std::byte>> decompress_bytes(std::span<const std::byte> packed, std::size_t size);
+/// Decompresses the result of compress_integers().
+///
+/// @param count  The number of numbers of the result.
+///
+/// Errors: bytes that do not unpack to exactly this count. No bytes make the function crash.
 Result<std::vector<std::int32_t>> decompress_integers(std::span<const std::byte> packed, std::size_t count);
 
 }  // namespace citykiln::exporters

@@ -51,8 +51,9 @@ struct UsdReadLayer {
 /// @param name  The name of the file in error messages.
 Result<UsdReadLayer> read_usd_layer(std::span<const std::byte> bytes, const std::string& name);
 
-/// Reads a layer in one form: a crate (binary), or text. Errors as for read_usd_layer().
+/// Reads a layer from a crate (binary). Errors as for read_usd_layer().
 Result<UsdReadLayer> read_crate(std::span<const std::byte> bytes);
+/// Reads a layer from text. Errors as for read_usd_layer(), with the line.
 Result<UsdReadLayer> read_usd_text(std::string_view text);
 
 /// Returns the prim at a path; null if there is none. O(n).

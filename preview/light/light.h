@@ -43,9 +43,9 @@ class Lights {
 
   /// Returns the radiance that falls on surfaces from a direction, without the sun's disk. Below the horizon it is the
   /// light reflected by the ground around the scene, or the radiance of the map.
-  /// @param from  See seen().
+  /// @param from  Plane metres; z above sea level.
   Rgb falling(Vec3 from, Vec3 direction) const;
-  /// Returns the share of the sun's light that passes the clouds on the way to a place.
+  /// Returns the share of the sun's light that passes the clouds on the way to a place (plane metres).
   double sun_passed(Vec3 from) const { return clouds_ ? clouds_->sun_passed(from) : 1; }
   /// Returns a sample of the sky's directions, about in proportion to luminance; pdf 0 if the sky is black.
   /// @param chance  Two uniform random numbers in [0, 1).

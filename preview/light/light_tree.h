@@ -11,7 +11,8 @@
 
 namespace citykiln::preview {
 
-/// Bounds of a light source, or of a group: its place and the directions in which it shines.
+/// Bounds of a light source, or of a group: its place and the directions in which it shines. All places are in one
+/// frame of the caller, in metres.
 struct LightBounds {
   Vec3 low, high;         ///< A box around the source.
   Vec3 axis{0, 0, 1};     ///< Unit: the axis of the cone of its surfaces' normals.

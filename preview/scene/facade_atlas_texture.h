@@ -28,7 +28,8 @@ class FacadeAtlasTexture {
   std::array<double, 3> emission(const TextureFootprint& footprint, const TexelRectangle& picture) const {
     return emission_ ? emission_->mean(footprint, picture) : std::array<double, 3>{};
   }
-  /// Returns the unit normal over a footprint: its components along u, against v, and outwards. Requires has_normals().
+  /// Returns the unit normal over a footprint, in the frame of the picture: its components are along u, against v
+  /// (upwards in the picture), and outwards from the wall. Precondition: has_normals().
   Vec3 normal(const TextureFootprint& footprint, const TexelRectangle& picture) const;
   bool shines() const { return emission_.has_value(); }
   bool has_normals() const { return normal_.has_value(); }

@@ -40,7 +40,8 @@ std::size_t default_budget_bytes();
 /// Returns the budget of the request, or the default.
 std::size_t budget_bytes_of(const CellRequest& request);
 
-/// Returns a parser that stores a size of memory, such as "200MB", "4GB" or "1.5GiB"; at least 1 MB.
+/// Returns a function that stores a size of memory, such as "200MB", "4GB" or "1.5GiB", in a variable, which must
+/// outlive the result. Its error: no such size, or less than 1 MB.
 StoreValue store_bytes(std::size_t& bytes);
 
 /// True if a request is for cells: a manifest without a tolerance.
