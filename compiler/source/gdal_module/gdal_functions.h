@@ -8,8 +8,8 @@
 
 namespace citykiln::source {
 
-/// Program and module are built together, so C++ types pass between them. What the functions do, and their errors, is
-/// said in read_raster.h.
+/// Program and module are built together, so C++ types pass between them. Contracts and
+/// errors of the functions: read_raster.h.
 struct GdalFunctions {
   Result<Raster> (*read_raster)(const RasterSpec& spec, const LonLatBox* window, double spacing_m);
   Vec2 (*spacing_m_of)(const Raster& raster);
