@@ -18,18 +18,18 @@ LON_M, LAT_M = 71695.7, 111229.0  # metres of a degree there
 SIDE_M, TILE_M = 12000, 256
 TABLE = (ROOT / "compiler" / "regions" / "radii.h").read_text()
 # what reaches no farther than a chunk holds, and is compared with the table only
-WITHIN_CHUNK = {"woods", "plants' obstacles", "pieces of roads"}
+WITHIN_CHUNK = {"ends of these paths", "woods", "plants' obstacles", "pieces of roads"}
 # unit tests: FitAssumedWidths.WaysBeyondTheRadiusStay, ProfileKnots.DependOnNoHeightsBeyondAStretch,
 # AssumePavements.ALongWayIsCutAndItsEndDoesNotChangeItsBeginning, AssumeBridgePavements.TaggedAndLongBridgesStayAsTheyAre,
 # AssumedHeights.AreEqualInAShortRow, AssumedFronts.AreNotNearMappedShops, AssumeVerges.WhatLiesBeyondTheRadiusChangesNothing,
 # AssumeSurfaces.LandBeyondTheRadiusChangesNothing, Railings.DependOnNothingBeyondTheRadius,
 # ContactMasts.DependOnNothingBeyondTheRadius, RandomLand.ALotDependsOnWhatIsWithinTheRadius (yards and houses of lots;
 # yards also by yards_test, in regions)
-UNIT_TESTED = {"assumed yards", "houses of filled lots", "assumed widths", "knots", "transitions of lanes", "assumed pavements", "pavements on bridges", "assumed roofs", "assumed fronts", "assumed railings", "assumed contact lines", "verges, parking", "assumed surfaces"}
+UNIT_TESTED = {"assumed yards", "houses of filled lots", "assumed widths", "knots of profiles", "transitions of lanes", "assumed pavements", "pavements on bridges", "assumed roofs", "assumed fronts", "assumed railings", "assumed contact lines", "verges, parking", "assumed surfaces"}
 # smoothed afterwards, so that they reach farther by the radius of profiles; the halo of a region is the sum
 SMOOTHED = {"bridges and tunnels"}
 # sums of the farthest that each of several steps reaches: no one thing was found that all of them carry on
-SUMS = {"profiles", "ramps of storeys"}
+SUMS = {"profiles", "storeys of bridges"}
 
 
 def radii():
@@ -216,7 +216,7 @@ CASES = {
     "bridges and tunnels": (tunnel, lambda distance: step_at(distance - 30, -60), lambda chunk: [heights_of(span) for span in chunk.tunnels], 2048),
     "paths to a bridge": (path_below_a_bridge, None, lambda chunk: [road[5] for road in chunk.roads], 1500),
     "wires": (power_line, None, lambda chunk: chunk.wire_spans, 300),
-    "ramps of storeys": (railway_bridge, None, lambda chunk: [heights_of(road) for road in chunk.roads], 200),
+    "storeys of bridges": (railway_bridge, None, lambda chunk: [heights_of(road) for road in chunk.roads], 200),
 }
 
 
