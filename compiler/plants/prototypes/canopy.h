@@ -26,15 +26,17 @@ struct Canopy {
   int columns = 0;             ///< The number of cells from west to east.
   std::vector<bool> is_whole;  ///< By cell, row by row from the south-west: true if all four vertices are raised, so
                                ///< that the canopy replaces the trees.
-  /// By vertex, row by row from the south-west: z of a raised vertex in the plane, else 0.
+  /// By vertex, row by row from the south-west, columns + 1 vertices in a row: z of a raised vertex in the plane, else
+  /// 0.
   std::vector<double> tops_m;
 };
 
-/// Returns the canopy in a box. A cell is closed if dense woods cover it except for a path, no corridor crosses it, and
-/// its trees are high enough to see. A vertex is raised if all four of its cells are closed.
+/// Returns the canopy in a box. A cell counts as closed, its trees standing close together, if dense woods cover it
+/// except for a path, no corridor crosses it, and its trees are high enough to see. A vertex is raised if all four of
+/// its cells are closed.
 ///
 /// @param context     Sides of its box are multiples of kCanopyCell_m.
-/// @param tolerance_m  Without Detail::kWoodCanopies the canopy is empty.
+/// @param tolerance_m  The canopy is empty at tolerances that lack Detail::kWoodCanopies (detail_tolerances.h).
 ///
 /// Guarantees: positions, normals and tints of vertices are functions of the position in plan, so neighbouring tiles
 /// agree on their border. Cost: O(cells · samples).
