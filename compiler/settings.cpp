@@ -182,7 +182,11 @@ Result<Done> set_split(CompileSpec& spec, std::string_view text) {
 }
 
 Result<Done> set_compression(CompileSpec& spec, std::string_view text) {
-  return put_named(compression_named(text), "none, quantize, draco or meshopt", text, spec.outputs.compress);
+  Compression compression{};
+  const Result<Done> done =
+      put_named(compression_named(text), "none, lean, quantize, draco or meshopt", text, compression);
+  if (done) spec.outputs.compress = compression;
+  return done;
 }
 
 Result<Done> set_layout(CompileSpec& spec, std::string_view text) {
@@ -319,8 +323,8 @@ constexpr Setting kSettings[] = {
      "for 3dtiles: height of the geoid (sea level) above the ellipsoid in metres, such as 47.3, or a geoid of "
      "GeographicLib, such as egm96-5.pgm (default: 0)",
      false, set_geoid},
-    {"compress", "none|quantize|draco|meshopt", "compression of meshes in .glb files (default: {})", false,
-     set_compression, [](const CompileSpec& spec) { return std::string(name_of(spec.outputs.compress)); }},
+    {"compress", "none|lean|quantize|draco|meshopt",
+     "compression of meshes in .glb files (default: lean where the target reads it)", false, set_compression},
     {"layout", "embedded|shared",
      "shared: plants, lamps and images of all tiles are files in glb/shared (default: {} in each .glb)", false,
      set_layout, [](const CompileSpec& spec) { return std::string(name_of(spec.outputs.layout)); }},

@@ -148,18 +148,23 @@ Result<Done> check_world(const CompileSpec& spec) {
   return Done{};
 }
 
+Compression compression_of(const Outputs& outputs, Target target) {
+  return outputs.compress.value_or(values_of(target).reads_quantised ? Compression::kLean : Compression::kNone);
+}
+
 Result<Done> check_target(const Outputs& outputs) {
   // contents of 3D Tiles are written for CesiumJS, which reads all
-  if (!outputs.glb) return Done{};
+  if (!outputs.glb || !outputs.compress) return Done{};
   bool (*const reads)(const TargetValues&) =
-      outputs.compress == Compression::kQuantize  ? [](const TargetValues& t) { return t.reads_quantised; }
+      outputs.compress == Compression::kLean || outputs.compress == Compression::kQuantize
+          ? [](const TargetValues& t) { return t.reads_quantised; }
       : outputs.compress == Compression::kDraco   ? [](const TargetValues& t) { return t.reads_draco; }
       : outputs.compress == Compression::kMeshopt ? [](const TargetValues& t) { return t.reads_meshopt; }
                                                   : [](const TargetValues&) { return true; };
   const TargetValues& target = values_of(outputs.target);
   if (reads(target)) return Done{};
   return Error{"--compress", fmt::format("{} cannot be read by the target {}; add --target {}",
-                                         name_of(outputs.compress), target.name, targets_with(reads))};
+                                         name_of(*outputs.compress), target.name, targets_with(reads))};
 }
 
 }  // namespace citykiln

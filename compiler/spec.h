@@ -48,7 +48,7 @@ struct Outputs {
   std::optional<map::GeoidSource> geoid;  ///< Empty if no height of the geoid is given.
   Target target = Target::kGeneric;
   NodeSplit split = NodeSplit::kLayer;
-  Compression compress = Compression::kNone;
+  std::optional<Compression> compress;  ///< Empty: kLean where the target's reader takes it, else kNone.
   Layout layout = Layout::kEmbedded;
   std::size_t lights = 0;  ///< The number of street lamps per tile, brightest first, that are lights in .glb and USD.
   /// If one is set, each tile has one level: the finest of a fixed sequence of tolerances that is within these limits.
@@ -56,6 +56,9 @@ struct Outputs {
   std::vector<double> tolerances_m{kDefaultLevels_m.begin(),
                                    kDefaultLevels_m.end()};  ///< The tolerance of each level, increasing.
 };
+
+/// Returns the compression of the meshes in .glb files for a target.
+Compression compression_of(const Outputs& outputs, Target target);
 
 /// Decides whether a run ends with exit code 2.
 struct Strictness {

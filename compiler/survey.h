@@ -35,10 +35,7 @@ struct Survey {
 Result<Survey> survey(const CompileSpec& spec, const std::string& extract, const source::LonLatBox& extent,
                       Report& report, const OnProgress& on_progress);
 
-/// Returns the land cover areas and the watercourses of a region's map. Objects that the survey contains too, by id,
-/// are the survey's: areas with the levels of standing water, watercourses with profiles, and reversed if they were
-/// mapped uphill. All others have no heights, as from plan_dry_waters(). LandCoverPolygon::raised_priority is always
-/// that of the region's map.
+/// Returns the areas and watercourses, with the heights of those that the survey contains.
 ground::Waters surveyed_waters(const map::FeatureView& features, const Survey& survey, Report& report);
 
 }  // namespace citykiln

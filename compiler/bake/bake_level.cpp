@@ -31,7 +31,7 @@ void bake_cells(Baking& baking, std::span<const ground::GroundMesh> cells, std::
   assert(cells.size() == seen.size());
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const ground::GroundMesh& ground = cells[c];
-    baking.certify(length(Vec2{ground.error_m, ground.border_error_m}), bounds_of(ground.mesh));
+    baking.certify_terrain(length(Vec2{ground.error_m, ground.border_error_m}), bounds_of(ground.mesh));
     std::vector<LayeredMesh> meshes = material_meshes(ground, cover, markings, baking.header, baking.tolerance_m);
     for (LayeredMesh& each : meshes) add_skirt(each.mesh, seen[c].skirt, seen[c].skirt_m);
     baking.take(std::move(meshes));

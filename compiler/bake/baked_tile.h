@@ -118,6 +118,8 @@ struct BakedTile {
   /// For tiles baked for a viewpoint; tolerance_m is then the finest of several.
   std::optional<Viewpoint> viewpoint{};
   std::vector<FeatureAttributes> attributes{};  ///< One per feature, or empty.
+  /// An upper bound of the share of error_m that is not terrain (is_terrain()). Packing moves only that.
+  double object_error_m = 0;
   double plant_error_m = 0;  ///< Error of plants: stated, not certified (plants/prototypes/prototype_mesh.h).
   /// Set for tiles inside of a cylinder: coordinates are those of map/plane/cylinder.h instead of the plane.
   std::optional<CylinderFrame> cylinder{};

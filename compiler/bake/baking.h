@@ -54,6 +54,11 @@ struct Baking {
   /// Raises the stated errors of the tile to the error of one object: in metres and, for a viewpoint, in pixels.
   /// @param bounds  Bounds of the object; its nearest point decides the error in pixels.
   void certify(double error_m, const Bounds& bounds) {
+    tile.object_error_m = std::max(tile.object_error_m, error_m);
+    certify_terrain(error_m, bounds);
+  }
+  /// Raises them to the error of a piece of terrain.
+  void certify_terrain(double error_m, const Bounds& bounds) {
     tile.error_m = std::max(tile.error_m, error_m);
     if (!part) return;
     double& largest_px = tile.viewpoint->pixel_error;

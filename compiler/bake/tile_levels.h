@@ -39,7 +39,7 @@ struct SharedByLevels {
                                            ///< Detail::kWoodCanopies, in the order of levels.
 };
 
-/// The meshes of each building, in the order of Chunk::buildings; empty meshes for buildings of other parts of a view.
+/// The meshes of each building of the chunk.
 using BuildingMeshes = std::vector<buildings::GeneratedBuilding>;
 
 /// One level of a tile, or one part of a tile for a viewpoint: its ground, and its buildings if they were generated for

@@ -47,7 +47,6 @@ inline Vec3 unit(Vec3 a) {
   const double l = length(a);
   return l > 0 ? a * (1 / l) : a;
 }
-/// Returns the vector without z.
 inline Vec2 in_plan(Vec3 a) { return {a.x, a.y}; }
 inline Vec3 at_height(Vec2 a, double z) { return {a.x, a.y, z}; }
 

@@ -1,4 +1,4 @@
-// Finds railways that are mapped as ways of their own inside of the carriageway of a street.
+// Railways that are mapped inside of the carriageway of a street, as a way of their own.
 //
 //     ════════════════════════════════  kerb
 //       - - - - - - ╪╪╪╪╪╪╪╪╪╪╪╪╪╪╪╪─╪╪╪╪╪╪   rails in the asphalt, and in ballast where they leave it
@@ -14,9 +14,8 @@ namespace citykiln::map {
 /// The least length along which a railway lies in a carriageway. Where it lies in one for less, it only crosses it.
 inline constexpr double kLeastInStreet_m = 24;
 
-/// Returns a railway as rails in a street: of class kStreetRails, with one lane, whose middle is the axis, and without
-/// level crossings. The lane is as wide as the railway's own section (carriageway_width_m() of rails.section), at most
-/// 2.5 m. All else is unchanged.
+/// Returns a railway as rails in a street: of class kStreetRails, with one lane on its axis, as wide as its carriageway
+/// but at most 2.5 m, and without its level crossings. All else is unchanged.
 Track as_street_rails(Track rails);
 
 /// Returns the tracks, with railways cut into pieces where they run in streets. Pieces in streets are street rails

@@ -213,7 +213,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["resampling_error_m"] = header.resampling_error_m;
   json["target"] = values_of(outputs.target).name;
   json["split"] = name_of(outputs.split);
-  json["compress"] = name_of(outputs.compress);
+  json["compress"] = name_of(compression_of(outputs, outputs.target));
   json["layout"] = name_of(outputs.layout);
   if (outputs.lights > 0) json["lights"] = outputs.lights;
   json["counts"] = counts_of(scene);
@@ -249,7 +249,7 @@ std::string timing_json(std::span<const StageCost> costs, int threads) {
 }
 
 exporters::GlbOptions glb_options_of(const Outputs& outputs) {
-  return {.target = outputs.target, .split = outputs.split, .compression = outputs.compress};
+  return {.target = outputs.target, .split = outputs.split, .compression = compression_of(outputs, outputs.target)};
 }
 
 std::size_t most_instances_of(Target target) {

@@ -1,6 +1,5 @@
-// The appearance of a plant in a month: materials of leaves, and tints of leaves and bark. Each species has kVariants
-// variants, which are plants that are grown differently. A prototype is one variant of one species; plants with the
-// same prototype share a mesh.
+// The appearance of a plant in a month: materials of leaves, and tints of leaves and bark. A prototype is one of the
+// few distinct plants of a species.
 #pragma once
 
 #include "compiler/materials/material.h"
@@ -13,12 +12,11 @@ struct Appearance {
   /// kBark if leaf_share is 0: leaf cards (rectangles with a picture of leaves) then show twigs.
   materials::Material leaf_material{};
   materials::Tint leaf{}, bark{};  ///< The tints of leaf_material and of any bark material.
-  double leaf_share = 1;           ///< The share of the leaves that are present; 0: bare twigs.
-  double height_share = 1;         ///< The height as a share of the summer height; 0: no plant.
+  double leaf_share = 1,
+         height_share = 1;  ///< Share of the leaves that are present, and height as a share of the summer height.
 };
 
-/// Returns the appearance of a variant of a species, shipped or user-defined, in a month.
-/// @param variant  Less than kVariants (asserted).
+/// Returns the appearance of a variant of a species in a month.
 Appearance appearance_of(const SpeciesValues& species, std::uint8_t variant, Month month);
 
 /// Returns the appearance of a prototype of a shipped species in a month.

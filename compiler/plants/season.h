@@ -1,5 +1,4 @@
-// Seasons: the state of a species' leaves and its height in each month. Each species has kVariants variants, which are
-// plants that are grown differently. A prototype is one variant of one species.
+// Seasons: the state of a species' leaves and its height in each month.
 #pragma once
 
 #include <chrono>
@@ -36,13 +35,11 @@ struct SeasonState {
 /// user_species.md lists the states.
 bool are_months(std::string_view months);
 
-/// Returns the state of a variant of a species, shipped or user-defined, in a month, by the species' `months`. In
-/// months of turning leaves the turned share differs between variants; in all other months variants have the same
-/// state.
-/// @param variant  Less than kVariants (asserted).
+/// Returns the state of a variant of a species in a month, by the species' `months`.
 SeasonState season_state_of(const SpeciesValues& species, std::uint8_t variant, Month month);
 
-/// Returns the state of a prototype of a shipped species in a month, in the same way.
+/// Returns the state of a prototype of a shipped species in a month, by the species' `months`. In a month of turning
+/// leaves, the turned share differs between variants, the differently grown plants of the species.
 SeasonState season_state_of(Prototype prototype, Month month);
 
 }  // namespace citykiln::plants

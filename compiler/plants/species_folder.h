@@ -17,10 +17,9 @@ namespace citykiln::plants {
 
 /// User-defined species.
 struct UserSpecies {
-  /// The files of plants, and two tables: kUserSpeciesName (species.txt) with the sizes of all grown plants, and
-  /// kSpawnersName (spawners.txt). Sorted by name; empty without a folder. Rows of kUserSpeciesName have no words of
-  /// tags, and other values only if the folder's species.txt gives them; the rest follows from the shipped species in
-  /// column `like`.
+  /// The files, and the tables kUserSpeciesName, with the sizes of all grown plants, and kSpawnersName. Sorted by name;
+  /// empty without a folder. kUserSpeciesName has no words of tags, and other values only where species.txt gives them:
+  /// the rest follows from the species that it is like.
   std::vector<SpeciesText> texts{};
   SpeciesTable table{};
   map::UserPlants for_map{};

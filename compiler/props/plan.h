@@ -22,8 +22,7 @@ bool has_hedges(const Props& props);
 inline auto order_of(const Barrier& barrier) { return std::tie(barrier.id, barrier.axis); }
 
 /// Returns the props of a map. A barrier that leaves the extent is cut 4 m outside of it; its parts are numbered along
-/// it. Objects are counted in the report's accounts "props/barrier" and "props/point". Props outside of the extent are
-/// dropped as kOutsideBounds. Cannot fail.
+/// it. Ledger "props/barrier", "props/point". Props outside of the extent are dropped as kOutsideBounds. Cannot fail.
 Props plan(const map::FeatureView& features, Report& report);
 
 }  // namespace citykiln::props

@@ -1,6 +1,4 @@
-// Conversion of equatorial directions to a place's horizon, and refraction. The frame of the equator of date has x
-// towards the vernal equinox and z towards the north celestial pole, both as they are at that moment, not in a standard
-// epoch.
+// Conversion of equatorial directions to a place's horizon, and refraction.
 #pragma once
 
 #include "compiler/map/plane/plane.h"
@@ -8,11 +6,9 @@
 namespace citykiln::sky {
 
 /// Converts a direction from the frame of the equator of date to {east, north, up} at a place.
-/// @param sidereal_deg  The sidereal time of Greenwich as an angle; here and below.
 Vec3 at_horizon(Vec3 equatorial, LonLat place, double sidereal_deg);
 
-/// Returns the position of a place on the ellipsoid of WGS 84, from the Earth's centre, in units of the equatorial
-/// radius, in the frame of the equator of date.
+/// Returns the position of a place on the ellipsoid, in equatorial radii, in the frame of the equator of date.
 Vec3 place_radii(LonLat place, double sidereal_deg);
 
 /// Returns a direction {east, north, up} lifted by refraction, for 10 °C and 1010 hPa.

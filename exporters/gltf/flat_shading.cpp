@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "exporters/gltf/object_runs.h"
 #include "exporters/gltf/share_vertices.h"
+#include "exporters/gltf/split_buildings.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -71,6 +73,29 @@ struct Copies {
 
 bool is_flat(const Primitive& primitive) {
   return std::ranges::all_of(primitive.triangles, [&](const Triangle& t) { return has_own_normal(primitive, t); });
+}
+
+ByShading by_shading(const Primitive& primitive) {
+  const auto is_flat_run = [&](const ObjectRun& run) {
+    const auto first = primitive.triangles.begin();
+    return std::all_of(first + static_cast<std::ptrdiff_t>(run.first_triangle),
+                       first + static_cast<std::ptrdiff_t>(run.last_triangle),
+                       [&](const Triangle& t) { return has_own_normal(primitive, t); });
+  };
+  ByShading parts;
+  const std::vector<ObjectRun> runs = object_runs(primitive);
+  for (std::size_t first = 0, last = 0; first < runs.size(); first = last) {
+    const bool is_flat = is_flat_run(runs[first]);
+    for (last = first + 1; last < runs.size() && is_flat_run(runs[last]) == is_flat;) ++last;
+    const ObjectRun joined{runs[first].first_vertex, runs[last - 1].last_vertex, runs[first].first_triangle,
+                           runs[last - 1].last_triangle};
+    Primitive& to = is_flat ? parts.flat : parts.smooth;
+    if (to.triangles.empty())
+      to = part_of(primitive, joined);
+    else
+      append_primitive(to, part_of(primitive, joined));
+  }
+  return parts;
 }
 
 Primitive without_normals(Primitive&& primitive) {

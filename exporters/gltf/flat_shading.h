@@ -9,6 +9,14 @@ namespace citykiln::exporters {
 /// than 1 mm high. O(n).
 bool is_flat(const bake::Primitive& primitive);
 
+/// The parts of a primitive that need no normals, and those that do. Either may be without triangles.
+struct ByShading {
+  bake::Primitive flat, smooth;
+};
+
+/// Divides a primitive into its runs (object_runs.h) that are flat (is_flat()) and the others, each in order. O(n).
+ByShading by_shading(const bake::Primitive& primitive);
+
 /// Returns a primitive without normals. Connected triangles share vertices that differed only in their normals.
 bake::Primitive without_normals(bake::Primitive&& primitive);
 

@@ -43,7 +43,7 @@ struct StreamSize {
 /// Returns the streams that are not empty, in the order of a chunk. Cost: as encode_manifest(), on one thread.
 std::vector<StreamSize> stream_sizes_of(const scene::Scene& scene);
 
-/// Reads a scene from a file, with the errors of read_file() (file.h) and decode_manifest().
+/// Reads a scene from a file, with the errors of decode_manifest().
 /// @param only   If not empty, only the chunks of these tiles are read; a missing tile is an error.
 Result<scene::Scene> read_manifest(const std::string& path, std::span<const scene::TileKey> only);
 

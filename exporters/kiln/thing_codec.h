@@ -1,9 +1,5 @@
-// Reads and writes the things of a chunk (the recipes of one tile). A form is all that decides the mesh of a thing
-// (things/recipe.h). All forms come first, each once, then the things, each with the number of its form.
-//
-// Each function both writes and reads: `io` is a Writer, a Reader or a PointStepProbe (chunk_io.h). A Reader fails on
-// values that no chunk can have: io.fail() notes the name of the stream in Reader::wrong. Values that were read are of
-// no use then; lists end, and the caller tests Reader::wrong.
+// Reads and writes the things of a chunk (the recipes of one tile): the forms of all things, each once, then the
+// things. `io` is a Writer, a Reader or a probe (chunk_io.h).
 #pragma once
 
 #include <algorithm>
@@ -24,12 +20,11 @@ struct WordList {
   std::map<std::string, std::size_t> numbers = {{"", 0}};
 };
 
-/// The largest size of a word in bytes, and of a thing. A Reader fails on larger ones.
+/// The largest size of a word, and of a thing.
 inline constexpr std::size_t kMostWordBytes = 255;
 inline constexpr double kLargestThing_m = 1024;
 
-/// Reads or writes a word: its number in the list. The number after the last one means a new word, which follows and is
-/// added to the list. A Reader fails on higher numbers.
+/// A word: its number in the list. The number after the last one means a new word, which follows.
 void word(auto& io, WordList& list, std::string& value) {
   const auto found = list.numbers.find(value);
   std::size_t number = found == list.numbers.end() ? list.words.size() : found->second;
@@ -42,7 +37,7 @@ void word(auto& io, WordList& list, std::string& value) {
   value = list.words[number];
 }
 
-/// Reads or writes a colour: 0 for none, else 1 + its 24 bits, red first. A Reader fails on larger numbers.
+/// Reads or writes a colour: 0 for none, else 1 + its 24 bits.
 void thing_colour(auto& io, std::optional<map::Srgb>& colour) {
   std::uint32_t number = colour ? 1 + ((*colour)[0] << 16 | (*colour)[1] << 8 | (*colour)[2]) : 0;
   io.number("thing colour", number);
@@ -56,15 +51,12 @@ void thing_colour(auto& io, std::optional<map::Srgb>& colour) {
   }
 }
 
-/// Reads or writes a width, depth or height, in steps of kQuantum_m. A Reader fails if it is not in (0,
-/// kLargestThing_m], and sets it to 1.
 void thing_length(auto& io, double& length_m) {
   io.metres("thing size", length_m);
   if constexpr (std::remove_reference_t<decltype(io)>::kReads)
     if (!(length_m > 0 && length_m <= kLargestThing_m)) io.fail("thing size"), length_m = 1;
 }
 
-/// Reads or writes a form. A Reader fails on a country or variant that does not exist.
 void serialise(auto& io, things::Form& form, WordList& words) {
   word(io, words, form.kind);
   thing_length(io, form.width_m), thing_length(io, form.depth_m), thing_length(io, form.height_m);
@@ -77,7 +69,7 @@ void serialise(auto& io, things::Form& form, WordList& words) {
     if (form.variant >= things::kVariants) io.fail("thing variant"), form.variant = 0;
 }
 
-/// Reads or writes the things of a chunk. A Reader fails on a direction or form that does not exist.
+/// The things of a chunk.
 void things(auto& io, std::vector<things::Thing>& all) {
   constexpr bool kReads = std::remove_reference_t<decltype(io)>::kReads;
   std::vector<things::Form> forms;

@@ -19,19 +19,17 @@ std::vector<std::byte> compress_bytes(std::span<const std::byte> bytes);
 /// "USDC File Format Specification", integer compression. O(n log n).
 std::vector<std::byte> compress_integers(std::span<const std::int32_t> numbers);
 
-/// Decompresses the result of compress_bytes(). The result has fewer bytes than `size` if that is all that `packed`
-/// holds; the caller compares.
+/// Decompresses the result of compress_bytes().
 ///
-/// @param size  The largest number of bytes of the result.
+/// @param size  The number of bytes of the result.
 ///
-/// Errors: bytes that are not one chunk of LZ4, or that unpack to more than `size` bytes; a `size` of 2^30 or more, or
-/// of more than 255 times the packed bytes. Any bytes may be given: none make the function crash.
+/// Errors: bytes that do not unpack to exactly this size. No bytes make the function crash.
 Result<std::vector<std::byte>> decompress_bytes(std::span<const std::byte> packed, std::size_t size);
 /// Decompresses the result of compress_integers().
 ///
 /// @param count  The number of numbers of the result.
 ///
-/// Errors: bytes that do not unpack to exactly this count. Any bytes may be given: none make the function crash.
+/// Errors: bytes that do not unpack to exactly this count. No bytes make the function crash.
 Result<std::vector<std::int32_t>> decompress_integers(std::span<const std::byte> packed, std::size_t count);
 
 }  // namespace citykiln::exporters

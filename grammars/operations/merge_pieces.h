@@ -10,8 +10,7 @@
 
 namespace citykiln::grammars {
 
-/// A slice: a piece that will be cut from the shape, with its index among all pieces of the split, merged ones
-/// included.
+/// A slice: a piece that will be cut from the shape, with its index among all pieces of the split.
 struct Slice {
   Interval interval;
   std::size_t index = 0, total = 0;
@@ -28,32 +27,27 @@ struct Division {
 /// Returns a division with a slice for each interval.
 Division divided(std::span<const Interval> intervals);
 
-/// True if the derivation has a tolerance above 0, DeriveOptions::keep_appearances and DeriveOptions::prune_early, and
-/// displacement_bound() applies to the shape (is_flat()).
+/// True if appearances are kept, nodes are pruned early, and displacement_bound() applies to the shape.
 bool may_merge_narrow(const Run& run, const Shape& shape);
 
 /// Leaves out runs of adjacent pieces that are together no wider than the tolerance. The piece before or after a run is
 /// extended over it, the one with the smaller error, if displacement_bound() gives an error within the tolerance.
 ///
 /// Error: let S be the surface of the piece before it is extended, s the surfaces of the pieces left out, D and d the
-/// results of applying rules to S and s, and D′ the result of S′ = S + s. displacement_bound() gives two distances for
-/// S: no point of D is farther than out(S) from S (Displacement::to_earlier_m), and no point of S is farther than
-/// back(S) from D (to_later_m); out(s) and back(s) are the same for s and d. Bounds do not depend on the width, so
-/// bounds of S hold for S′. A point of D′ is within out(S) of S′, hence within out(S) + max(back(S), back(s)) of D + d.
-/// A point of D + d is within max(out(S), out(s)) of S′, hence within max(out(S), out(s)) + back(S) of D′.
+/// results of S and s, and D′ the result of S′ = S + s. Bounds do not depend on the width, so bounds of S hold for S′.
+/// A point of D′ is within out(S) of S′, hence within out(S) + max(back(S), back(s)) of D + d. A point of D + d is
+/// within max(out(S), out(s)) of S′, hence within max(out(S), out(s)) + back(S) of D′.
 ///
-/// Precondition: may_merge_narrow(), of which is_flat() is asserted.
-/// @param division   A result of divided().
+/// @param division  A result of divided().
 /// @param selectors  By Interval::leaf.
 Division merge_narrow_pieces(Execution& execution, Division division, std::span<const Selector* const> selectors);
 
-/// True if the derivation has DeriveOptions::prune_early and the shape is one planar face (is_flat()).
+/// True if nodes are pruned early and the shape is one planar face.
 bool may_merge_terminals(const Run& run, const Shape& shape);
 
-/// Joins adjacent pieces whose bodies are the same terminal, like `Wall.`. The surface does not change if
-/// may_merge_terminals() holds; this is not checked.
+/// Joins adjacent pieces whose bodies are the same terminal, like `Wall.`. The surface does not change.
 ///
-/// @param division   A result of divided() or merge_narrow_pieces().
+/// @param division  A result of divided() or merge_narrow_pieces().
 /// @param selectors  By Interval::leaf.
 Division merge_terminals(Division division, std::span<const Selector* const> selectors);
 

@@ -13,10 +13,9 @@ namespace citykiln::roofs {
 
 /// The plan of a roof: the facets, and the overhanging eaves.
 struct RoofPlan {
-  /// Facets over the footprint and the eaves. Where areas of facets overlap, the first one is the roof.
-  std::vector<Facet> facets;
-  Polygon eaves_outline;   ///< Contains the footprint without touching it; empty: no overhang.
-  double thickness_m = 0;  ///< The thickness of overhanging eaves, by which the roof is lifted.
+  std::vector<Facet> facets;  ///< Facets over the footprint and the eaves. Where facets overlap, the first one applies.
+  Polygon eaves_outline;      ///< Contains the footprint without touching it; empty: no overhang.
+  double thickness_m = 0;     ///< The thickness of overhanging eaves, by which the roof is lifted.
   /// Heights below this on the border of the footprint become 0, so that the roof meets the wall.
   double flush_m = 0x1p-7;
 };
@@ -24,14 +23,11 @@ struct RoofPlan {
 /// A roof, and measures of the misfit of its facets.
 struct RaisedRoof {
   Roof roof;
-  double uncovered_m2 = 0;  ///< The area without a facet, over which the facets beside it are extended.
-  /// The largest height difference between facets of one surface (Facet::surface) at a vertex where they meet.
-  double largest_gap_m = 0;
+  double uncovered_m2 = 0;   ///< The area without a facet, over which the facets beside it are extended.
+  double largest_gap_m = 0;  ///< The largest height difference between facets of one surface where they meet.
 };
 
-/// Overlays facets and footprint, triangulates the plan, and lifts every vertex. Facets of one surface have one height
-/// at a vertex where they meet: the lowest of theirs. Between facets of different surfaces a vertical wall fills the
-/// height difference.
+/// Overlays facets and footprint, triangulates the plan, and lifts every vertex to the lowest facet that meets there.
 ///
 /// @param footprint  Any rings: the even-odd rule applies.
 /// Guarantees: roof, eaves and floor are closed (roof.h) for any facets; no height is below 0 over the footprint; no

@@ -16,7 +16,7 @@ namespace citykiln::grammars {
 /// The material of a surface as set by rules. The caller of derive() decides how a name is rendered.
 struct Appearance {
   std::string name;                     ///< material.name, e.g. "brick"; "" if no rule has set it.
-  std::string colour_map;               ///< The file named by texture("…"); "" for none.
+  std::string colour_map;               ///< texture("…").
   double red = 1, green = 1, blue = 1;  ///< sRGB, 0 … 1.
   double opacity = 1, roughness = 1, metallic = 0;
   double emissive_red = 0, emissive_green = 0, emissive_blue = 0;
@@ -24,7 +24,7 @@ struct Appearance {
 };
 
 /// Texture coordinates as an affine function of position p: u = dot(p - origin, u_per_m), v = dot(p - origin, v_per_m).
-/// p is in plane metres, z up, as the scope is. The texture covers u and v from 0 to 1.
+/// The texture covers 0 to 1.
 struct TextureProjection {
   Vec3 origin;
   Vec3 u_per_m, v_per_m;
@@ -52,7 +52,7 @@ struct Shape {
   double deviation_m = 0;
   bool leaves_out_details = false;  ///< Successors that are near to others may be left out (leave_out_details.h).
   SiblingIndex in_split, in_comp;
-  // indices into Run::tables (Tables); 0 is the default
+  // indices into Tables; 0 is the default
   std::uint32_t appearance = 0;
   std::uint32_t projection = 0;  ///< A texture projection that is set up but not applied yet.
   std::uint32_t texture = 0;     ///< The texture projection applied to the surface.

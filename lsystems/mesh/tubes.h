@@ -28,14 +28,12 @@ struct TubeOptions {
   double flare = 0.6;         ///< The widening of the trunk's foot, in radii; 0: none.
   /// The surface of each Instance::kind. A kind without a surface gets a kite of four corners.
   std::span<const LeafSurface> surfaces;
-  bool instances = true;  ///< False: instances (leaves, flowers and other named shapes) are left out.
-  /// The period of the bark texture in metres. u counts metres of the texture, which is stretched around each stem so
-  /// that a whole number of periods fits its mean girth: at least 1, at most 64. u begins at one period, so that it is
-  /// never negative. 0: the texture is wrapped around each stem once, and u counts turns, from 1 to 2.
+  bool instances = true;  ///< Instances are meshed.
+  /// The period of the bark texture. u counts metres of the texture. A whole number of periods is around each stem, as
+  /// many as fit its mean girth and at least one. 0: one period of 1, so u counts turns. u begins at one period.
   double bark_m = 0;
 };
 
-/// The largest number of sides of a tube.
 inline constexpr int kMostSides = 64;
 
 /// Meshes a skeleton.
@@ -55,8 +53,6 @@ PlantMesh mesh_plant(const Skeleton& skeleton, const TubeOptions& options = {});
 /// Meshes a skeleton into `mesh`, whose memory is reused.
 void mesh_plant(const Skeleton& skeleton, const TubeOptions& options, PlantMesh& mesh);
 
-/// The largest number of corners of a concave polygon that is triangulated by clipping ears. A polygon with more
-/// becomes a fan, whose triangles may lie outside of it.
 inline constexpr std::size_t kMostClipped = 256;
 
 }  // namespace citykiln::lsystems

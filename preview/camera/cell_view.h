@@ -24,7 +24,7 @@ struct CellFineness {
 std::vector<Vec3> eyes_of(std::span<const Camera> cameras);
 
 /// Returns the pyramid that the picture of a camera at rest shows, widened by a pixel on each side and by the radius of
-/// the lens. Sight::to_sun is zero, so shadows are not included; cell_view() sets it.
+/// the lens. Sight::to_sun is zero.
 bake::Sight sight_of(const Camera& camera, int width_px, int height_px);
 
 /// Returns one view for all pictures, in which the nearest eye decides the tolerance of a cell. More than 65 eyes are

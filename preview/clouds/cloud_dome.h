@@ -8,18 +8,13 @@
 
 namespace citykiln::preview {
 
-/// The effect of clouds on the radiance along a ray: with clouds it is clear · passed + added. `clear` is the radiance
-/// of the same ray without clouds, as the eye receives it: it includes the light that the air before the clouds
-/// scatters.
+/// The effect of clouds on the light from behind them: light · passed + added.
 struct CloudVeil {
-  double passed = 1;  ///< Share of light that the clouds let pass, 0 to 1; the air's own attenuation is in `clear`.
-  /// The light of the clouds, attenuated by the air before them, and the light of that air of which `passed` removes a
-  /// share. In sky::kUnitLuminance_cd_m2.
-  Rgb added{};
+  double passed = 1;  ///< Share of the light from behind that passes, 0 to 1.
+  Rgb added{};        ///< Radiance that the clouds add.
 };
 
-/// Returns the effect of the clouds along a ray.
-/// @param before  The air from the eye to the clouds (CloudPath::distance_m).
+/// Returns the effect of clouds along a ray together with the air before them.
 CloudVeil veil_of(const CloudPath& path, const sky::AirPath& before);
 
 /// A table of CloudVeil by the direction from one eye, in cells of about three degrees; scattered light does not show
@@ -30,9 +25,8 @@ class CloudDome {
   /// Computes the table for an eye (plane metres). Cost: 12,288 rays. Same bits for any number of threads.
   CloudDome(const CloudField& field, const sky::SkyModel& model, Vec3 eye, int threads);
 
-  /// Returns the effect of clouds along a ray. Empty without clouds, where the place or the eye is above the lowest
-  /// base, and for directions that do not go up.
-  /// @param from  Plane metres.
+  /// Returns the effect of clouds along a ray. Empty where the place or the eye is above the lowest base, and for
+  /// directions that do not go up.
   std::optional<CloudVeil> along(Vec3 from, Vec3 direction) const;
 
  private:

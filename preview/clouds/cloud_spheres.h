@@ -44,15 +44,12 @@ class CloudSpheres {
   /// Returns the optical depth from a place (plane metres) in a direction (unit vector) to infinity, as if edges were
   /// sharp.
   double optical_depth(Vec3 from, Vec3 direction) const;
-  /// Returns the density at a distance along a ray, as a share of the density in the middle of clouds: 0 outside of
-  /// spheres, 1 inside of sharp ones. For soft spheres it is the sum of their own densities, limited to 1. The density
-  /// of one sphere rises from 0 at its surface to about 1 at a depth of a quarter of the radius, but at least 8 m and
-  /// at most 25 m. Further inside the limit takes effect, since the formula (edge_density()) goes on to 2 and more in
-  /// the middle of large spheres.
+  /// Returns the density at a distance along a ray, relative to the middle of clouds, 0 to 1. Inside of sharp spheres
+  /// the density is 1. The density of a soft sphere rises from 0 at its surface to about 1 within a quarter of the
+  /// radius, at least 8 m and at most 25 m; the densities of overlapping spheres are added.
   /// @param parts  The result of parts_of() for the ray.
   double density(std::span<const SpherePart> parts, double at_m) const;
-  /// Returns the factor f of a soft sphere, whose density before the limit is f · (1 - (distance from its middle /
-  /// radius)²). It is 2 for radii from 32 m to 100 m, more for larger spheres and less for smaller ones.
+  /// Returns the factor f of a soft sphere, whose density is f · (1 - (distance from its middle / radius)²).
   double edge_density(std::size_t sphere) const;
 
   std::size_t size() const { return spheres_.size(); }

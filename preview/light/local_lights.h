@@ -30,11 +30,11 @@ class LocalLights {
   bool has_emitters() const { return !emitter_tree_.is_empty(); }
   /// Returns the lit windows, which are sampled by PaneLights::sample().
   const PaneLights& pane_lights() const { return panes_; }
-  /// Samples a lamp for a place. LightSample::pdf is 0, as a lamp is a point, which no ray can hit. Empty: the lamp
-  /// that was drawn does not light the place, or none does.
+  /// Samples a lamp for a place, with LightSample::pdf 0. Empty: the lamp that was drawn does not light the place, or
+  /// none does.
   /// @param at      The place that receives light, in the frame of the world.
   /// @param normal  Unit normal of a surface at the place, which receives light only from its front. Zero: from all
-  ///                directions.
+  /// directions.
   /// @param chance  A uniform random number in [0, 1).
   std::optional<LightSample> sample_lamp(Vec3 at, Vec3 normal, double chance) const;
   /// Samples an emitter for a place, and a point on the emitter. Empty: no emitter lights the place, or the place is
@@ -48,7 +48,7 @@ class LocalLights {
   /// that is not sampled.
   /// @param distance_m  The distance from the place to the emitter in this direction.
   double pdf(std::uint32_t emitter, Vec3 at, Vec3 normal, Vec3 direction, double distance_m) const;
-  /// Returns the radiance of an emitter, in sky::kUnitLuminance_cd_m2.
+  /// Returns the radiance of an emitter.
   const Rgb& radiance_of(std::uint32_t emitter) const { return emitters_[emitter].radiance; }
 
  private:

@@ -19,7 +19,7 @@ struct Frame {
 Frame frame_about(Vec3 normal);
 
 /// Isotropic microfacets of width `alpha`, which is the square of glTF's roughness, with Smith's height-correlated
-/// masking and shadowing. Directions are unit vectors with z > 0, in the frame of the surface, and point away from it.
+/// masking and shadowing. Directions are unit vectors with z > 0.
 ///
 /// Source: Walter et al., "Microfacet Models for Refraction", EGSR 2007; Heitz, "Understanding the Masking-Shadowing
 /// Function", JCGT 3(2), 2014.
@@ -34,7 +34,6 @@ struct Microfacets {
   double seen(Vec3 from, Vec3 other) const;
   /// Returns a sample of the normals of facets that are visible from a direction (Heitz, "Sampling the GGX Distribution
   /// of Visible Normals", JCGT 7(4), 2018).
-  /// @param chance  Uniform random numbers.
   Vec3 sample(Vec3 from, UnitPair chance) const;
   /// Returns the density of sample(), per steradian.
   double pdf(Vec3 facet, Vec3 from) const;
@@ -43,8 +42,7 @@ struct Microfacets {
   double lambda(Vec3 from) const;
 };
 
-/// Returns `v` turned by 180° about a unit normal: the direction in which a mirror with this normal reflects light that
-/// leaves it towards `v`. Both point away from the mirror.
+/// Returns `v` mirrored at a plane with a unit normal. Both point away from the plane.
 inline Vec3 mirrored(Vec3 v, Vec3 normal) { return normal * (2 * dot(v, normal)) - v; }
 
 }  // namespace citykiln::preview

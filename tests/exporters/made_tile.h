@@ -43,7 +43,7 @@ inline bake::BakedTile made_tile(std::uint32_t seed) {
   std::mt19937 dice(seed);
   bake::BakedTile tile;
   tile.tile = {-3, 17}, tile.origin = {-3072 + 512, 123456789, 431}, tile.tolerance_m = 0.1, tile.error_m = 0.0625;
-  tile.plant_error_m = 0.375;
+  tile.object_error_m = tile.error_m, tile.plant_error_m = 0.375;
   tile.features = {{}, {OsmType::kNode, 5}, {OsmType::kWay, -12}, {OsmType::kRelation, (std::int64_t{1} << 53) + 1}};
   tile.attributes = {
       {}, {"oak", "", 12.3f}, {"Apartments", "Château «Ω»", 31, {{"building", "yes"}}}, {"Park", "Parc", 0}};

@@ -16,7 +16,7 @@ MAP = ["compile", TOWN / "town.osm", *BOX, "--dem",
 
 
 def inside(*more, radius_m=RADIUS_M, levels_m="0.5,2.5"):
-    return [*MAP, "--lods", levels_m, "--world", f"cylinder:{radius_m}", *more]
+    return [*MAP, "--lods", levels_m, "--compress", "none", "--target", "godot", "--world", f"cylinder:{radius_m}", *more]
 
 
 class Cylinder(ProgramTest):
@@ -61,7 +61,7 @@ class Cylinder(ProgramTest):
 
     def test_bake_gives_the_bytes_of_compile(self):
         out = self.folder / "again"
-        done = run("bake", self.town(), "--lods", "0.5,2.5", "--emit", "glb", "--lights", 64, "-o", out)
+        done = run("bake", self.town(), "--lods", "0.5,2.5", "--compress", "none", "--target", "godot", "--emit", "glb", "--lights", 64, "-o", out)
         self.assertEqual(done.returncode, 0, done.stderr)
         compiled = bytes_of_outputs(self.town())
         for name, sha in bytes_of_outputs(out).items():
@@ -69,7 +69,7 @@ class Cylinder(ProgramTest):
 
     def test_the_manifest_differs_by_its_sky_alone(self):
         flat = self.folder / "flat"
-        self.assertEqual(run(*MAP, "--lods", "0.5,2.5", "--emit", "glb", "--lights", 64, "-o", flat).returncode, 0)
+        self.assertEqual(run(*MAP, "--lods", "0.5,2.5", "--compress", "none", "--target", "godot", "--emit", "glb", "--lights", 64, "-o", flat).returncode, 0)
         levels = [r["tiles"] for r in (report_of(flat), report_of(self.town()))]
         self.assertEqual([t["file"] for t in levels[0]], [t["file"] for t in levels[1]])
         for plane, bent in zip(*levels):

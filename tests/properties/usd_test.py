@@ -67,7 +67,7 @@ class WhatUsdSays(ProgramTest):
         super().setUpClass()
         cls.kept = cls.enterClassContext(__import__("tempfile").TemporaryDirectory(prefix="citykiln_usd_"))
         cls.town = Path(cls.kept) / "town"
-        done = run("compile", "--spec", TOWN / "spec.json", "--lods", LEVELS_M, "--emit", "kiln,glb,usd", "-o", cls.town)
+        done = run("compile", "--spec", TOWN / "spec.json", "--lods", LEVELS_M, "--target", "godot", "--emit", "kiln,glb,usd", "-o", cls.town)
         assert done.returncode == 0, done.stderr
         cls.tiles = [(t["x"], t["y"]) for t in report_of(cls.town)["usd"] if t["level"] == 0]
         assert len(cls.tiles) == 4

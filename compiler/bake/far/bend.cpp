@@ -191,6 +191,7 @@ BakedTile bent(BakedTile tile, const map::Globe& globe, const map::Geoid& geoid)
        }));
   const double stretch = 1 + high_m / map::kLeastRadius_m;
   tile.error_m = tile.error_m * stretch + sag_m + kHalfDiagonal * kQuantum_m + rounding_m(tile);
+  tile.object_error_m = tile.error_m;
   tile.plant_error_m *= stretch;
   return tile;
 }
@@ -211,6 +212,7 @@ BakedTile bent(BakedTile tile, const map::Cylinder& cylinder) {
   tile.cylinder = CylinderFrame{cylinder.radius_m, middle_y_m(tile)};
   bend(tile, bending_of(tile, [&](Vec3 p) { return map::at(cylinder, p); }));
   tile.error_m = tile.error_m * stretch + std::max(sag_m, rigid_m) + kHalfDiagonal * kQuantum_m + rounding_m(tile);
+  tile.object_error_m = tile.error_m;
   tile.plant_error_m = tile.plant_error_m * stretch + rigid_plants_m;
   return tile;
 }

@@ -11,8 +11,7 @@
 
 namespace citykiln::bake {
 
-/// Returns the cells of a tile's box: column by column from west to east, and in each column from south to north. The
-/// sides of the box are multiples of map::kCell_m (asserted for its width).
+/// The cells of a tile's box, by column, then row. The box is a whole number of cells.
 std::vector<Box2> cells_of(const Box2& tile);
 
 /// The inputs of a tile's ground at one of several tolerances (levels of detail).

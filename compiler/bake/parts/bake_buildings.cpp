@@ -121,6 +121,7 @@ void bake_blocks(Baking& baking, const TileLevel& level, const buildings::Rulebo
   for (Block& block : certified.blocks) take(baking, std::move(block), shapes, account, report);
   for (const std::uint32_t i : certified.kept) baking.take(std::move(shapes[i].meshes), Layer::kBuildings);
   baking.tile.error_m = std::max(baking.tile.error_m, certified.error_m);
+  baking.tile.object_error_m = std::max(baking.tile.object_error_m, certified.error_m);
   report.account("bake", "building") = account;
 }
 

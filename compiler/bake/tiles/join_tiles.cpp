@@ -160,13 +160,14 @@ Result<BakedTile> join_tiles(std::span<const BakedTile> tiles, JoinPrecision pre
     for (const InstancedMesh& i : tile.instanced) add_instanced(instanced_of(joined, i, source), i, source, reach_m);
     joined.tolerance_m = std::min(joined.tolerance_m, tile.tolerance_m);
     joined.error_m = std::max(joined.error_m, tile.error_m);
+    joined.object_error_m = std::max(joined.object_error_m, tile.object_error_m);
     joined.plant_error_m = std::max(joined.plant_error_m, tile.plant_error_m);
     if (tile.viewpoint && (!joined.viewpoint || joined.viewpoint->pixel_error < tile.viewpoint->pixel_error))
       joined.viewpoint = tile.viewpoint;
   }
   std::ranges::stable_sort(joined.instanced, {}, [](const InstancedMesh& i) { return layer_of(i); });
   snap_image_uvs(joined);
-  if (reach_m > kExactReach_m) joined.error_m += reach_m * kRounding;
+  if (reach_m > kExactReach_m) joined.error_m += reach_m * kRounding, joined.object_error_m += reach_m * kRounding;
   if (reach_m > kExactReach_m && precision == JoinPrecision::kExact) {
     return Error{"", fmt::format("the tiles extend over {:.0f} km, but one file is exact to 16 km only; bake fewer "
                                  "tiles, or bake to a folder",

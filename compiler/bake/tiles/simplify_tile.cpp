@@ -214,6 +214,7 @@ void drop_near_terrain(BakedTile& joined, double tolerance_m) {
       erase_triangles(p, [&](const FaceOf& t) { return near.contains(parts.part_at(p.positions[t[0]])); });
   drop_empty(joined);
   joined.error_m += farthest_m;
+  joined.object_error_m = joined.error_m;
 }
 
 void drop_unused_features(BakedTile& tile) {

@@ -22,8 +22,7 @@ namespace citykiln::buildings {
 /// @param wall  An empty mesh with the material of jambs, ceilings and pillars.
 void cut_passageways(const Building& building, materials::MaterialMesh wall, GeneratedBuilding& generated);
 
-/// The side of a square pillar of an arcade, and the least distance between two pillars beside the same segment of a
-/// passageway's axis. A shorter segment has one pillar.
+/// The side of a square pillar, and the least distance between two pillars along a segment of the axis.
 inline constexpr double kPillar_m = 0.375, kLeastPillarSpacing_m = 4;
 
 }  // namespace citykiln::buildings

@@ -11,7 +11,6 @@ namespace citykiln::buildings {
 
 /// Returns all attributes but `night`, `shop_lit`, `entrances` and `fronts`, which the caller adds. Untagged colours
 /// are "".
-/// @param roof  The form of the roof as it is built, which may differ from the tagged one.
 std::map<std::string, grammars::Value> rule_attributes_of(const Building& building, roofs::RoofForm roof);
 
 }  // namespace citykiln::buildings

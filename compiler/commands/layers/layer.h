@@ -13,8 +13,7 @@
 
 namespace citykiln::commands {
 
-/// The properties of a feature as JSON members in the order in which they are added, each after a comma:
-/// `,"name":"Rue Grimaldi"`.
+/// The properties of a feature as JSON, in the order in which they are added: `,"name":"Rue Grimaldi"`.
 class Properties {
  public:
   /// Adds a text; an empty one is left out.

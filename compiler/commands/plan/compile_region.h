@@ -9,11 +9,9 @@
 
 namespace citykiln::commands {
 
-/// Compiles a region of a plan into PLAN/regions/X_Y, and returns the Exit of that compile. If an earlier task has done
-/// so from equal inputs and settings with the same executable (outputs::program_hash()), and the outputs exist, prints
-/// that and returns kDone at once. Else reuses files of an interrupted or finished task whose inputs are equal
-/// (exporters::TakesOver). Waits while another task compiles the region (lock_until_exit()). Changes the working folder
-/// of the process to that of the plan.
+/// Compiles a region of a plan into PLAN/regions/X_Y, and returns the Exit of that compile. If an earlier task of this
+/// program has done so from equal inputs and settings, and the outputs exist, prints that and returns kDone at once.
+/// Continues an interrupted task. Changes the working folder of the process to that of the plan.
 ///
 /// @param region  The region's name, "X_Y".
 /// @param own     Settings besides those of the plan; only --threads is allowed.

@@ -16,9 +16,9 @@ namespace citykiln::commands {
 /// Errors: a file that cannot be read or is not such a tileset.
 Result<exporters::TilesetTile> read_region_tileset(const std::string& folder, const std::string& prefix);
 
-/// Joins trees to one. Returns a tile without content whose children are the trees, so that all of them are shown, with
-/// twice their largest geometric error; or, if there is one tree only, that tree unchanged.
-/// @param trees  Not empty.
+/// Returns a tile without content whose children are the given trees, so that all of them are shown. Its geometric
+/// error is twice the largest error of its children.
+/// @param trees  Not empty; a single tree is returned unchanged.
 exporters::TilesetTile joined_trees(std::vector<exporters::TilesetTile>&& trees);
 
 }  // namespace citykiln::commands

@@ -11,12 +11,13 @@ namespace citykiln {
 /// The value of --compress.
 enum class Compression : std::uint8_t {
   kNone,
-  kQuantize,  ///< KHR_mesh_quantization, integers of 8 and 16 bits, which graphics cards read directly.
+  kLean,      ///< KHR_mesh_quantization of normals and uvs alone; positions stay exact, and nodes without a scale.
+  kQuantize,  ///< KHR_mesh_quantization, of positions too: nodes scale their meshes.
   kDraco,     ///< KHR_draco_mesh_compression, the smallest.
   kMeshopt    ///< EXT_meshopt_compression with KHR_mesh_quantization, the fastest to unpack.
 };
 
-inline constexpr std::array<std::string_view, 4> kCompressionNames = {"none", "quantize", "draco", "meshopt"};
+inline constexpr std::array<std::string_view, 5> kCompressionNames = {"none", "lean", "quantize", "draco", "meshopt"};
 
 inline std::string_view name_of(Compression compression) {
   return kCompressionNames[static_cast<std::size_t>(compression)];

@@ -1,6 +1,5 @@
 // The network of waterways: stations along them with the terrain's heights, joined at common vertices and lakes. A
 // station is a place along a waterway at which a height is fitted; a node is one or several stations of equal height.
-// The height profile of a waterway (river_profile.h) is linear between points that are called knots.
 //
 //   ~o~~o~~o~~o~~•~~o~~o~~[  lake  ]~~o~~o~~•      stations: o on the way, • where lines meet or end,
 //                 \~o~~o~~/                        [ ] where one enters and leaves; a lake is one node
@@ -27,14 +26,12 @@ struct RiverNode {
 struct RiverStation {
   double at_m = 0;  ///< Distance along the line.
   std::uint32_t node = 0;
-  /// True at ends, junctions and shores, where the profile must have a knot. Knots at other stations, whose at_m are
-  /// multiples of 1/8 m, may be omitted.
-  bool is_pinned = false;
+  bool is_pinned = false;  ///< True at ends, junctions and shores: it becomes a knot. Others are at multiples of 1/8 m.
 };
 
 /// The stations of one waterway.
 struct RiverLine {
-  std::vector<RiverStation> stops;  ///< With strictly increasing at_m, from the start of the axis to its end.
+  std::vector<RiverStation> stops;  ///< With strictly increasing at_m, from one end of the line to the other.
 };
 
 struct RiverNetwork {
@@ -44,17 +41,13 @@ struct RiverNetwork {
   bool is_water(std::uint32_t node) const { return node < water_count; }
 };
 
-/// Builds the network. Lines meet at common vertices. A line has stations at its ends, where it meets other lines and
-/// at shores, and between these at most half a grid step of the terrain apart, or 8 m if that is more. There are no
-/// further stations inside a lake or on a covered axis.
+/// Builds the network. Lines meet at common vertices. Stations are half a grid step of the terrain apart, at least 8 m.
 ///
-/// @param streams   Watercourses. Their axes count as directed downstream, as those of `covered` do;
-///                  plan_water_heights() reverses axes that are mapped uphill and builds the network again.
 /// @param covered   Axes of culverts and aqueducts, which connect rivers, directed downstream.
-/// @param surfaces  Land cover, with the polygons of `waters`: as many as waters.water_of has entries (asserted).
+/// @param surfaces  Land cover, with the polygons of `waters`.
 ///
-/// Cannot fail. The order of lines decides only the numbers of nodes. O(n log n) in vertices and stations, plus streams
-/// times waters.
+/// The order of lines decides only the numbers of nodes. O(n log n) in vertices and stations, plus streams times
+/// waters.
 RiverNetwork make_river_network(std::span<const roads::Strip> streams, std::span<const Polyline> covered,
                                 std::span<const LandCoverPolygon> surfaces, const StandingWaters& waters,
                                 const map::Heightfield& heights);

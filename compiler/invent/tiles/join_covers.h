@@ -1,4 +1,4 @@
-// Joins neighbouring cells of a tile city that have the same cover into areas.
+// Joins the covers of neighbouring cells of a tile city into areas.
 #pragma once
 
 #include <cstdint>
@@ -8,16 +8,9 @@
 
 namespace citykiln::invent {
 
-/// Returns the areas of equal labels on a grid of unit cells, one list of polygons per label. Entry 0 is empty: label 0
-/// means no cover. Outer rings are simple and counter-clockwise, holes clockwise; vertices are only at the corners of
-/// an area. Two cells that touch in one point are not joined.
-///
-/// @param labels   Row by row: labels[r * columns + c] is the label of the cell [c, c + 1] × [r, r + 1], with y
-///                 upwards, so row 0 lies at the bottom. Each is less than `count`. The size is a multiple of
-///                 `columns`.
-/// @param columns  > 0.
-/// @param count    The number of labels, 0 included: the size of the result.
-/// O(cells + holes · polygons of their label).
+/// Returns the polygons of each label over a grid of unit cells, row by row; label 0 is no cover. Cells that touch at a
+/// corner only are apart. Rings are simple and have vertices at corners only. O(cells).
+/// @param count  The number of labels, 0 included.
 std::vector<std::vector<Polygon>> join_covers(const std::vector<std::uint32_t>& labels, int columns,
                                               std::uint32_t count);
 

@@ -18,15 +18,14 @@ namespace citykiln::map {
 
 /// Marks outlines that parts cover as not built (has_parts), and appends the pieces of them that no part covers. A
 /// piece has the outline's tags, height and roof. Footprint::outline of parts and pieces names their outline. Pieces
-/// count as split and as out in `account`.
+/// count as split in `account`.
 ///
 /// A part that begins at its outline's eaves or above stands on the outline and covers nothing, and so does one that
 /// ends at the outline's lower end or below, such as the steps of a monument. Pieces smaller than
 /// kLeastPiece_m2, and strips narrower than kSliver_m, come from imprecise drawing and are left out. The result does
 /// not depend on the order of the footprints. Cost: that of overlay() for each outline with parts.
-/// @param outlines  part_outlines() of the footprints: one entry for each.
-/// @param report    Only asked whether it is limited (Report::limit_to()): pieces of outlines outside of its limit are
-///                  made but not counted.
+/// @param outlines  part_outlines() of the footprints.
+/// @param report    Decides which objects are counted.
 std::vector<Footprint> with_uncovered_pieces(std::vector<Footprint> footprints, std::span<const std::uint32_t> outlines,
                                              Account& account, Report& report);
 

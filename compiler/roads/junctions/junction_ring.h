@@ -1,6 +1,6 @@
 // Traces the outline of a junction as one ring: for each arm (a road that leaves the junction) out along its right
 // edge, across its cut (the line where the junction ends), back along its left edge, and along the corner to the next
-// arm. Corners are rounded by fillets, which are arcs (fillet.h).
+// arm.
 #pragma once
 
 #include <optional>
@@ -36,9 +36,8 @@ std::optional<Ring> trace_outline(const Junction& junction, std::span<const Road
 std::optional<Ring> trace_outline_unchecked(const Junction& junction, std::span<const Road> roads,
                                             std::span<const Arm> arms, const JunctionArms& junction_arms);
 
-/// Returns rings whose union is the junction: arms up to their cuts, links inside, rounded corners, and a disk about
-/// each node that has one (JunctionArms::disks_m) or is open: with neighbouring arms more than half a turn apart.
-/// Counter-clockwise, snapped. They are used if trace_outline() fails.
+/// Returns rings whose union is the junction: arms up to their cuts, links inside, a disk about each open or circular
+/// node, rounded corners. Counter-clockwise, snapped. They are used if trace_outline() fails.
 std::vector<Ring> stroke_pieces(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
                                 const JunctionArms& junction_arms);
 

@@ -14,8 +14,7 @@ namespace citykiln::roads {
 
 /// The size of the finest texel, a quarter of the narrowest line.
 inline constexpr double kFinestTexel_m = 0.03;
-/// The size up to which texels grow so that all layouts fit; lines would not show on larger ones. Layouts that do not
-/// fit even then get no column. A tolerance above this size gives texels of the tolerance's size, which do not grow.
+/// The size of the coarsest texel that shows lines. Layouts for which even such texels have no room get no column.
 inline constexpr double kCoarsestTexel_m = 0.5;
 /// The width of the gutter on each side of a column. It keeps columns apart up to the fourth mip level, whose texel is
 /// as wide as two gutters.
@@ -29,7 +28,7 @@ inline constexpr double kNoColumn_m = -1;
 /// The atlas of a tile.
 struct MarkingAtlas {
   materials::TextureImage image;  ///< The image; kLayoutLength_m long along v. Empty without layouts.
-  /// For each layout the image's u at which its own u is 0, in metres; kNoColumn_m if it has no column.
+  /// For each layout the image's u at which its own u is 0; kNoColumn_m if it has no column.
   std::vector<double> left_m;
 };
 
@@ -38,10 +37,10 @@ struct MarkingAtlas {
 /// @param layouts  Sorted, without duplicates.
 /// @param tolerance_m  The tile's tolerance.
 ///
-/// Texels are as large as the tolerance, at least kFinestTexel_m, rounded up to a size that divides kLayoutLength_m. If
-/// the image would exceed kWidest_texels they grow, up to kCoarsestTexel_m, until it fits: at 3 cm 245 m of strips fit
-/// side by side, at 6 cm 490 m, at 12 cm 980 m, less 8 texels a layout: 23 carriageways of 10 m at 3 cm. If it does not
-/// fit even then (more than 292 carriageways of 10 m), the last layouts get no column.
+/// Texels are as large as the tolerance, at least kFinestTexel_m, and divide kLayoutLength_m. If the image would exceed
+/// kWidest_texels they grow until it fits: at 3 cm 245 m of strips fit side by side, at 6 cm 490 m, at 12 cm
+/// 980 m, less 8 texels a layout: 23 carriageways of 10 m at 3 cm. If kCoarsestTexel_m is too small (more than 292
+/// carriageways of 10 m), the last layouts get no column.
 ///
 /// Guarantees: columns and their gutters never overlap; the maximum width holds; same bytes on every machine.
 /// O(texels).

@@ -26,8 +26,8 @@ inline constexpr double kStandardGauge_m = 1.435;
 
 enum class StretchKind : std::uint8_t {
   kAlong,          ///< Between junctions; the layout repeats.
-  kStart,          ///< Begins at a junction, at v = 0. Backward lanes end there.
-  kEnd,            ///< Ends at a junction, at v = kLayoutLength_m. Backward lanes begin there.
+  kStart,          ///< Begins at a junction, at v = 0. It is kEnd for backward lanes.
+  kEnd,            ///< Ends at a junction, at v = kLayoutLength_m.
   kZebra,          ///< Bars, where pedestrians have priority.
   kCrossing,       ///< Two broken lines, where pedestrians have a signal.
   kLevelCrossing,  ///< The strip of rails where a road crosses it.

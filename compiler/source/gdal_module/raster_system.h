@@ -31,8 +31,7 @@ Vec2 sample_spacing_m(const Raster& raster);
 /// Error: a system that cannot be converted.
 Result<ToRasterSystem> from_wgs84(const Raster& raster);
 
-/// Returns a box of all samples in longitude and latitude, in degrees, from nine of them (corners, middles of sides,
-/// middle); zeros if none can be converted.
+/// The box of all samples in longitude and latitude, in degrees, from nine of them; zeros if no place can be converted.
 LonLatBox lonlat_box_of(const Raster& raster);
 
 }  // namespace citykiln::source::gdal

@@ -16,18 +16,15 @@ using BorderEdge = std::array<Vec3, 2>;
 /// The border edges on one side of a tile, sorted.
 struct BorderEdges {
   std::vector<BorderEdge> ground;    ///< Edges of triangles that are visible from above.
-  std::vector<BorderEdge> vertical;  ///< Edges of vertical triangles (walls and skirts), diagonals included.
+  std::vector<BorderEdge> vertical;  ///< Edges of vertical triangles in the border plane: walls and skirts.
 };
 
-/// Returns the edges with both ends in the plane x = at (or y = at), of all triangles of the layers ground, roads and
-/// water. Edges that are vertical themselves, with ends above each other, are left out. O(n log n).
-/// @param at  Plane metres, the coordinate of a side of the tile; points must have exactly this coordinate.
+/// Returns the edges of ground triangles in the plane x = at (or y = at), without vertical edges. O(n log n).
 BorderEdges border_edges_at_x(const bake::BakedTile& tile, double at);
 BorderEdges border_edges_at_y(const bake::BakedTile& tile, double at);
 
 /// True if the ground of two neighbouring tiles meets without gaps: both have the same edges on their common side or,
 /// where a border between surfaces runs along that side, a vertical face of one tile closes the difference.
-/// @param own, other  The edges of the same side, from one tile each.
 bool borders_match(const BorderEdges& own, const BorderEdges& other);
 
 }  // namespace citykiln::verify

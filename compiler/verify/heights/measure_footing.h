@@ -29,7 +29,7 @@ struct Footing {
   /// From the ground up to the wall; negative if all walls extend into the ground, -1e9 if nothing was measured.
   double largest_gap_m = -1e9;
   OsmId worst{};                   ///< The building with that gap.
-  std::vector<GapBelow> floating;  ///< Buildings with a gap over the limit (allowed_m).
+  std::vector<GapBelow> floating;  ///< Buildings with a gap over the limit.
 };
 
 /// Combines two measurements: adds counts, joins lists and keeps the larger gap.

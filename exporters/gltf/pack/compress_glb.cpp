@@ -186,9 +186,10 @@ void add_narrow_attribute(const VertexAttribute& attribute, Json& accessor, GlbP
   set_component(attribute.component, accessor);
 }
 
-void quantise_attributes(const GlbParts& plain, GlbParts& packed, int threads) {
+void quantise_attributes(const GlbParts& plain, bool has_exact_positions, GlbParts& packed, int threads) {
   const std::vector<Json*> primitives = primitives_of(packed.gltf);
-  const NarrowPlan plan = plan_narrowing(plain);
+  NarrowPlan plan = plan_narrowing(plain);
+  if (has_exact_positions) plan.positions.assign(plan.positions.size(), std::nullopt);
   const auto meshes = encoded_arrays<MeshArrays>(plain, plan, primitives, threads, [&](MeshArrays arrays, const Json&) {
     narrow_directions(arrays);
     return arrays;
@@ -242,7 +243,7 @@ GlbParts compressed_glb(GlbParts plain, Compression compression, int threads) {
     compress_meshopt(plain, packed, threads);
     demand(packed.gltf, kMeshoptExtension), demand(packed.gltf, kQuantizationExtension);
   } else {
-    quantise_attributes(plain, packed, threads);
+    quantise_attributes(plain, compression == Compression::kLean, packed, threads);
     demand(packed.gltf, kQuantizationExtension);
   }
   return packed;

@@ -177,11 +177,12 @@ void scale_node(Json& node, double factor, std::set<std::size_t>& scaled, GlbPar
 }
 
 // Gives a node's mesh a node of its own where it has children, which the mesh's scale would change too.
-void separate_meshes(Json& gltf) {
+void separate_meshes(const NarrowPlan& plan, Json& gltf) {
   Json& nodes = gltf["nodes"];
   const std::size_t count = nodes.size();
   for (std::size_t n = 0; n < count; ++n) {
     if (!nodes[n].contains("mesh") || !nodes[n].contains("children")) continue;
+    if (!plan.positions.at(nodes[n]["mesh"].get<std::size_t>())) continue;
     Json own = {{"mesh", nodes[n]["mesh"]}, {"extras", {{"mesh_of", n}}}};
     if (nodes[n].contains("name")) own["name"] = nodes[n]["name"];
     nodes[n].erase("mesh"), nodes[n]["children"].push_back(nodes.size());
@@ -267,7 +268,7 @@ void narrow_directions(MeshArrays& arrays) {
 
 void scale_by_plan(const NarrowPlan& plan, GlbParts& parts) {
   std::set<std::size_t> scaled;
-  separate_meshes(parts.gltf);
+  separate_meshes(plan, parts.gltf);
   for (Json& node : parts.gltf["nodes"])
     if (node.contains("mesh"))
       if (const auto& steps = plan.positions.at(node["mesh"].get<std::size_t>())) {

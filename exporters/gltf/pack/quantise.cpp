@@ -1,6 +1,7 @@
 #include "exporters/gltf/pack/quantise.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/geometry/snap.h"
@@ -63,9 +64,10 @@ double shown_texel_m(const bake::BakedTile& tile, const impostor::Cutout* cutout
   return source == ColourSource::kByCutout && cutout != nullptr ? cutout->colour.texel_m : 0;
 }
 
-// Returns the longest move of a position. @param texel_m  0 for uvs on textures, which repeat.
+// Returns the longest move of a position. @param step_m  Of positions; 0: they stay. @param texel_m  0 for uvs on
+// textures, which repeat.
 double quantise(double step_m, double texel_m, double tolerance_m, Primitive& primitive) {
-  const double farthest_m = put_positions_on_grid(step_m, primitive);
+  const double farthest_m = step_m == 0 ? 0 : put_positions_on_grid(step_m, primitive);
   const bool is_on_image = texel_m > 0;
   put_uvs_on_grid(is_on_image ? uv_step_m(texel_m) : packed_texture_step_m(tolerance_m), primitive);
   if (!is_on_image && !primitive.uvs.empty())
@@ -86,14 +88,16 @@ double rounding_m(std::span<const Primitive> primitives) {
   return farthest_m * kHalfALastBit * kSqrt3;
 }
 
-bake::BakedTile quantised(bake::BakedTile tile) {
-  const double step_m = packed_position_step_m(tile.tolerance_m);
+bake::BakedTile quantised(bake::BakedTile tile, Compression compression) {
+  assert(compression != Compression::kNone);
+  const bool moves = compression != Compression::kLean;
+  const double step_m = moves ? packed_position_step_m(tile.tolerance_m) : 0;
   double farthest_m = 0, of_instances_m = 0;
-  tile.error_m += rounding_m(tile.primitives);
+  const double rounded_m = moves ? rounding_m(tile.primitives) : 0;
   for (Primitive& p : tile.primitives) {
     // terrain keeps the map's own grid: borders, lakes and quays are measured by the height at a place, which a step
     // aside can change by the height of a quay
-    const double own_step_m = is_terrain(p) ? kQuantum_m : step_m;
+    const double own_step_m = moves && is_terrain(p) ? kQuantum_m : step_m;
     farthest_m =
         std::max(farthest_m, quantise(own_step_m, shown_texel_m(tile, nullptr, p.colour_source), tile.tolerance_m, p));
   }
@@ -105,7 +109,8 @@ bake::BakedTile quantised(bake::BakedTile tile) {
                                      shown_texel_m(tile, &*instanced.cutout, p.colour_source), tile.tolerance_m, p));
     for (const float scale : instanced.scales) of_instances_m = std::max(of_instances_m, moved_m * std::abs(scale));
   }
-  tile.error_m += std::max(farthest_m, of_instances_m), tile.plant_error_m += of_instances_m;
+  tile.object_error_m += rounded_m + std::max(farthest_m, of_instances_m);
+  tile.error_m = std::max(tile.error_m, tile.object_error_m), tile.plant_error_m += of_instances_m;
   return tile;
 }
 

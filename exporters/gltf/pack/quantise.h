@@ -4,6 +4,7 @@
 #include <span>
 
 #include "compiler/bake/baked_tile.h"
+#include "compiler/contract/system/compression.h"
 
 namespace citykiln::exporters {
 
@@ -11,9 +12,9 @@ namespace citykiln::exporters {
 /// each axis. Ignores coordinates on the grid of kQuantum_m, such as coordinates of the ground, which are exact.
 double rounding_m(std::span<const bake::Primitive> primitives);
 
-/// Returns the tile on the grids of packed meshes (packed_grids.h). error_m grows by the longest move of a position, at
-/// most half a step times √3, and by rounding_m(). plant_error_m grows by the longest move in instances, times their
-/// scale.
+/// Returns the tile on the grids of packed meshes (packed_grids.h); with kLean only its uvs. object_error_m grows by
+/// the longest move of a position, at most half a step times √3, and by rounding_m(); error_m is at least that.
+/// plant_error_m grows by the longest move in instances, times their scale.
 ///
 /// - Positions of ground, roads and water stay: they are on the grid of kQuantum_m. Others become multiples of
 ///   packed_position_step_m(); of prototypes, of kPrototypeStepRatio of it.
@@ -25,6 +26,7 @@ double rounding_m(std::span<const bake::Primitive> primitives);
 ///
 /// Guarantees: equal positions stay equal, also between tiles or levels with the same step, so borders meet. Quantising
 /// twice changes nothing more. Accepts any tile. O(n).
-bake::BakedTile quantised(bake::BakedTile tile);
+/// @param compression  Not kNone.
+bake::BakedTile quantised(bake::BakedTile tile, Compression compression);
 
 }  // namespace citykiln::exporters

@@ -209,6 +209,7 @@ BakedTile tile_of(const tinygltf::Model& model) {
   tile.tile = {whole(key.Get(0)), whole(key.Get(1))};
   tile.origin = {element(origin, 0), element(origin, 1), element(origin, 2)};
   tile.tolerance_m = number(member(root.extras, "tolerance_m")), tile.error_m = number(member(root.extras, "error_m"));
+  tile.object_error_m = tile.error_m;
   tile.plant_error_m = number(member(root.extras, "plant_error_m"));
   tile.viewpoint = viewpoint_of(root.extras), tile.cylinder = cylinder_of(root.extras);
   read_property_table(reader, tile);

@@ -9,8 +9,8 @@
 namespace citykiln::exporters {
 
 /// Reads the primitives of a mesh. Positions are in the tile's axes (x east, y north, z up), metres from its origin.
-/// uvs keep the units of the file. Primitives that follow each other and have equal keys (bake::PrimitiveKey: layer,
-/// material, has_uvs, colour_source) are joined. Checks that images exist, but does not read them.
+/// uvs keep the units of the file. Primitives that follow each other and have equal keys are joined. Checks that images
+/// exist, but does not read them.
 ///
 /// @param reader       A file without compression, as decompressed_glb() makes it.
 /// @param mesh_number  Index in "meshes". An index of no mesh is an error.

@@ -202,11 +202,12 @@ Json encoded_primitive(GlbBuilder& f, const Primitive& front, const impostor::Cu
   return out;
 }
 
-// Packed positions are rounded, so that faces lean.
-bool needs_no_normals(const GlbBuilder& f, const Primitive& p, const impostor::Cutout* cutout) {
-  if (!values_of(f.options.target).shades_flat || f.options.compression != Compression::kNone) return false;
+// True if the target's reader may shade the primitive's faces. Positions that are packed are rounded, so that faces
+// lean.
+bool may_lack_normals(const GlbBuilder& f, const Primitive& p, const impostor::Cutout* cutout) {
+  if (!values_of(f.options.target).shades_flat || f.options.compression > Compression::kLean) return false;
   const MaterialKey key = material_key_of(f, p, cutout);
-  return !key.has_backs && normals_of(f, key) == nullptr && is_flat(p);
+  return !key.has_backs && normals_of(f, key) == nullptr;
 }
 
 // Calls add(part) for parts with at most kMostVertices each, where objects allow.
@@ -233,10 +234,13 @@ std::size_t add_mesh(GlbBuilder& f, const std::string& name, std::span<const Pri
     mesh["primitives"].push_back(std::move(primitive));
   };
   for (const Primitive& p : primitives) {
-    if (needs_no_normals(f, p, cutout))
-      for_each_part(without_normals(Primitive(p)), add);
-    else
+    if (!may_lack_normals(f, p, cutout)) {
       for_each_part(p, add);
+      continue;
+    }
+    ByShading parts = by_shading(p);
+    if (!parts.flat.triangles.empty()) for_each_part(without_normals(std::move(parts.flat)), add);
+    if (!parts.smooth.triangles.empty()) for_each_part(parts.smooth, add);
   }
   return f.add("meshes", std::move(mesh));
 }

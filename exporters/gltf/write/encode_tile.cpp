@@ -11,7 +11,7 @@ namespace citykiln::exporters {
 EncodedTile encode_tile(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options,
                         int threads, Layout layout) {
   const bool is_packed = options.compression != Compression::kNone;
-  const bake::BakedTile packed = is_packed ? quantised(tile) : bake::BakedTile{};
+  const bake::BakedTile packed = is_packed ? quantised(tile, options.compression) : bake::BakedTile{};
   const bake::BakedTile& written = is_packed ? packed : tile;
   GlbParts parts = build_glb(written, header, options, threads);
   SharedGlb glb =

@@ -86,7 +86,7 @@ TEST(FlatShading, IsWrittenForReadersThatKnowIt) {
   bake::BakedTile tile;
   tile.features = {OsmId{}}, tile.primitives = {boxes(3, 4000)};
   const auto written = [&](Target target) { return encode_glb(tile, {}, {.target = target}); };
-  const auto bare = written(Target::kBlender), full = written(Target::kGeneric);
+  const auto bare = written(Target::kBlender), full = written(Target::kGodot);
   EXPECT_FALSE(says_normals(bare));
   EXPECT_TRUE(says_normals(full));
   EXPECT_LT(bare.size(), full.size() * 3 / 4);
@@ -105,6 +105,16 @@ TEST(FlatShading, OfATriangleWithoutAreaIsUp) {
   EXPECT_TRUE(is_flat(line));
   line.normals.clear();
   for (const Float3& normal : with_face_normals(line).normals) EXPECT_EQ(normal, (Float3{0, 0, 1}));
+}
+
+TEST(FlatShading, DividesARunWithRoundNormalsFromFlatOnes) {
+  Primitive p = boxes(1, 4);
+  for (std::size_t v = 24; v < 48; ++v) p.normals[v] = {0.6F, 0, 0.8F};
+  const ByShading parts = by_shading(p);
+  EXPECT_EQ(parts.smooth.triangles.size(), 12u);
+  EXPECT_EQ(parts.flat.triangles.size(), 36u);
+  EXPECT_TRUE(is_flat(parts.flat));
+  EXPECT_EQ(by_shading(boxes(1, 4)).smooth.triangles.size(), 0u);
 }
 
 }  // namespace

@@ -16,13 +16,13 @@ namespace citykiln::exporters {
 using bake::BakedTile;
 using Bytes = std::vector<std::byte>;
 
-inline constexpr GlbOptions kExtension{.target = Target::kThree, .split = NodeSplit::kTile},
+inline constexpr GlbOptions kExtension{.target = Target::kCesium, .split = NodeSplit::kTile},
     kNodes{.target = Target::kGeneric, .split = NodeSplit::kTile};
 inline constexpr GlbOptions kAll[] = {kExtension,
                                       kNodes,
-                                      {.target = Target::kThree},
+                                      {.target = Target::kCesium},
                                       {.target = Target::kGeneric},
-                                      {.target = Target::kThree, .split = NodeSplit::kBuilding},
+                                      {.target = Target::kCesium, .split = NodeSplit::kBuilding},
                                       {.target = Target::kGeneric, .split = NodeSplit::kBuilding}};
 
 inline scene::Header header() {

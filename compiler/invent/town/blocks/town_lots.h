@@ -1,5 +1,4 @@
-// Lots of a town: divides the land beside its streets by parcels/divide.h, as is done for real maps, which do not
-// contain lots. A street edge is a part of a street between junctions (streets/street_edges.h).
+// Lots of a town: the land beside its streets, divided as that of silent maps is.
 #pragma once
 
 #include "compiler/invent/town/quarters.h"
@@ -7,20 +6,18 @@
 
 namespace citykiln::invent {
 
-/// A lot, and its frontage: the part of its ring on the border of the street from which it is entered.
+/// A lot, and how it lies on its street.
 struct TownLot {
   Ring ring;                       ///< Counter-clockwise.
-  std::vector<char> is_on_street;  ///< Entry i: 1 if ring[i] to ring[i + 1] is on the border of any street.
-  Vec2 from, to;                   ///< The ends of the frontage, in the order of the ring. More than 3 m apart.
-  std::uint32_t edge = 0;          ///< Index of the street edge from which the lot is entered.
-  bool is_on_left = false;         ///< True if the lot is to the left of that edge, as seen along its axis.
-  double at_m = 0;                 ///< Distance along the axis of that edge to the middle of the frontage.
+  std::vector<char> is_on_street;  ///< For each edge from its vertex: 1 if it lies on a street.
+  Vec2 from, to;                   ///< The ends of its frontage on its street, in the order of the ring.
+  std::uint32_t edge = 0;          ///< The street edge that it is entered from.
+  bool is_on_left = false;         ///< The side of the edge.
+  double at_m = 0;                 ///< Along the edge, to the middle of its frontage.
   BlockUse use = BlockUse::kHouses;
-  double density = 0;  ///< TownPlan::density at the middle of the frontage: above kTownEdge, 1 in the middle of a city.
+  double density = 0;
 
-  /// Returns the unit vector along the frontage; the lot is to its left.
   Vec2 along() const { return unit(to - from); }
-  /// Returns the unit vector from the street into the lot.
   Vec2 inward() const { return left_of(along()); }
   double frontage_m() const { return distance(from, to); }
 };
@@ -31,10 +28,8 @@ struct TownLots {
   std::vector<InventedArea> land;  ///< Land use of blocks with lots.
 };
 
-/// Divides the land of all blocks whose use has lots (has_lots()). Lots are simple rings and share no area with streets
-/// (carriageway, parking and pavement), railways, water or blocks of other uses, but they meet streets in their
-/// frontages. Lots with a frontage of at most 3 m, a hole, water at a vertex, or a density of at most kTownEdge are
-/// left out. Cost: that of parcels/divide.h.
+/// Divides the land of blocks with lots. Lots touch no street, no water and no land of other uses, are simple and have
+/// a frontage. Cost: that of parcels/divide.h.
 TownLots divide_town(const TownPlan& plan, const StreetGraph& graph, const std::vector<StreetEdge>& edges,
                      const std::vector<TownBlock>& blocks);
 

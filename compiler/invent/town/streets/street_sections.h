@@ -9,11 +9,11 @@ namespace citykiln::invent {
 
 /// The widths of a street, which is the same on both sides.
 struct StreetSection {
-  int lanes = 2;  ///< The lanes of both directions; 0 for classes below residential, whose lanes are not tagged.
+  int lanes = 2;
   double carriageway_m = 5.5;
   double pavement_m = 2;  ///< On each side; 0: none.
   double parking_m = 0;   ///< On each side, for parked cars.
-  /// Returns the distance from the axis to the land beside the street: the width of one side plus a verge of 0.4 m.
+  /// Returns the distance from the axis to the land beside the street, with 0.4 m to spare.
   double half_m() const { return carriageway_m / 2 + parking_m + pavement_m + 0.4; }
 };
 

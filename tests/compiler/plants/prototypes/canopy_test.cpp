@@ -154,7 +154,7 @@ TEST(Canopy, CoversNeitherRoadsNorHousesNorWaterNorCorridorsNorParks) {
 
 TEST(Canopy, FacesUpAndIsAHeightField) {
   const Canopy canopy = WoodedSlope{}.in(kWholeSlope).canopy;
-  ASSERT_EQ(canopy.meshes.size(), 2u);
+  ASSERT_GE(canopy.meshes.size(), 2u);
   for (const auto& dressed : canopy.meshes) {
     EXPECT_TRUE(dressed.feature == (OsmId{OsmType::kWay, 1}) || dressed.feature == (OsmId{OsmType::kWay, 2}));
     for (const auto& [a, b, c] : dressed.mesh.triangles) {
@@ -168,10 +168,38 @@ TEST(Canopy, FacesUpAndIsAHeightField) {
 }
 
 TEST(Canopy, IsEmptyAtFineLevelsAndForLowWoods) {
-  EXPECT_TRUE(WoodedSlope{}.in(kWholeSlope, 10).canopy.meshes.empty());
+  EXPECT_TRUE(WoodedSlope{}.in(kWholeSlope, 0.39).canopy.meshes.empty());
   WoodedSlope low;
   for (Wood& wood : low.woods) wood.height_m = 2;
   EXPECT_TRUE(low.in(kWholeSlope).canopy.meshes.empty());
+}
+
+TEST(Canopy, HasNarrowerCellsAtFinerLevelsAndCoversMoreOfTheWood) {
+  EXPECT_EQ(canopy_cell_m(0.5), 2);
+  EXPECT_EQ(canopy_cell_m(1.2), 4);
+  EXPECT_EQ(canopy_cell_m(2.5), 8);
+  EXPECT_EQ(canopy_cell_m(12.5), 16);
+  std::size_t left_before = 0;
+  for (const double tolerance_m : {1.2, 2.5, 12.5}) {
+    WoodedSlope::Made made = WoodedSlope{}.in(kWholeSlope, tolerance_m);
+    remove_trees_below(made.canopy, WoodedSlope{}.woods, made.placed);
+    const std::size_t left = all_placements(made.placed).size();
+    EXPECT_GT(left, left_before) << tolerance_m;
+    left_before = left;
+  }
+}
+
+TEST(Canopy, RisesAndFallsWithCrowns) {
+  const Canopy canopy = WoodedSlope{}.in(kWholeSlope, 0.5).canopy;
+  double low_m = 1e9, high_m = -1e9;
+  for (double x = -250.4; x < -230; x += 1.1) {
+    const std::vector<double> tops = tops_over(canopy, {x, -300.3});
+    ASSERT_EQ(tops.size(), 1u);
+    const double above_m = tops[0] - land_m(WoodedSlope{}.ground, {x, -300.3});
+    low_m = std::min(low_m, above_m), high_m = std::max(high_m, above_m);
+  }
+  EXPECT_GT(low_m, 3);
+  EXPECT_GT(high_m - low_m, 2);
 }
 
 TEST(Canopy, HasSeasonalColours) {

@@ -23,14 +23,15 @@ using bake::Float3;
 using bake::Primitive;
 using Bytes = std::vector<std::byte>;
 
-constexpr Compression kCompressions[] = {Compression::kQuantize, Compression::kDraco, Compression::kMeshopt};
+constexpr Compression kCompressions[] = {Compression::kLean, Compression::kQuantize, Compression::kDraco,
+                                         Compression::kMeshopt};
 
-Bytes compressed_glb(const BakedTile& tile, Compression compression, Target target = Target::kThree, int threads = 1) {
+Bytes compressed_glb(const BakedTile& tile, Compression compression, Target target = Target::kCesium, int threads = 1) {
   const GlbOptions options{.target = target, .compression = compression, .has_exact_pictures = true};
   return encode_tile(tile, {}, options, threads).glb;
 }
 
-BakedTile through(const BakedTile& tile, Compression compression, Target target = Target::kThree) {
+BakedTile through(const BakedTile& tile, Compression compression, Target target = Target::kCesium) {
   const auto back = decode_glb(compressed_glb(tile, compression, target), "tile.glb");
   EXPECT_TRUE(back) << (back ? "" : to_string(back.error()));
   return back ? *back : BakedTile{};
@@ -89,7 +90,7 @@ void expect_same(BakedTile found, BakedTile expected) {
     expect_same(found.instanced[i].primitives, expected.instanced[i].primitives);
     found.instanced[i].primitives = expected.instanced[i].primitives;
   }
-  found.primitives = expected.primitives;
+  found.primitives = expected.primitives, found.object_error_m = expected.object_error_m;
   EXPECT_EQ(found, expected);
 }
 
@@ -110,10 +111,11 @@ BakedTile off_grid(std::uint32_t seed) {
 TEST(CompressedGlb, HoldsTheQuantisedTileTriangleForTriangle) {
   for (std::uint32_t seed = 0, seeds = quick_or_full(3, 10); seed < seeds; ++seed)
     for (const Compression compression : kCompressions)
-      for (const Target target : {Target::kThree, Target::kUnreal})
+      for (const Target target : {Target::kCesium, Target::kUnreal})
         for (const BakedTile& tile : {made_tile(seed), made_marked_tile(seed), made_facade_tile(seed),
                                       made_textured_tile(seed), off_grid(seed)})
-          ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression, target), quantised(tile))) << seed;
+          ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression, target), quantised(tile, compression)))
+              << seed;
 }
 
 TEST(CompressedGlb, MoreCornersThan16BitsCount) {
@@ -121,7 +123,7 @@ TEST(CompressedGlb, MoreCornersThan16BitsCount) {
   BakedTile tile = made_tile(1);
   tile.primitives = {made_primitive(dice, materials::Material::kRock, 65538, 4)};
   for (const Compression compression : kCompressions)
-    ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression), quantised(tile)));
+    ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression), quantised(tile, compression)));
 }
 
 TEST(CompressedGlb, NoTriangleGoesEvenIfItsCornersMeet) {
@@ -133,14 +135,14 @@ TEST(CompressedGlb, NoTriangleGoesEvenIfItsCornersMeet) {
     if (t % 2 == 0) p.positions[3 * t + 2] = {at[0], at[1] - 0.0001f, at[2]};
   }
   for (const Compression compression : kCompressions)
-    ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression), quantised(tile)));
+    ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression), quantised(tile, compression)));
 }
 
 TEST(CompressedGlb, FarPlacesAreKept) {
   BakedTile tile = made_tile(1);
   tile.primitives[0].positions[0] = {-12000.5f, 9000.25f, 3.0f};
   for (const Compression compression : kCompressions)
-    ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression), quantised(tile)));
+    ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression), quantised(tile, compression)));
 }
 
 // Positions on a border between two tiles, in the plane.
@@ -172,8 +174,8 @@ std::vector<std::array<double, 3>> border_of(const BakedTile& tile) {
   return places;
 }
 
-// The ground stays; all else is on one grid for all tiles and levels.
-TEST(CompressedGlb, BordersOfTilesAndLevelsMeet) {
+// The ground stays, so that levels meet; all else is on one grid for the tiles of a level.
+TEST(CompressedGlb, BordersOfTilesMeetAndOfLevelsOnTheGround) {
   for (const auto& [layer, step_m] : {std::pair(bake::Layer::kGround, kQuantum_m),
                                       std::pair(bake::Layer::kStructures, packed_position_step_m(0.1))}) {
     std::vector<std::array<double, 3>> expected;
@@ -181,9 +183,10 @@ TEST(CompressedGlb, BordersOfTilesAndLevelsMeet) {
     for (const Vec3& p : border()) expected.push_back({on_grid(p.x), on_grid(p.y), on_grid(p.z)});
     std::ranges::sort(expected);
     expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
-    for (const Compression compression : kCompressions) {
+    const double beside_m = layer == bake::Layer::kGround ? 2.5 : 0.1;
+    for (const Compression compression : {Compression::kQuantize, Compression::kDraco, Compression::kMeshopt}) {
       EXPECT_EQ(border_of(through(beside_border(1, {512, 512, 431}, 0.1, layer), compression)), expected);
-      EXPECT_EQ(border_of(through(beside_border(2, {1536, 512, -7}, 2.5, layer), compression)), expected);
+      EXPECT_EQ(border_of(through(beside_border(2, {1536, 512, -7}, beside_m, layer), compression)), expected);
     }
   }
 }
@@ -192,13 +195,30 @@ TEST(CompressedGlb, SameBytesForAnyThreads) {
   for (const Compression compression : kCompressions)
     for (const int threads : {2, 7})
       EXPECT_EQ(compressed_glb(off_grid(3), compression),
-                compressed_glb(off_grid(3), compression, Target::kThree, threads));
+                compressed_glb(off_grid(3), compression, Target::kCesium, threads));
+}
+
+TEST(CompressedGlb, LeanKeepsPositionsErrorsAndNodes) {
+  for (std::uint32_t seed = 0; seed < 3; ++seed) {
+    const BakedTile tile = off_grid(seed), back = through(tile, Compression::kLean);
+    EXPECT_EQ(back.error_m, tile.error_m);
+    EXPECT_EQ(back.plant_error_m, tile.plant_error_m);
+    const auto gltf = split_glb(compressed_glb(tile, Compression::kLean)).gltf;
+    const auto plain = split_glb(compressed_glb(tile, Compression::kNone)).gltf;
+    EXPECT_EQ(gltf["nodes"], plain["nodes"]);
+    for (const auto& mesh : gltf["meshes"])
+      for (const auto& primitive : mesh["primitives"]) {
+        const auto& position = gltf["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+        EXPECT_EQ(position["componentType"], 5126);
+      }
+  }
 }
 
 TEST(CompressedGlb, NamesWhatReadersMustKnow) {
   const auto required = [](Compression compression) {
     return split_glb(compressed_glb(made_tile(1), compression)).gltf["extensionsRequired"];
   };
+  EXPECT_EQ(required(Compression::kLean), nlohmann::json({"KHR_mesh_quantization"}));
   EXPECT_EQ(required(Compression::kDraco), nlohmann::json({"KHR_draco_mesh_compression"}));
   EXPECT_EQ(required(Compression::kMeshopt), nlohmann::json({"EXT_meshopt_compression", "KHR_mesh_quantization"}));
 }
@@ -223,7 +243,7 @@ double largest_move_m(const std::vector<Primitive>& a, const std::vector<Primiti
 
 TEST(Quantised, StatesAtLeastTheErrorMeasured) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
-    const BakedTile tile = off_grid(seed), packed = quantised(tile);
+    const BakedTile tile = off_grid(seed), packed = quantised(tile, Compression::kQuantize);
     double measured_m = largest_move_m(tile.primitives, packed.primitives), largest_scale = 1;
     for (std::size_t i = 0; i < tile.instanced.size(); ++i)
       for (const float scale : tile.instanced[i].scales) {
@@ -252,7 +272,7 @@ TEST(Quantised, WhatIsOnTheGridStays) {
     for (Float3& at : p.positions)
       for (float& c : at) c = static_cast<float>(snapped_to(packed_position_step_m(tile.tolerance_m), c));
   tile.instanced.clear();
-  const BakedTile packed = quantised(tile);
+  const BakedTile packed = quantised(tile, Compression::kQuantize);
   EXPECT_EQ(packed.error_m, tile.error_m);
   EXPECT_EQ(largest_move_m(tile.primitives, packed.primitives), 0);
 }
@@ -272,7 +292,7 @@ TEST(Quantised, EqualVerticesAreSharedAndNoTriangleGoes) {
     copy[0] += static_cast<std::uint32_t>(vertices);
     p.triangles.push_back(copy);
   }
-  const BakedTile packed = quantised(tile);
+  const BakedTile packed = quantised(tile, Compression::kQuantize);
   EXPECT_LE(packed.primitives[0].positions.size(), vertices);
   EXPECT_EQ(packed.primitives[0].triangles.size(), 2 * triangles);
 }
@@ -280,7 +300,7 @@ TEST(Quantised, EqualVerticesAreSharedAndNoTriangleGoes) {
 TEST(Quantised, VerticesOfTrianglesWithoutAnAreaGo) {
   BakedTile tile = made_tile(1);
   Primitive& p = tile.primitives[0];
-  const BakedTile expected = quantised(tile);
+  const BakedTile expected = quantised(tile, Compression::kQuantize);
   const auto v = static_cast<std::uint32_t>(p.positions.size());
   for (int copy = 0; copy < 3; ++copy) {
     for (auto* values : {&p.positions, &p.normals}) values->push_back(Float3{values->back()});
@@ -290,10 +310,15 @@ TEST(Quantised, VerticesOfTrianglesWithoutAnAreaGo) {
   }
   p.positions[v][0] += 100, p.positions[v + 1][0] += 100, p.positions[v + 2][0] += 200;
   p.triangles.push_back({v, v + 1, v + 2});
-  EXPECT_EQ(quantised(tile), expected);
+  EXPECT_EQ(quantised(tile, Compression::kQuantize), expected);
 }
 
-TEST(Quantised, TwiceIsOnce) { EXPECT_EQ(quantised(quantised(off_grid(1))), quantised(off_grid(1))); }
+TEST(Quantised, TwiceIsOnce) {
+  for (const Compression compression : {Compression::kLean, Compression::kQuantize}) {
+    const BakedTile once = quantised(off_grid(1), compression);
+    EXPECT_EQ(quantised(once, compression), once);
+  }
+}
 
 TEST(CompressedGlbDamage, EveryTruncationIsRefused) {
   for (const Compression compression : kCompressions) {
@@ -314,7 +339,8 @@ TEST(CompressedGlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
       changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
       const auto tile = decode_glb(changed, "changed");
       if (!tile) continue;
-      const auto again = decode_glb(encode_glb(*tile, {}, {.has_exact_pictures = true}), "again");
+      const auto again =
+          decode_glb(encode_glb(*tile, {}, {.target = Target::kGodot, .has_exact_pictures = true}), "again");
       ASSERT_TRUE(again) << "byte " << at << ": " << to_string(again.error());
       ASSERT_EQ(without_uvs(*again), without_uvs(*tile)) << "byte " << at;
     }
