@@ -58,8 +58,8 @@ struct Failure {
   std::string file{};        ///< The file of the tile, relative to the run's folder.
 
   // implicit, since most failures are only a text
-  Failure(std::string line) : text(std::move(line)) {}
-  Failure(const char* line) : text(line) {}
+  Failure(std::string line) : text(std::move(line)) {}  // NOLINT
+  Failure(const char* line) : text(line) {}             // NOLINT
   Failure(std::string line, Vec2 place, std::vector<OsmId> of, double how_far, std::string in_file = {})
       : text(std::move(line)), at(place), ids(std::move(of)), size(how_far), file(std::move(in_file)) {}
 };

@@ -202,7 +202,7 @@ std::size_t bytes_of(const std::vector<ground::LandCoverPolygon>& polygons) {
   std::size_t bytes = 0;
   for (const ground::LandCoverPolygon& polygon : polygons) {
     bytes += sizeof(polygon);
-    for (const Ring& ring : polygon.rings) bytes += sizeof(ring) + ring.capacity() * sizeof(Vec2);
+    for (const Ring& ring : polygon.rings) bytes += sizeof(ring) + ring.capacity() * sizeof(Vec2);  // NOLINT
   }
   return bytes;
 }
