@@ -174,10 +174,10 @@ BakedTile bake_level(const LevelRequest& request, TileLevel& level, const Protot
   bake_each(
       baking, Layer::kProps, bands_of(baking), "barrier", report,
       [&](const auto& b) { return bounds_of(b, baking.chunk.heights); },
-      [&](const auto& b) { return within_extent(props::generate(b, graded, tolerance_m), header.extent); });
+      [&](const auto& b) { return within_extent(props::generate(b, graded, tolerance_m), baking.header.extent); });
   bake_each(
       baking, Layer::kProps, baking.chunk.wire_spans, "wires", report, [](const auto& span) { return bounds_of(span); },
-      [&](const auto& span) { return within_extent(wires::generate(span, tolerance_m), header.extent); });
+      [&](const auto& span) { return within_extent(wires::generate(span, tolerance_m), baking.header.extent); });
   report.append(shared.tree_report);
   bake_tree_pits(baking, shared);
   Placed placed = placed_in(baking, shared);

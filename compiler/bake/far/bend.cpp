@@ -238,7 +238,9 @@ BakedTile flattened(BakedTile tile) {
   const auto [radius_m, middle_y_m] = *tile.cylinder;
   const map::Cylinder cylinder{radius_m};
   const Vec3 from = tile.origin, to{from.x, std::floor(middle_y_m), 0};
-  const auto in_plane = [&](const Float3& p) { return map::flattened(cylinder, from + widened(p), middle_y_m); };
+  const auto in_plane = [&, y_m = middle_y_m](const Float3& p) {
+    return map::flattened(cylinder, from + widened(p), y_m);
+  };
   for (Primitive& p : tile.primitives)
     for (std::size_t i = 0; i < p.positions.size(); ++i) {
       const Vec3 there = in_plane(p.positions[i]), n = widened(p.normals[i]);
