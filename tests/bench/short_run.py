@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-PROGRAM = ROOT / "build/release/tests/bench/citykiln_bench"
+PROGRAM = ROOT / "build/release/tests/citykiln_bench"
 # messages of benchmarks without their data, or without the program of others that they time
 ABSENT = ("missing: ", "osmium fileinfo failed")
 
