@@ -338,9 +338,10 @@ materials::Tint canopy_tint(const Lattice& lattice, int column, int row) {
   return tint;
 }
 
-// The canopy of one wood in a square of kBlock_m: few enough vertices that files number them with 16 bits.
+// The side of the squares into which canopies are divided.
 constexpr double kBlock_m = 128;
 
+// The canopy of one wood in one square: few enough vertices that files number them with 16 bits.
 struct Part {
   MaterialMesh dressed{};
   std::map<std::size_t, std::uint32_t> vertices{};  // by Lattice::corner()
