@@ -58,14 +58,24 @@ constexpr double kPieceBucket_m = 32;
 // A wedge's distance is too small by at most 1 - cos(15°), 3.4 %.
 constexpr double kWedgeCosine = 0.866;
 
+// False only if an edge of a convex counter-clockwise ring has the whole box on its outer side.
+bool touches(std::span<const Vec2> ring, const Box2& box) {
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    const Vec2 edge = ring[i] - ring[j];
+    const Vec2 innermost{edge.y < 0 ? box.max.x : box.min.x, edge.x > 0 ? box.max.y : box.min.y};
+    if (twice_area(ring[j], ring[i], innermost) < 0) return false;
+  }
+  return true;
+}
+
 Vec2 foot_of(const Piece& piece, Vec2 p) { return piece.foot + piece.along * dot(p - piece.foot, piece.along); }
 
 // Tries candidates in the order of distance until one is seen.
 template <typename IsIn>
-std::uint32_t nearest_seen(const Field& field, Vec2 p, double most_m, IsIn is_in) {
+std::uint32_t nearest_seen(const Field& field, std::span<const std::uint32_t> candidates, Vec2 p, double most_m,
+                           IsIn is_in) {
   double after = -1;
   std::uint32_t after_index = 0;
-  const auto candidates = boxes_about(field.grid, p);
   for (;;) {
     double least = most_m;
     std::uint32_t best = kNoIndex;
@@ -100,7 +110,8 @@ Field field_of(std::vector<Piece> pieces, const Obstacles& obstacles) {
   Field field{std::move(pieces), {}, &obstacles};
   std::vector<Box2> boxes;
   for (const Piece& piece : field.pieces) boxes.push_back(box_of(piece.land));
-  field.grid = grid_of(boxes, kPieceBucket_m);
+  field.grid = grid_of(boxes, kPieceBucket_m,
+                       [&](std::uint32_t i, const Box2& bucket) { return touches(field.pieces[i].land, bucket); });
   return field;
 }
 
@@ -124,12 +135,23 @@ bool is_seen_by(const Field& field, const Piece& piece, Vec2 p) {
   return is_seen(*field.obstacles, p, foot_of(piece, p));
 }
 
-std::uint32_t nearest_piece(const Field& field, Vec2 p) {
-  return nearest_seen(field, p, 4 * kDepth_m, [](const Piece&) { return true; });
+std::uint32_t nearest_piece(const Field& field, Vec2 p) { return nearest_piece(field, boxes_about(field.grid, p), p); }
+
+std::uint32_t nearest_piece(const Field& field, std::span<const std::uint32_t> pieces, Vec2 p) {
+  return nearest_seen(field, pieces, p, 4 * kDepth_m, [](const Piece&) { return true; });
+}
+
+bool is_any_nearer(const Field& field, std::span<const std::uint32_t> pieces, Vec2 p, double below_m) {
+  return std::ranges::any_of(pieces, [&](std::uint32_t i) {
+    const Piece& piece = field.pieces[i];
+    const double d = distance_m(piece, p);
+    return d >= 0 && d < below_m && is_in_convex(piece.land, p) && is_seen_by(field, piece, p);
+  });
 }
 
 std::uint32_t nearest_other(const Field& field, Vec2 p, std::uint32_t street_edge, double most_m) {
-  return nearest_seen(field, p, most_m, [&](const Piece& piece) { return piece.street_edge != street_edge; });
+  return nearest_seen(field, boxes_about(field.grid, p), p, most_m,
+                      [&](const Piece& piece) { return piece.street_edge != street_edge; });
 }
 
 }  // namespace citykiln::parcels

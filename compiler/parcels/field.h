@@ -70,6 +70,10 @@ inline double distance_m(const Piece& piece, Vec2 p) { return dot(p - piece.foot
 /// Returns the index of the nearest piece that contains p and whose street edge no obstacle hides from p; kNoIndex if
 /// there is none. The lowest index of equal distances.
 std::uint32_t nearest_piece(const Field& field, Vec2 p);
+/// Returns nearest_piece() of some pieces only: indices, ascending. O(pieces + obstacles near the lines of sight).
+std::uint32_t nearest_piece(const Field& field, std::span<const std::uint32_t> pieces, Vec2 p);
+/// True if one of some pieces contains p, is nearer than `below_m`, and no obstacle hides its street edge from p.
+bool is_any_nearer(const Field& field, std::span<const std::uint32_t> pieces, Vec2 p, double below_m);
 /// Returns nearest_piece() among the pieces of other street edges that are nearer than `most_m`.
 std::uint32_t nearest_other(const Field& field, Vec2 p, std::uint32_t street_edge, double most_m);
 

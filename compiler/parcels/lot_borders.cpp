@@ -26,12 +26,13 @@ struct Range {
   bool is_empty() const { return !(from < to); }
 };
 
-// The shares of p → q within a convex ring.
-Range range_in(const Ring& ring, Vec2 p, Vec2 q, Range range) {
+// The shares of p → q within a convex ring, or up to `beyond_m` outside its edges.
+Range range_in(const Ring& ring, Vec2 p, Vec2 q, Range range, double beyond_m = 0) {
   const Vec2 along = q - p;
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
     const Vec2 edge = ring[i] - ring[j];
-    const double start = cross(edge, p - ring[j]), step = cross(edge, along);
+    const double start = cross(edge, p - ring[j]) + (beyond_m > 0 ? beyond_m * length(edge) : 0);
+    const double step = cross(edge, along);
     if (step > 0)
       range.from = std::max(range.from, -start / step);
     else if (step < 0)
@@ -56,17 +57,25 @@ std::optional<Cut> bisector_of(const Piece& p, const Piece& q) {
   return Cut{a + (b - a) * range.from, a + (b - a) * range.to};
 }
 
-std::uint32_t label_at(const Field& field, Vec2 p) {
-  const std::uint32_t piece = nearest_piece(field, p);
+std::uint32_t label_at(const Field& field, std::span<const std::uint32_t> pieces, Vec2 p) {
+  const std::uint32_t piece = nearest_piece(field, pieces, p);
   return piece == kNoIndex ? kRest : field.pieces[piece].label;
 }
 
-// The shares of a → b at which the nearest piece may change.
-std::vector<double> changes_along(const Field& field, const Piece& own, Vec2 a, Vec2 b) {
+// The pieces that contain places up to kBeside_m from a → b, ascending.
+std::vector<std::uint32_t> pieces_along(const Field& field, Vec2 a, Vec2 b) {
+  std::vector<std::uint32_t> pieces = boxes_about(field.grid, box_of_segment(a, b).widened(kBeside_m));
+  std::erase_if(pieces, [&](std::uint32_t i) {
+    return range_in(field.pieces[i].land, a, b, {0, 1}, 2 * kBeside_m).is_empty();
+  });
+  return pieces;
+}
+
+// The shares of a → b at which the nearest of some pieces may change.
+std::vector<double> changes_along(const Field& field, std::span<const std::uint32_t> pieces, const Piece& own, Vec2 a,
+                                  Vec2 b) {
   std::vector<double> changes = {0, 1};
-  Box2 box;
-  box.grow(a), box.grow(b);
-  for (const std::uint32_t i : boxes_about(field.grid, box)) {
+  for (const std::uint32_t i : pieces) {
     const Piece& piece = field.pieces[i];
     const Range range = range_in(piece.land, a, b, {0, 1});
     if (range.is_empty()) continue;
@@ -81,12 +90,19 @@ std::vector<double> changes_along(const Field& field, const Piece& own, Vec2 a, 
   return changes;
 }
 
-// Appends the parts of a → b along which the labels of its two sides differ.
-void keep_parts(const Field& field, const Piece& own, Vec2 a, Vec2 b, std::vector<Cut>& cuts) {
+// False if a piece owns no land beside p: another one is nearer, or obstacles hide its street edge from both sides.
+bool may_be_nearest(const Field& field, std::span<const std::uint32_t> pieces, const Piece& own, Vec2 p, Vec2 beside) {
+  return !is_any_nearer(field, pieces, p, distance_m(own, p) - 4 * kBeside_m) &&
+         (is_seen_by(field, own, p + beside) || is_seen_by(field, own, p - beside));
+}
+
+// Appends the parts of a → b, a line of a piece, along which the labels of its two sides differ. `pieces` are those
+// that may be the nearest beside it.
+void keep_parts(const Field& field, std::span<const std::uint32_t> pieces, const Piece& own, Vec2 a, Vec2 b,
+                std::vector<Cut>& cuts) {
   const double length = distance(a, b);
-  if (length < kLeastPart_m) return;
   const Vec2 along = unit(b - a), beside = left_of(along) * kBeside_m;
-  const std::vector<double> changes = changes_along(field, own, a, b);
+  const std::vector<double> changes = changes_along(field, pieces, own, a, b);
   double from = -1, to = -1;
   const auto flush = [&] {
     if (to > from) cuts.emplace_back(a + along * (from * length - kOverlap_m), a + along * (to * length + kOverlap_m));
@@ -94,7 +110,8 @@ void keep_parts(const Field& field, const Piece& own, Vec2 a, Vec2 b, std::vecto
   for (std::size_t i = 1; i < changes.size(); ++i) {
     if ((changes[i] - changes[i - 1]) * length < kLeastPart_m) continue;
     const Vec2 middle = a + (b - a) * ((changes[i] + changes[i - 1]) / 2);
-    if (label_at(field, middle + beside) == label_at(field, middle - beside)) continue;
+    if (!may_be_nearest(field, pieces, own, middle, beside)) continue;
+    if (label_at(field, pieces, middle + beside) == label_at(field, pieces, middle - beside)) continue;
     if (to < 0 || (changes[i - 1] - to) * length > 2 * kLeastPart_m) {
       flush();
       from = changes[i - 1];
@@ -102,6 +119,31 @@ void keep_parts(const Field& field, const Piece& own, Vec2 a, Vec2 b, std::vecto
     to = changes[i];
   }
   flush();
+}
+
+// The part of a line away from a street edge that is seen from it.
+Vec2 last_seen(const Field& field, Vec2 from, Vec2 to) {
+  const double length_m = distance(from, to);
+  const Vec2 along = unit(to - from);
+  const double seen_m = distance_to_obstacle(*field.obstacles, from, along, length_m);
+  return seen_m < length_m ? from + along * std::min(seen_m + kBehind_m, length_m) : to;
+}
+
+// Appends a side of a piece, where it is a border.
+void keep_side(const Field& field, const Piece& own, Vec2 a, Vec2 b, std::vector<Cut>& cuts) {
+  if (distance(a, b) >= kLeastPart_m) keep_parts(field, pieces_along(field, a, b), own, a, b, cuts);
+}
+
+// Appends a bisector of a piece and another one, where it is a border: no piece that is farther than both matters.
+void keep_bisector(const Field& field, const Piece& own, const Cut& bisector, std::vector<Cut>& cuts) {
+  const auto& [a, b] = bisector;
+  if (distance(a, b) < kLeastPart_m) return;
+  std::vector<std::uint32_t> pieces = pieces_along(field, a, b);
+  std::erase_if(pieces, [&](std::uint32_t i) {
+    const auto is_farther = [&](Vec2 p) { return distance_m(field.pieces[i], p) > distance_m(own, p) + 4 * kBeside_m; };
+    return is_farther(a) && is_farther(b);
+  });
+  keep_parts(field, pieces, own, a, b, cuts);
 }
 
 // Appends the shadows of obstacles' ends: lines away from a street edge, behind which the land is not seen from it.
@@ -114,7 +156,7 @@ void add_shadows(const Field& field, const Piece& piece, const Box2& box, std::v
       if (!is_in_convex(piece.land, end)) continue;
       const Vec2 behind = end + piece.normal * kBehind_m, aside = piece.along * kBeside_m;
       if (is_seen_by(field, piece, behind + aside) == is_seen_by(field, piece, behind - aside)) continue;
-      keep_parts(field, piece, end, end + piece.normal * (depth - distance_m(piece, end)), cuts);
+      keep_side(field, piece, end, end + piece.normal * (depth - distance_m(piece, end)), cuts);
     }
 }
 
@@ -124,12 +166,13 @@ std::vector<Cut> borders_of_piece(const Field& field, const std::vector<Box2>& b
   std::vector<Cut> cuts;
   const Piece& piece = field.pieces[number];
   // the first edge of a piece of a street edge is the street edge itself, those of a wedge begin at its tip
-  for (std::size_t i = piece.along == Vec2{} ? 0 : 1; i < piece.land.size(); ++i)
-    keep_parts(field, piece, piece.land[i], piece.land[(i + 1) % piece.land.size()], cuts);
+  const std::size_t first = piece.along == Vec2{} ? 0 : 1, last = piece.land.size() - 1;
+  keep_side(field, piece, piece.land[first], last_seen(field, piece.land[first], piece.land[first + 1]), cuts);
+  keep_side(field, piece, piece.land[first + 1], piece.land[last], cuts);
+  keep_side(field, piece, piece.land[0], last_seen(field, piece.land[0], piece.land[last]), cuts);
   for (const std::uint32_t other : boxes_about(field.grid, boxes[number])) {
     if (other <= number || field.pieces[other].label == piece.label || !overlap(boxes[number], boxes[other])) continue;
-    if (const auto cut = bisector_of(piece, field.pieces[other]))
-      keep_parts(field, piece, cut->first, cut->second, cuts);
+    if (const auto cut = bisector_of(piece, field.pieces[other])) keep_bisector(field, piece, *cut, cuts);
   }
   add_shadows(field, piece, boxes[number], cuts);
   return cuts;
