@@ -47,7 +47,7 @@ struct GlbOptions {
 /// |                     | of a texel is in its extras                                                                |
 /// | normal maps         | with TANGENT                                                                               |
 /// | colours             | COLOR_0; of plants shares of the largest tint, which is a factor of the material           |
-/// |                     | (plant_tints.h)                                                                            |
+/// |                     | (plant_tints.h); left out where all are white                                              |
 ///
 /// @param tile  Its primitives and instanced meshes are sorted by layer.
 ///

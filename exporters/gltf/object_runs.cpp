@@ -44,6 +44,18 @@ std::vector<ObjectRun> object_runs(const Primitive& primitive) {
   return runs;
 }
 
+std::vector<ObjectRun> feature_runs(const Primitive& primitive, const std::vector<ObjectRun>& runs) {
+  if (primitive.features.empty()) return runs;
+  std::vector<ObjectRun> joined;
+  for (const ObjectRun& run : runs) {
+    if (joined.empty() || primitive.features[joined.back().first_vertex] != primitive.features[run.first_vertex])
+      joined.push_back(run);
+    else
+      joined.back().last_vertex = run.last_vertex, joined.back().last_triangle = run.last_triangle;
+  }
+  return joined;
+}
+
 std::vector<ObjectRun> joined_runs(const std::vector<ObjectRun>& runs, std::size_t most_vertices) {
   std::vector<ObjectRun> joined;
   for (const ObjectRun& run : runs) {

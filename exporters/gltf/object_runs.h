@@ -19,6 +19,9 @@ struct ObjectRun {
 /// triangles, in order. Empty for a primitive without triangles. O(n).
 std::vector<ObjectRun> object_runs(const bake::Primitive& primitive);
 
+/// Joins neighbouring runs whose first vertices have the same feature, where a primitive has features. O(runs).
+std::vector<ObjectRun> feature_runs(const bake::Primitive& primitive, const std::vector<ObjectRun>& runs);
+
 /// Joins neighbouring runs into as few as possible with at most `most_vertices` each. A longer run stays alone.
 std::vector<ObjectRun> joined_runs(const std::vector<ObjectRun>& runs, std::size_t most_vertices);
 

@@ -58,7 +58,7 @@ std::vector<bool> used_vertices(const Primitive& primitive) {
 std::vector<std::uint32_t> first_equals(const Primitive& primitive) {
   std::vector<std::uint32_t> first(primitive.positions.size(), kNoVertex);
   const std::vector<bool> used = used_vertices(primitive);
-  for (const ObjectRun& run : object_runs(primitive)) {
+  for (const ObjectRun& run : feature_runs(primitive, object_runs(primitive))) {
     std::vector<std::uint32_t> slots(std::bit_ceil(2 * run.vertices()), kNoVertex);
     for (std::size_t v = run.first_vertex; v < run.last_vertex; ++v) {
       if (!used[v]) continue;

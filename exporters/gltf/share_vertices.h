@@ -5,7 +5,7 @@
 
 namespace citykiln::exporters {
 
-/// Replaces vertices by the first equal one of the same object run (object_runs.h), and drops unused ones. Normals
+/// Replaces vertices by the first equal one of the same feature run (object_runs.h), and drops unused ones. Normals
 /// count as equal if they are after rounding to kPackedNormalBits; all other attributes must be equal to the last bit.
 /// Drops triangles that then use a vertex twice, but none if the primitive would lose all; the others keep their order.
 /// Accepts any primitive. O(n) on average.

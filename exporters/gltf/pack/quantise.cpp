@@ -70,8 +70,12 @@ double quantise(double step_m, double texel_m, double tolerance_m, Primitive& pr
   const double farthest_m = step_m == 0 ? 0 : put_positions_on_grid(step_m, primitive);
   const bool is_on_image = texel_m > 0;
   put_uvs_on_grid(is_on_image ? uv_step_m(texel_m) : packed_texture_step_m(tolerance_m), primitive);
-  if (!is_on_image && !primitive.uvs.empty())
-    for (const ObjectRun& run : object_runs(primitive)) begin_in_first_period(run, primitive.uvs);
+  if (!is_on_image && !primitive.uvs.empty()) {
+    std::vector<ObjectRun> runs = object_runs(primitive);
+    // faces of a building go on sharing vertices; a road may be too long for 16 bits
+    if (primitive.layer == bake::Layer::kBuildings) runs = feature_runs(primitive, runs);
+    for (const ObjectRun& run : runs) begin_in_first_period(run, primitive.uvs);
+  }
   share_vertices(primitive);
   return farthest_m;
 }

@@ -75,7 +75,7 @@ materials::Tint tint_in(const tinygltf::Value& extras) {
 }
 
 Primitive read_primitive(GltfReader& reader, const tinygltf::Primitive& p, std::size_t features) {
-  expect(has_attribute(p, "POSITION") && has_attribute(p, "COLOR_0"), "the attributes that citykiln writes");
+  expect(has_attribute(p, "POSITION"), "the attributes that citykiln writes");
   Primitive out;
   const tinygltf::Material& material = item(reader.model.materials, p.material, "a material that exists");
   const bake::PrimitiveKey key = primitive_key_named(material.name);
@@ -86,6 +86,7 @@ Primitive read_primitive(GltfReader& reader, const tinygltf::Primitive& p, std::
   out.normals = turned(attribute_values<Float3>(reader, p, "NORMAL"));
   out.colours = attribute_values<materials::Tint>(reader, p, "COLOR_0");
   for (materials::Tint& colour : out.colours) colour = tint_of(colour, largest);
+  if (!has_attribute(p, "COLOR_0")) out.colours.assign(out.positions.size(), largest);
   out.uvs = finite(attribute_values<Float2>(reader, p, "TEXCOORD_0"));
   out.features = as_numbers(attribute_values<float>(reader, p, "_FEATURE_ID_0"), features);
   const std::size_t n = out.positions.size();

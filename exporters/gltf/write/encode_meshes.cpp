@@ -175,6 +175,11 @@ std::size_t add_colours(GlbBuilder& f, const Primitive& p, const materials::Tint
                          [&](const materials::Tint& tint) { return share_of(tint, largest); });
 }
 
+// False if the material's tint is that of all vertices.
+bool has_shares(const Primitive& p, const materials::Tint& largest) {
+  return std::ranges::any_of(p.colours, [&](const materials::Tint& tint) { return tint != largest; });
+}
+
 std::size_t add_tangents(GlbBuilder& f, const Primitive& front, bool has_backs) {
   std::vector<bake::Float4> tangents = tangents_of(front);
   const std::size_t count = tangents.size();
@@ -191,7 +196,7 @@ Json encoded_primitive(GlbBuilder& f, const Primitive& front, const impostor::Cu
   Json& attributes = out["attributes"];
   attributes["POSITION"] = add_positions(f, p.positions);
   if (!p.normals.empty()) attributes["NORMAL"] = f.add_turned(p.normals, ViewUse::kVertices);
-  attributes["COLOR_0"] = add_colours(f, p, key.tint);
+  if (has_shares(p, key.tint)) attributes["COLOR_0"] = add_colours(f, p, key.tint);
   if (!p.uvs.empty()) attributes["TEXCOORD_0"] = add_uvs(f, p, key);
   if (normals_of(f, key) != nullptr) attributes["TANGENT"] = add_tangents(f, front, key.has_backs);
   if (!p.features.empty()) {

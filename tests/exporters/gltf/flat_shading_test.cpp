@@ -65,6 +65,17 @@ TEST(FlatShading, OfBoxesIsExact) {
   }
 }
 
+TEST(FlatShading, FacesOfOneFeatureShareCorners) {
+  Primitive quads;
+  quads.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {1, 0, 1}, {1, 1, 1}, {1, 1, 0}};
+  quads.normals.assign(4, {0, 0, 1}), quads.normals.resize(8, {-1, 0, 0});
+  quads.colours.assign(8, materials::kNoTint), quads.features.assign(8, 3);
+  quads.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}};
+  EXPECT_EQ(without_normals(Primitive(quads)).positions.size(), 6u);
+  std::fill_n(quads.features.begin(), 4, 2u);
+  EXPECT_EQ(without_normals(Primitive(quads)).positions.size(), 8u);
+}
+
 TEST(FlatShading, IsNotThatOfRoundShapes) {
   Primitive round = boxes(1, 1);
   ASSERT_EQ(round.normals[0], (Float3{-1, 0, 0}));

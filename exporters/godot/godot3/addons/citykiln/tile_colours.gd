@@ -28,7 +28,7 @@ func apply(mesh):
 	var surfaces = []
 	for i in mesh.get_surface_count():
 		surfaces.append({"arrays": mesh.surface_get_arrays(i), "material": mesh.surface_get_material(i)})
-		if mesh.surface_get_array_len(i) != colours[i].size():
+		if colours[i] != null and mesh.surface_get_array_len(i) != colours[i].size():
 			return
 	for surface in surfaces:
 		mesh.surface_remove(0)
@@ -39,7 +39,7 @@ func apply(mesh):
 		surfaces[i]["material"].vertex_color_use_as_albedo = true
 
 
-# The colours of each primitive of a mesh; none if the mesh has none, or has them in another form.
+# The colours of each primitive of a mesh, null where all are white; an empty list without such a mesh.
 func colours_of(mesh_name):
 	for mesh in gltf["meshes"]:
 		if mesh["name"] == mesh_name:
@@ -47,6 +47,8 @@ func colours_of(mesh_name):
 			for primitive in mesh["primitives"]:
 				if "COLOR_0" in primitive["attributes"]:
 					colours.append(colours_in(gltf["accessors"][primitive["attributes"]["COLOR_0"]]))
+				else:
+					colours.append(null)
 			return colours
 	return []
 
