@@ -164,7 +164,7 @@ struct FacadeBuilder {
 }  // namespace
 
 std::uint32_t halvings_for(const View& view) {
-  constexpr double kMaxSampleSpacing_m = 0.2;
+  constexpr double kMaxSampleSpacing_m = 0.4;
   std::uint64_t texels = std::uint64_t{view.columns} * view.rows * 4;
   double texel_m = view.texel_m;
   std::uint32_t halvings = 0;

@@ -45,7 +45,7 @@ inline constexpr std::uint32_t kMinTexels = 9;
 inline constexpr std::uint32_t kMaxTexelsPerFace = 1u << 19;
 
 /// Returns the number of times that the texels of a face's picture are halved for rendering: until samples are at most
-/// 0.2 m apart (else the colour would depend on where a row of windows meets the samples), or until one more halving
+/// 0.4 m apart (else the colour would depend on where a row of windows meets the samples), or until one more halving
 /// would exceed kMaxTexelsPerFace (a face of kilometres).
 std::uint32_t halvings_for(const impostor::View& view);
 

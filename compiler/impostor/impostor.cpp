@@ -102,14 +102,17 @@ bool owns(Point a, Point b) { return a.y != b.y ? a.y > b.y : a.x < b.x; }
 // A triangle in image coordinates. Edge functions are positive inside.
 struct Projected {
   std::array<Point, 3> at;
-  std::array<double, 3> behind_m;
+  std::array<double, 3> behind_m;  // of each corner, for a unit of its edge function
 };
 
 std::optional<Projected> project(const Canvas& canvas, const ModelTriangle& t) {
   const auto a = canvas.point_of(t.a), b = canvas.point_of(t.b), c = canvas.point_of(t.c);
   // counter-clockwise in space is clockwise in the image, where v points down
-  if (!a || !b || !c || edge(*a, *c, *b) <= 0) return std::nullopt;
-  return Projected{{*a, *c, *b}, {canvas.behind_m(t.a), canvas.behind_m(t.c), canvas.behind_m(t.b)}};
+  if (!a || !b || !c) return std::nullopt;
+  const auto area = static_cast<double>(edge(*a, *c, *b));
+  if (area <= 0) return std::nullopt;
+  return Projected{{*a, *c, *b},
+                   {canvas.behind_m(t.a) / area, canvas.behind_m(t.c) / area, canvas.behind_m(t.b) / area}};
 }
 
 // The samples whose centres lie between two coordinates, inclusive.
@@ -125,30 +128,38 @@ SampleRange samples_between(std::int64_t low, std::int64_t high, std::int64_t co
   return {clamped(steps_down(low - kHalf + kSteps - 1)), clamped(steps_down(high - kHalf) + 1)};
 }
 
-// Edge functions and depth of a triangle at one sample, with their increments to the next sample and row.
+// Edge functions and depth of a triangle at one sample, with their increments to the next sample.
 struct Scan {
-  std::array<std::int64_t, 3> inside{}, along{}, down{};
-  double behind_m = 0, along_m = 0, down_m = 0;
+  std::array<std::int64_t, 3> inside{}, along{};
+  double behind_m = 0, along_m = 0;
 
-  bool is_inside() const { return (inside[0] | inside[1] | inside[2]) >= 0; }
-  void move(const std::array<std::int64_t, 3>& increment) {
-    for (std::size_t i = 0; i < 3; ++i) inside[i] += increment[i];
+  // The samples of a row of so many that are inside: they follow each other, since a triangle is convex.
+  SampleRange row_inside(std::int64_t count) const {
+    SampleRange range{0, count};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int64_t value = inside[i], step = along[i];
+      if (step > 0 && value < 0) range.first = std::max(range.first, (step - 1 - value) / step);
+      if (step < 0) range.end = std::min(range.end, value < 0 ? 0 : value / -step + 1);
+      if (step == 0 && value < 0) range.end = 0;
+    }
+    return range;
   }
 };
 
+// Samples of a texel's four rows are moved along the row by these steps, so that upright edges meet 16 columns.
+constexpr std::array<std::int64_t, kSamplesPerSide> kRowShift = {-6, 2, -2, 6};
+
 Scan scan_from(const Projected& triangle, std::int64_t column, std::int64_t row) {
-  const Point p{column * kSteps + kSteps / 2, row * kSteps + kSteps / 2};
-  const double area = static_cast<double>(edge(triangle.at[0], triangle.at[1], triangle.at[2]));
+  const std::int64_t shift = kRowShift[static_cast<std::size_t>(row) % kSamplesPerSide];
+  const Point p{column * kSteps + kSteps / 2 + shift, row * kSteps + kSteps / 2};
   Scan scan;
   for (std::size_t i = 0; i < 3; ++i) {
     const Point a = triangle.at[(i + 1) % 3], b = triangle.at[(i + 2) % 3];
-    const double share_m = triangle.behind_m[i] / area;
     const std::int64_t weight = edge(a, b, p);
     scan.inside[i] = owns(a, b) ? weight : weight - 1;
-    scan.along[i] = (a.y - b.y) * kSteps, scan.down[i] = (b.x - a.x) * kSteps;
-    scan.behind_m += static_cast<double>(weight) * share_m;
-    scan.along_m += static_cast<double>(scan.along[i]) * share_m;
-    scan.down_m += static_cast<double>(scan.down[i]) * share_m;
+    scan.along[i] = (a.y - b.y) * kSteps;
+    scan.behind_m += static_cast<double>(weight) * triangle.behind_m[i];
+    scan.along_m += static_cast<double>(scan.along[i]) * triangle.behind_m[i];
   }
   return scan;
 }
@@ -172,15 +183,12 @@ void draw_samples(const View& view, std::span<Sample> samples, Depth behind_m, s
     if (is_in_depth(view, behind_m(i))) draw(i, Sample::of(depth_at(behind_m(i)), surface));
 }
 
-// A triangle is convex: its samples of a row follow each other.
-void draw_row(const View& view, Scan scan, std::span<Sample> samples, std::uint32_t surface) {
-  std::size_t first = 0;
-  for (; first < samples.size() && !scan.is_inside(); ++first) scan.move(scan.along);
-  std::size_t end = first;
-  for (; end < samples.size() && scan.is_inside(); ++end) scan.move(scan.along);
-  if (first == end) return;
+void draw_row(const View& view, const Scan& scan, std::span<Sample> samples, std::uint32_t surface) {
+  const SampleRange range = scan.row_inside(static_cast<std::int64_t>(samples.size()));
+  if (range.first >= range.end) return;
+  const auto first = static_cast<std::size_t>(range.first);
   const auto behind_m = [&](std::size_t i) { return scan.behind_m + static_cast<double>(first + i) * scan.along_m; };
-  draw_samples(view, samples.subspan(first, end - first), behind_m, surface);
+  draw_samples(view, samples.subspan(first, range.size()), behind_m, surface);
 }
 
 // Depths within a rounding error of the range are left to draw_sample().
@@ -205,16 +213,21 @@ void draw_triangle(Canvas& canvas, const ModelTriangle& triangle) {
   const std::optional<Projected> projected = project(canvas, triangle);
   if (!projected) return;
   const auto& [a, b, c] = projected->at;
-  const SampleRange across = samples_between(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), canvas.columns);
+  const SampleRange across =
+      samples_between(std::min({a.x, b.x, c.x}) - kSteps, std::max({a.x, b.x, c.x}) + kSteps, canvas.columns);
   const SampleRange down = samples_between(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), canvas.rows);
   if (across.first >= across.end || down.first >= down.end) return;
-  Scan scan = scan_from(*projected, across.first, down.first);
-  const double first_m = scan.behind_m;
-  for (std::int64_t row = down.first; row < down.end; ++row, scan.move(scan.down)) {
-    scan.behind_m = first_m + static_cast<double>(row - down.first) * scan.down_m;
+  for (std::int64_t row = down.first; row < down.end; ++row) {
+    const Scan scan = scan_from(*projected, across.first, row);
     const auto at = static_cast<std::size_t>(row * canvas.columns + across.first);
     draw_row(canvas.view, scan, std::span(canvas.samples).subspan(at, across.size()), triangle.surface);
   }
+}
+
+// False for back faces, and for triangles that are seen from so far aside that they cover no sample.
+bool is_facing(const Canvas& canvas, const ModelTriangle& triangle) {
+  constexpr double kGrazing = 1e-4;
+  return dot(triangle.normal, canvas.out) > kGrazing;
 }
 
 // Draws the triangles of those surfaces that `is_drawn`.
@@ -227,7 +240,8 @@ Canvas drawn(const Model& model, const View& view, IsDrawn is_drawn) {
     const std::size_t first = block * kTrianglesPerBlock;
     const std::size_t end = std::min(first + kTrianglesPerBlock, model.triangles.size());
     for (std::size_t i = first; i < end; ++i)
-      if (is_drawn(model.triangles[i].surface) && overlap(visible, model.triangles[i].box))
+      if (is_facing(canvas, model.triangles[i]) && is_drawn(model.triangles[i].surface) &&
+          overlap(visible, model.triangles[i].box))
         draw_triangle(canvas, model.triangles[i]);
   }
   return canvas;
@@ -363,7 +377,10 @@ Model model_of(std::span<const MaterialMesh> meshes) {
         static_cast<std::uint32_t>(std::ranges::lower_bound(model.surfaces, surface_of(mesh)) - model.surfaces.begin());
     for (const Triangle& t : mesh.mesh.triangles) {
       const Vec3 a = mesh.mesh.positions[t[0]], b = mesh.mesh.positions[t[1]], c = mesh.mesh.positions[t[2]];
-      model.triangles.push_back({.a = a, .b = b, .c = c, .box = united(united({a, a}, b), c), .surface = surface});
+      const Vec3 area = cross(b - a, c - a);
+      const Vec3 normal = length(area) > 0 ? unit(area) : Vec3{};
+      model.triangles.push_back(
+          {.a = a, .b = b, .c = c, .normal = normal, .box = united(united({a, a}, b), c), .surface = surface});
     }
   }
   for (std::size_t i = 0; i < model.triangles.size(); ++i) {

@@ -23,6 +23,7 @@ struct Box3 {
 /// A triangle with its bounding box and an index into Model::surfaces.
 struct ModelTriangle {
   Vec3 a, b, c;
+  Vec3 normal;  ///< Length 1, or 0 without area.
   Box3 box;
   std::uint32_t surface = 0;
 };
@@ -66,12 +67,12 @@ struct Impostor {
 
 /// Renders a model. texel_m, columns and rows > 0.
 ///
-/// Method: a z-buffer of 4 × 4 samples per texel (Catmull 1974) with integer edge functions (Pineda, "A Parallel
-/// Algorithm for Polygon Rasterization", SIGGRAPH 1988) on a grid of a 64th of a texel.
-/// Guarantees: deterministic on every CPU and for every order of triangles; among surfaces of one depth, to 2^-10 m,
-/// the lowest index is visible. Triangles with a common edge cover each sample on it once. Back faces and surfaces
-/// outside the depth range are not visible. Triangles with a vertex more than 2^20 texels away, or not finite, are
-/// ignored. Emission of surfaces up to kMaxRoomDepth_m behind the rectangle is visible past occluders that are
+/// Method: a z-buffer of 4 × 4 samples per texel (Catmull 1974), whose rows are shifted against each other, with
+/// integer edge functions (Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988) on a grid of a 64th
+/// of a texel. Guarantees: deterministic on every CPU and for every order of triangles; among surfaces of one depth, to
+/// 2^-10 m, the lowest index is visible. Triangles with a common edge cover each sample on it once. Back faces and
+/// surfaces outside the depth range are not visible. Triangles with a vertex more than 2^20 texels away, or not finite,
+/// are ignored. Emission of surfaces up to kMaxRoomDepth_m behind the rectangle is visible past occluders that are
 /// kMinOccluderGap_m or more in front of it. Slopes include steps in depth: their mean over covered texels is the rise
 /// over all of these. Cost: O(blocks + triangles in view + samples).
 Impostor render(const Model& model, const View& view);
