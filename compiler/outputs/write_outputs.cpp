@@ -133,24 +133,21 @@ constexpr double kSolvedTolerances_m[] = {0.02, 0.025, 0.032, 0.04, 0.05, 0.063,
 
 using Lights = std::vector<bake::PlacedLamp>;
 
-ReadyTile ready_glb(const bake::BakedTile& tile, std::size_t level, const Lights& lights, const scene::Header& header,
+ReadyTile ready_glb(bake::BakedTile&& tile, std::size_t level, const Lights& lights, const scene::Header& header,
                     const Outputs& outputs, int threads) {
   exporters::GlbOptions options = glb_options_of(outputs);
   options.lights = lights;
-  exporters::EncodedTile encoded = exporters::encode_tile(tile, header, options, threads, outputs.layout);
-  const WrittenFile file{exporters::glb_name(tile.tile, level), encoded.glb.size()};
-  return {std::move(encoded.glb),
-          std::move(encoded.shared),
-          {.file = file,
-           .tile = tile.tile,
-           .level = level,
-           .tolerance_m = tile.tolerance_m,
-           .error_m = encoded.error_m,
-           .triangles = encoded.triangles,
-           .instances = exporters::instances_of(tile)}};
+  ReadyTile ready;
+  ready.record.tile = tile.tile, ready.record.level = level, ready.record.tolerance_m = tile.tolerance_m;
+  ready.record.instances = exporters::instances_of(tile);
+  exporters::EncodedTile encoded = exporters::encode_tile(std::move(tile), header, options, threads, outputs.layout);
+  ready.record.file = {exporters::glb_name(ready.record.tile, level), encoded.glb.size()};
+  ready.record.error_m = encoded.error_m, ready.record.triangles = encoded.triangles;
+  ready.glb = std::move(encoded.glb), ready.shared = std::move(encoded.shared);
+  return ready;
 }
 
-ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const Lights& lights, const scene::Header& header,
+ReadyTile ready_tile(bake::BakedTile&& tile, std::size_t level, const Lights& lights, const scene::Header& header,
                      const Outputs& outputs, int threads) {
   ReadyTile ready;
   if (outputs.usd) ready.usd = ready_usd(tile, level, lights, header);
@@ -159,7 +156,7 @@ ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const Light
     ready.record = ready.usd->record;
     return ready;
   }
-  ReadyTile with_glb = ready_glb(tile, level, lights, header, outputs, threads);
+  ReadyTile with_glb = ready_glb(std::move(tile), level, lights, header, outputs, threads);
   with_glb.usd = std::move(ready.usd);
   return with_glb;
 }
@@ -208,9 +205,8 @@ class TileWriter {
                       {.exists = [&](ChunkLevel at) { return whole_[index(at)].has_value(); },
                        .process =
                            [&](ChunkLevel at, bake::BakedTile&& baked) {
-                             const bake::BakedTile tile = bake::in_world(std::move(baked), scene_.header);
-                             ready_[index(at)] =
-                                 ready_tile(tile, at.level, lights_[at.chunk], scene_.header, outputs_, threads_);
+                             ready_[index(at)] = ready_tile(bake::in_world(std::move(baked), scene_.header), at.level,
+                                                            lights_[at.chunk], scene_.header, outputs_, threads_);
                            },
                        .take =
                            [&](ChunkLevel at, const Report& diagnosed) {
@@ -278,9 +274,8 @@ class TileWriter {
       SolvedTile out;
       const auto prepared = bake::prepare(scene_.header, scene_.chunks[chunk], std::span(&tolerance_m, 1), threads_,
                                           prototypes, most_instances_of(outputs_.target));
-      const bake::BakedTile tile =
-          bake::in_world(bake::bake_prepared(*prepared, 0, threads_, out.diagnosed), scene_.header);
-      out.tile = ready_tile(tile, 0, lights_[chunk], scene_.header, outputs_, threads_);
+      out.tile = ready_tile(bake::in_world(bake::bake_prepared(*prepared, 0, threads_, out.diagnosed), scene_.header),
+                            0, lights_[chunk], scene_.header, outputs_, threads_);
       return out;
     };
     std::optional<SolvedTile> found;

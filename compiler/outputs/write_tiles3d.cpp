@@ -60,20 +60,21 @@ class ContentMaker {
   /// @param centre  The centre of the tile's square, at which the axes of its box are those of the plane.
   /// @param lights  Lamps that are lights of the content, in the plane.
   Content content_of(bake::BakedTile&& baked, Vec2 centre, std::string name, const Lights& lights = {}) const {
-    const bake::BakedTile tile =
+    bake::BakedTile tile =
         cylinder_ ? bake::bent(std::move(baked), *cylinder_) : bake::bent(std::move(baked), globe_, geoid_);
     const Lights bent_lights = bent(lights);
     exporters::GlbOptions options = options_;
     options.lights = bent_lights;
-    exporters::EncodedTile encoded = exporters::encode_tile(tile, header_, options, threads_);
     const Vec3 level = at_height(centre, 0);
     const map::BentPoint there = cylinder_ ? map::at(*cylinder_, level) : globe_.at(level);
-    return {std::move(encoded.glb),
-            {.box = exporters::box_of(tile, {there.east, there.north, there.up}),
-             .error_m = encoded.error_m,
-             .content = std::move(name),
-             .tolerance_m = tile.tolerance_m,
-             .plant_error_m = tile.plant_error_m}};
+    Content content{.glb = {},
+                    .tile = {.box = exporters::box_of(tile, {there.east, there.north, there.up}),
+                             .content = std::move(name),
+                             .tolerance_m = tile.tolerance_m,
+                             .plant_error_m = tile.plant_error_m}};
+    exporters::EncodedTile encoded = exporters::encode_tile(std::move(tile), header_, options, threads_);
+    content.glb = std::move(encoded.glb), content.tile.error_m = encoded.error_m;
+    return content;
   }
 
  private:

@@ -346,13 +346,13 @@ void check_ways(TileUnderCheck& tile, const bake::BakedTile& level, const std::s
 }
 
 // True if baked recipes give exactly the bytes of the file.
-bool is_baked(const TileUnderCheck& tile, const bake::BakedTile& baked, std::span<const std::byte> bytes) {
+bool is_baked(const TileUnderCheck& tile, bake::BakedTile&& baked, std::span<const std::byte> bytes) {
   const outputs::RunRecord& record = tile.loaded.record;
   const scene::Header& header = tile.loaded.scene.header;
   const exporters::GlbOptions options{
       .target = record.target, .split = record.split, .compression = record.compress, .lights = tile.lights};
   const exporters::EncodedTile encoded =
-      exporters::encode_tile(bake::in_world(baked, header), header, options, kOneThread, record.layout);
+      exporters::encode_tile(bake::in_world(std::move(baked), header), header, options, kOneThread, record.layout);
   return std::ranges::equal(encoded.glb, bytes);
 }
 
@@ -379,12 +379,12 @@ Result<Done> check_glb_level(TileUnderCheck& tile, bake::PreparedTile& prepared,
   check_area(tile, bake::ground_of(prepared, level), file.name);
   Report ignored;
   bake::BakedTile baked = bake::bake_prepared(prepared, level, kOneThread, ignored);
-  tile.results().glb_bytes.test(is_baked(tile, baked, *bytes), file.name);
   if (const auto cylinder = scene::cylinder_of(loaded.scene.header)) {
     // measured in the plane: the file's tile is the image of the baked one, which the bytes and its vertices show
     check_bend(tile, *cylinder, baked, *written, file.name);
-    written = std::move(baked);
+    written = bake::BakedTile(baked);
   }
+  tile.results().glb_bytes.test(is_baked(tile, std::move(baked), *bytes), file.name);
   const GroundIndex ground = index_ground(*written);
   check_ground(tile, *written, ground, file.name);
   check_heights(tile, *written, ground, file.name);

@@ -129,16 +129,17 @@ std::vector<std::size_t> mesh_numbers(const Json& gltf) {
   return numbers;
 }
 
-// Arrays of all primitives, narrowed and then encoded.
-template <typename Encoded, typename Encode>
-std::vector<Encoded> encoded_arrays(const GlbParts& plain, const NarrowPlan& plan, const std::vector<Json*>& primitives,
-                                    int threads, Encode encode) {
-  const std::vector<std::size_t> meshes = mesh_numbers(plain.gltf);
-  return for_each_slot<Encoded>(primitives.size(), threads, [&](std::size_t i) {
-    MeshArrays arrays = arrays_of(plain, *primitives[i]);
-    narrow_steps(plan, meshes[i], primitives[i]->at("material").get<std::size_t>(), arrays);
-    return encode(std::move(arrays), *primitives[i]);
-  });
+// The arrays of a primitive, with positions and uvs in their planned steps.
+MeshArrays stepped(const GlbParts& plain, const NarrowPlan& plan, std::size_t mesh, const Json& primitive) {
+  MeshArrays arrays = arrays_of(plain, primitive);
+  narrow_steps(plan, mesh, primitive.at("material").get<std::size_t>(), arrays);
+  return arrays;
+}
+
+MeshArrays narrowed(const GlbParts& plain, const NarrowPlan& plan, std::size_t mesh, const Json& primitive) {
+  MeshArrays arrays = stepped(plain, plan, mesh, primitive);
+  narrow_directions(arrays);
+  return arrays;
 }
 
 SharedViews shared_views(std::vector<MeshoptMesh>&& meshes, const std::vector<Json*>& primitives, GlbParts& packed) {
@@ -149,17 +150,19 @@ SharedViews shared_views(std::vector<MeshoptMesh>&& meshes, const std::vector<Js
   return views;
 }
 
+std::vector<MeshoptMesh> meshopt_meshes(const GlbParts& plain, const NarrowPlan& plan,
+                                        const std::vector<Json*>& primitives, int threads) {
+  const std::vector<std::size_t> mesh_of = mesh_numbers(plain.gltf);
+  return for_each_slot<MeshoptMesh>(primitives.size(), threads, [&](std::size_t i) {
+    const Json& indices = plain.gltf["accessors"].at(primitives[i]->at("indices").get<std::size_t>());
+    return meshopt_arrays(stepped(plain, plan, mesh_of[i], *primitives[i]), bytes_of(component_of(indices)));
+  });
+}
+
 void compress_meshopt(const GlbParts& plain, GlbParts& packed, int threads) {
   const std::vector<Json*> primitives = primitives_of(packed.gltf);
   const NarrowPlan plan = plan_narrowing(plain);
-  SharedViews views = shared_views(
-      encoded_arrays<MeshoptMesh>(plain, plan, primitives, threads,
-                                  [&](MeshArrays arrays, const Json& primitive) {
-                                    const Json& indices =
-                                        plain.gltf["accessors"].at(primitive.at("indices").get<std::size_t>());
-                                    return meshopt_arrays(std::move(arrays), bytes_of(component_of(indices)));
-                                  }),
-      primitives, packed);
+  SharedViews views = shared_views(meshopt_meshes(plain, plan, primitives, threads), primitives, packed);
   std::vector<const SharedView*> shared;
   for (const auto& [key, view] : views.attributes) shared.push_back(&view);
   for (const SharedView& view : views.indices) shared.push_back(&view);
@@ -186,18 +189,17 @@ void add_narrow_attribute(const VertexAttribute& attribute, Json& accessor, GlbP
   set_component(attribute.component, accessor);
 }
 
-void quantise_attributes(const GlbParts& plain, bool has_exact_positions, GlbParts& packed, int threads) {
+// One primitive after the other: all narrow arrays at once would be as large as the file.
+void quantise_attributes(const GlbParts& plain, bool has_exact_positions, GlbParts& packed) {
   const std::vector<Json*> primitives = primitives_of(packed.gltf);
+  const std::vector<std::size_t> mesh_of = mesh_numbers(plain.gltf);
   NarrowPlan plan = plan_narrowing(plain);
   if (has_exact_positions) plan.positions.assign(plan.positions.size(), std::nullopt);
-  const auto meshes = encoded_arrays<MeshArrays>(plain, plan, primitives, threads, [&](MeshArrays arrays, const Json&) {
-    narrow_directions(arrays);
-    return arrays;
-  });
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    const MeshArrays narrow = narrowed(plain, plan, mesh_of[i], *primitives[i]);
     const std::vector<Json*> accessors = accessors_of(packed.gltf, *primitives[i]);
-    for (std::size_t a = 0; a < meshes[i].attributes.size(); ++a)
-      add_narrow_attribute(meshes[i].attributes[a], *accessors[a], packed);
+    for (std::size_t a = 0; a < narrow.attributes.size(); ++a)
+      add_narrow_attribute(narrow.attributes[a], *accessors[a], packed);
     copy_view(plain, *accessors.back(), packed);
   }
   scale_by_plan(plan, packed);
@@ -243,7 +245,7 @@ GlbParts compressed_glb(GlbParts plain, Compression compression, int threads) {
     compress_meshopt(plain, packed, threads);
     demand(packed.gltf, kMeshoptExtension), demand(packed.gltf, kQuantizationExtension);
   } else {
-    quantise_attributes(plain, compression == Compression::kLean, packed, threads);
+    quantise_attributes(plain, compression == Compression::kLean, packed);
     demand(packed.gltf, kQuantizationExtension);
   }
   return packed;

@@ -2,21 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "exporters/gltf/glb_parts.h"
 #include "exporters/gltf/pack/quantise.h"
 #include "exporters/run_files.h"
 
 namespace citykiln::exporters {
 
-EncodedTile encode_tile(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options,
-                        int threads, Layout layout) {
-  const bool is_packed = options.compression != Compression::kNone;
-  const bake::BakedTile packed = is_packed ? quantised(tile, options.compression) : bake::BakedTile{};
-  const bake::BakedTile& written = is_packed ? packed : tile;
-  GlbParts parts = build_glb(written, header, options, threads);
+EncodedTile encode_tile(bake::BakedTile tile, const scene::Header& header, const GlbOptions& options, int threads,
+                        Layout layout) {
+  if (options.compression != Compression::kNone) tile = quantised(std::move(tile), options.compression);
+  GlbParts parts = build_glb(tile, header, options, threads);
   SharedGlb glb =
       layout == Layout::kShared ? share_prototypes(std::move(parts)) : SharedGlb{join_glb(std::move(parts)), {}};
-  return {std::move(glb.glb), std::move(glb.files), written.error_m, triangles_of(written)};
+  return {std::move(glb.glb), std::move(glb.files), tile.error_m, triangles_of(tile)};
 }
 
 std::string glb_name(scene::TileKey tile, std::size_t level) {

@@ -23,9 +23,10 @@ struct EncodedTile {
   std::uint64_t triangles = 0;
 };
 
-/// Returns the .glb of a tile. Packed tiles are quantised first (quantise.h), so that their stated error holds.
-EncodedTile encode_tile(const bake::BakedTile& tile, const scene::Header& header, const GlbOptions& options,
-                        int threads, Layout layout = Layout::kEmbedded);
+/// Returns the .glb of a tile. Packed tiles are quantised first (quantise.h), so that their stated error holds. Memory:
+/// the tile and twice the file.
+EncodedTile encode_tile(bake::BakedTile tile, const scene::Header& header, const GlbOptions& options, int threads,
+                        Layout layout = Layout::kEmbedded);
 
 /// Returns the path of a tile's file in a run's folder: "glb/3_-2_L0.glb".
 std::string glb_name(scene::TileKey tile, std::size_t level);
