@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """flights.py: which tiles a viewer shows, from where, and what that costs."""
+import json
 import math
+import tempfile
 import unittest
 from pathlib import Path
 
-from flights import FOCAL_PX, Account, Content, Tile, View, distance_m, eye_of, is_in_picture, sets_of_levels, shown
+from flights import FOCAL_PX, Account, Content, Runs, Tile, View, distance_m, eye_of, is_in_picture, sets_of_levels, shown
 
 CUBE = (0, 0, 0, 50, 0, 0, 0, 50, 0, 0, 0, 50)  # sides of 100 m about the origin
 
@@ -15,6 +17,22 @@ def chain(*levels):
     for error_m, name in reversed(levels):
         tile = Tile(CUBE, error_m, Path(name), [tile] if tile else [])
     return tile
+
+
+def write_run(folder, tolerances, shown_errors):
+    """A run of one map tile below one inner tile. `shown_errors` are the errors of levels by index; one without is no coarser than another."""
+    tile = None
+    for index, error_m in sorted(shown_errors.items()):
+        tile = {"boundingVolume": {"box": CUBE}, "geometricError": error_m, "content": {"uri": f"0_0_L{index}.glb"},
+                "extras": {"tolerance_m": tolerances[index]}, "children": [tile] if tile else []}
+    root = {"boundingVolume": {"box": CUBE}, "geometricError": 50, "content": {"uri": "Q1_0_0.glb"}, "transform": [], "children": [tile]}
+    (folder / "3dtiles").mkdir(parents=True)
+    (folder / "3dtiles" / "tileset.json").write_text(json.dumps({"root": root}))
+    (folder / "report.json").write_text(json.dumps({"levels": [{"tolerance_m": tolerance} for tolerance in tolerances]}))
+
+
+def chain_of(root):
+    return [(root.error_m, root.path.name), *(chain_of(root.children[0]) if root.children else [])]
 
 
 def names(tiles):
@@ -67,6 +85,23 @@ class Flights(unittest.TestCase):
         account.add([coarse], [], contents)
         self.assertEqual((account.paths, account.triangles, account.draws), (contents.keys(), 100, 5))
         self.assertEqual(account.sum_triangles / account.pictures, 60)
+
+    def test_a_set_joins_levels_of_runs_below_the_inner_tiles_of_its_coarsest_level(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            coarse, fine = Path(scratch) / "coarse", Path(scratch) / "fine"
+            write_run(coarse, [2.5, 12.5], {0: 2.25, 1: 8})
+            write_run(fine, [0.1, 0.5], {0: 0.09, 1: 0.4})
+            runs = Runs([coarse, fine])
+            self.assertEqual(chain_of(runs.roots((0.1, 2.5, 12.5), "tree")[0]),
+                             [(50, "Q1_0_0.glb"), (8, "0_0_L1.glb"), (2.25, "0_0_L0.glb"), (0.09, "0_0_L0.glb")])
+            self.assertEqual(chain_of(runs.roots((0.5, 2.5), "flat")[0]), [(2.5, "0_0_L0.glb"), (0.5, "0_0_L1.glb")])
+
+    def test_a_level_that_is_no_coarser_than_the_finer_one_is_that_one(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            write_run(Path(scratch) / "run", [0.1, 0.5, 2.5], {0: 0.09, 2: 2.25})
+            runs = Runs([Path(scratch) / "run"])
+            self.assertEqual(chain_of(runs.roots((0.5, 2.5), "flat")[0]), [(2.5, "0_0_L2.glb"), (0.5, "0_0_L0.glb")])
+            self.assertEqual(chain_of(runs.roots((0.1, 0.5), "flat")[0]), [(0.1, "0_0_L0.glb")])
 
     def test_the_focal_length_is_that_of_1080_rows_and_60_degrees(self):
         self.assertTrue(math.isclose(FOCAL_PX, 935.3, abs_tol=0.1))
