@@ -3,8 +3,8 @@
 
     tests/bench/flights.py --street "Neustrelitzer Straße" RUN... [--csv sets.csv]
 
-Each RUN is the folder of a run with 3D Tiles, one of them with the manifest. All are of one map with one size of tiles; together they have every level of
-the tiles near a flight, and coarser ones far from it, so that the map need not be compiled at its finest levels everywhere. The bytes of a
+Each RUN is the folder of a run with 3D Tiles, one of them with the manifest. All are of one map with one size of tiles; together they have every
+level of the tiles near a flight, and coarser ones far from it, so that the map need not be compiled at its finest levels everywhere. The bytes of a
 tile's level do not depend on the other levels of its run. Inner tiles depend on the coarsest level, so a set uses those of the run with the
 same coarsest level.
 
@@ -20,6 +20,7 @@ direction of the street.
 """
 import argparse
 import csv
+import functools
 import itertools
 import json
 import math
@@ -50,7 +51,7 @@ HILLS_M = 4000
 
 @dataclass
 class Content:
-    """What one .glb file costs."""
+    """The costs of one .glb file."""
     bytes: int
     triangles: int  # instanced ones at each of their places
     draws: int  # primitives of nodes; instances of one mesh are one
@@ -124,6 +125,23 @@ def distance_m(at, box):
     return math.sqrt(outside)
 
 
+def grown(box, other):
+    """A box with the same axes that contains both."""
+    centre, axes = box[:3], []
+    for axis in (box[3:6], box[6:9], box[9:12]):
+        half = math.sqrt(dot(axis, axis))
+        if half == 0:
+            axes.append(axis)
+            continue
+        unit = scaled(axis, 1 / half)
+        reach = sum(abs(dot(unit, other[i:i + 3])) for i in (3, 6, 9))
+        middle, there = dot(unit, box[:3]), dot(unit, other[:3])
+        low, high = min(middle - half, there - reach), max(middle + half, there + reach)
+        centre = plus(centre, scaled(unit, (low + high) / 2 - middle))
+        axes.append(scaled(unit, (high - low) / 2))
+    return (*centre, *axes[0], *axes[1], *axes[2])
+
+
 def is_in_picture(eye, box):
     """False only where the box lies behind a plane of the picture."""
     away = [c - p for p, c in zip(eye.at, box[:3])]
@@ -135,7 +153,7 @@ def is_in_picture(eye, box):
 
 
 class View:
-    """What an eye sees of boxes; each is computed once."""
+    """The boxes that an eye sees. Each is computed once."""
 
     def __init__(self, eye):
         self.eye, self.seen = eye, {}
@@ -207,35 +225,37 @@ class Runs:
             self.keep(child, folder, name)
 
     def chain(self, name, tolerances, layout):
-        """A tile at some levels as a tree, the coarsest first. Levels that were not compiled are left out, and named by an error when the
-        chain's finest tile is refined."""
+        """A tile at some levels as a tree, the coarsest first. It ends above the first level that no run has. None without the coarsest."""
+        known = list(itertools.takewhile(lambda tolerance: tolerance in self.compiled[name], sorted(tolerances, reverse=True)))
         below = None
-        for tolerance in sorted(set(tolerances) & self.compiled[name]):
+        for tolerance in reversed(known):
             # the compiler leaves a level out whose error is no larger than that of the finer one
             there = max((t for t in self.levels[name] if t <= tolerance), default=None)
             if there is None or below is not None and below.path == self.levels[name][there].path:
                 continue
             level = self.levels[name][there]
-            below = Tile(level.box, tolerance if layout == "flat" else level.error_m, level.path, [below] if below else [])
+            box = grown(level.box, below.box) if below else level.box
+            below = Tile(box, tolerance if layout == "flat" else level.error_m, level.path, [below] if below else [])
         return below
 
     def roots(self, tolerances, layout):
-        """The trees of a set of levels."""
+        """The trees of a set of levels; none where a tile has no run with the coarsest."""
+        if any(max(tolerances) not in compiled for compiled in self.compiled.values()):
+            return []
         if layout == "flat":
-            chains = (self.chain(name, tolerances, layout) for name in sorted(self.levels))
-            return [chain for chain in chains if chain]
+            return [self.chain(name, tolerances, layout) for name in sorted(self.levels)]
         return [self.joined(self.inner[max(tolerances)], tolerances)]
 
     def joined(self, tile, tolerances):
         if not tile.children:
             return self.chain(tile.path, tolerances, "tree")
         children = [self.joined(child, tolerances) for child in tile.children]
-        return Tile(tile.box, tile.error_m, tile.path, [child for child in children if child])
+        return Tile(functools.reduce(grown, (child.box for child in children), tile.box), tile.error_m, tile.path, children)
 
     def is_finest(self, tile, tolerances):
         """Whether no level of the set would be finer than a tile without children."""
         name = re.fullmatch(r"(-?\d+_-?\d+)_L\d+\.glb", tile.path.name)
-        return not name or min(tolerances) in self.compiled[name[1]]
+        return not name or self.compiled[name[1]].issuperset(tolerances)
 
 
 def content_of(path):
@@ -329,7 +349,7 @@ def sets_of_levels(candidates):
 
 
 class Account:
-    """What a flight has cost: the files that were loaded, and the most triangles and draw calls in one picture."""
+    """The costs of a flight: the files that were loaded, and the most triangles and draw calls in one picture."""
 
     def __init__(self):
         self.paths, self.triangles, self.draws, self.sum_triangles, self.pictures = set(), 0, 0, 0, 0
@@ -360,7 +380,7 @@ def fly(runs, eyes, sets, contents):
     """Accounts of a flight, by set, layout and pixels, without those that need a level that no run has."""
     trees = {(levels, layout): runs.roots(levels, layout)
              for levels in sets for layout in LAYOUTS if layout == "flat" or max(levels) in runs.inner}
-    accounts = {(*key, px): Account() for key in trees for px in PIXELS}
+    accounts = {(*key, px): Account() for key, roots in trees.items() if roots for px in PIXELS}
     for eye in eyes:
         view = View(eye)
         for key in list(accounts):

@@ -6,7 +6,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from flights import FOCAL_PX, Account, Content, Runs, Tile, View, distance_m, eye_of, is_in_picture, sets_of_levels, shown
+from flights import FOCAL_PX, Account, Content, Runs, Tile, View, distance_m, eye_of, grown, is_in_picture, sets_of_levels, shown
 
 CUBE = (0, 0, 0, 50, 0, 0, 0, 50, 0, 0, 0, 50)  # sides of 100 m about the origin
 
@@ -48,6 +48,10 @@ class Flights(unittest.TestCase):
         self.assertEqual(distance_m((10, 20, 30), CUBE), 0)
         self.assertEqual(distance_m((-150, 0, 0), CUBE), 100)
         self.assertAlmostEqual(distance_m((53, 54, 0), CUBE), 5)
+
+    def test_a_grown_box_contains_both(self):
+        self.assertEqual(grown(CUBE, (20, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3)), CUBE)
+        self.assertEqual(grown(CUBE, (0, 0, 60, 10, 0, 0, 0, 80, 0, 0, 0, 10)), (0, 0, 10, 50, 0, 0, 0, 80, 0, 0, 0, 60))
 
     def test_the_picture_is_60_degrees_high_and_wider(self):
         eye = eye_of((-1050, 0, 0), (1, 0), 0)
@@ -95,6 +99,15 @@ class Flights(unittest.TestCase):
             self.assertEqual(chain_of(runs.roots((0.1, 2.5, 12.5), "tree")[0]),
                              [(50, "Q1_0_0.glb"), (8, "0_0_L1.glb"), (2.25, "0_0_L0.glb"), (0.09, "0_0_L0.glb")])
             self.assertEqual(chain_of(runs.roots((0.5, 2.5), "flat")[0]), [(2.5, "0_0_L0.glb"), (0.5, "0_0_L1.glb")])
+
+    def test_a_chain_ends_above_a_level_that_no_run_has(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            write_run(Path(scratch) / "run", [0.1, 2.5], {0: 0.09, 1: 2.25})
+            runs = Runs([Path(scratch) / "run"])
+            tile = runs.roots((0.1, 0.5, 2.5), "flat")[0]
+            self.assertEqual(chain_of(tile), [(2.5, "0_0_L1.glb")])
+            self.assertFalse(runs.is_finest(tile, (0.1, 0.5, 2.5)))
+            self.assertEqual(runs.roots((0.1, 0.5), "flat"), [])
 
     def test_a_level_that_is_no_coarser_than_the_finer_one_is_that_one(self):
         with tempfile.TemporaryDirectory() as scratch:
