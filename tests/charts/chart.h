@@ -46,7 +46,7 @@ struct ChartRequest {
   source::LonLatBox bbox;  ///< The area of the terrain chart, if has_bbox; else all of the heightmap.
   bool has_bbox = false;
   std::vector<source::RasterSpec> rasters;  ///< Heightmaps. The terrain chart uses only the first.
-  /// The maps of all charts except plane, terrain, plant, lsystem, lights, sky, linelights and cloud.
+  /// The maps of all charts except plane, terrain, canopy, plant, lsystem, lights, sky, linelights and cloud.
   std::vector<std::string> maps;
   std::optional<Vec3> eye;  ///< The viewer of the view chart; empty: 100 m above the middle of the map.
   double lat_deg = 42.5;    ///< The latitude of the plane chart's origin.
@@ -90,6 +90,12 @@ Result<std::vector<Chart>> chart_facade(const ChartRequest& request);
 
 /// Charts the processor time of placing a map's plants over their number.
 Result<std::vector<Chart>> chart_woods(const ChartRequest& request);
+
+/// Charts the look and the cost of a closed wood of 256 m over the tolerance, as trees, as stands and as a canopy: the
+/// difference of its picture from that of a fine level, at the distance where the tolerance is one pixel, its bytes,
+/// triangles and processor time, each without the ground. Writes the wood's map, wood.osm, into the folder of the
+/// charts. Notes are a Markdown table.
+Result<std::vector<Chart>> chart_canopy(const ChartRequest& request);
 
 /// Charts three measures of plants: triangles, bytes and time over the tolerance; the error of the picture of a tree
 /// and of a wood at the distance where the tolerance is one pixel, with the noise; the distance of a branch joint's

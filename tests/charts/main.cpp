@@ -30,6 +30,7 @@ constexpr std::array kKinds = {Kind{"plane", chart_plane},
                                Kind{"roof", chart_roof},
                                Kind{"facade", chart_facade},
                                Kind{"woods", chart_woods},
+                               Kind{"canopy", chart_canopy},
                                Kind{"plant", chart_plant},
                                Kind{"lsystem", chart_lsystem},
                                Kind{"compression", chart_compression},
@@ -58,7 +59,7 @@ struct Texts {
 void declare(CLI::App& app, ChartRequest& request, Texts& texts) {
   app.add_option("names", request.names, known_names())->type_name("NAME...")->required();
   app.add_option("--map", request.maps,
-                 "maps for all charts except plane, terrain, plant, lsystem, lights, sky, linelights and cloud")
+                 "maps for all charts except plane, terrain, canopy, plant, lsystem, lights, sky, linelights and cloud")
       ->type_name("FILE...");
   app.add_option("--dem", texts.rasters, "heightmap for terrain, ground, view, profile, facade and lod")
       ->type_name("FILE[,key=value...]");

@@ -13,4 +13,13 @@ inline constexpr double kChartFocal_px = 1304;
 /// @param a, b  Pictures of equal size.
 double difference(const preview::Image& a, const preview::Image& b);
 
+/// How the luminance of a picture differs from that of a reference, in linear light.
+struct LuminanceDifference {
+  double ratio = 1;  ///< The mean luminance as a share of the reference's.
+  double rms = 0;    ///< Root of the mean squared difference over pixels, as a share of the reference's mean.
+};
+
+/// Returns the difference of a picture from a reference of equal size, which is not black.
+LuminanceDifference luminance_difference(const preview::Image& picture, const preview::Image& reference);
+
 }  // namespace citykiln::charts
