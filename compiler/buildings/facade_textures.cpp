@@ -176,13 +176,9 @@ std::uint32_t halvings_for(const View& view) {
 FacadeMeshes texture_facades(const grammars::Derivation& derivation, const impostor::Model& detailed, double texel_m,
                              double tolerance_m, OsmId feature) {
   assert(texel_m > 0 && tolerance_m >= 0);
-  std::vector<SurfaceMaterial> surfaces;
-  for (const grammars::Appearance& appearance : derivation.appearances)
-    surfaces.push_back(surface_material_of(appearance));
   FacadeBuilder builder{detailed, texel_m, tolerance_m, feature};
-  for (const grammars::Terminal& terminal : derivation.terminals)
-    for (const Face& face : terminal.faces)
-      builder.add(face, surfaces[terminal.appearance], terminal.detail_distance_m);
+  for (const auto& [surface, faces] : faces_by_surface(derivation))
+    for (const DerivedFace& derived : faces) builder.add(derived.face, surface, derived.detail_distance_m);
   for (auto& [surface, mesh] : builder.uniform)
     if (!mesh.mesh.triangles.empty()) builder.result.meshes.push_back(std::move(mesh));
   return std::move(builder.result);

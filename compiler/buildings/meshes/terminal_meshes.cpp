@@ -116,24 +116,12 @@ void add_material_face(const Face& face, bool has_uvs, MaterialMesh& mesh) {
   if (add_face_with_normal(face, twice_m2, normal, mesh.mesh) && has_uvs) add_uvs(face, normal, mesh);
 }
 
-// The mesh that terminals of one appearance are added to.
-struct TargetMesh {
-  MaterialMesh* mesh;
-  bool has_uvs;
-};
-
 // Growing meshes step by step would copy them several times.
-void reserve_points(const grammars::Derivation& derivation, std::span<const TargetMesh> target_of_appearance) {
-  std::vector<std::size_t> points(target_of_appearance.size());
-  for (const grammars::Terminal& terminal : derivation.terminals)
-    points[terminal.appearance] += grammars::vertex_count(terminal.faces);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto [mesh, has_uvs] = target_of_appearance[i];
-    const std::size_t all = mesh->mesh.positions.capacity() + points[i];
-    mesh->mesh.positions.reserve(all);
-    mesh->mesh.triangles.reserve(all / 2);
-    if (has_uvs) mesh->uvs.reserve(all);
-  }
+void reserve_points(std::span<const DerivedFace> faces, bool has_uvs, MaterialMesh& mesh) {
+  std::size_t points = 0;
+  for (const DerivedFace& derived : faces) points += grammars::vertex_count(std::span(&derived.face, 1));
+  mesh.mesh.positions.reserve(points), mesh.mesh.triangles.reserve(points / 2);
+  if (has_uvs) mesh.uvs.reserve(points);
 }
 
 }  // namespace
@@ -157,23 +145,27 @@ SurfaceMaterial surface_material_of(const grammars::Appearance& appearance) {
   return {chosen, tint_towards(chosen, paint)};
 }
 
+std::map<SurfaceMaterial, std::vector<DerivedFace>> faces_by_surface(const grammars::Derivation& derivation) {
+  std::map<SurfaceMaterial, std::vector<DerivedFace>> faces_of;
+  std::vector<std::vector<DerivedFace>*> of_appearance;
+  for (const grammars::Appearance& appearance : derivation.appearances)
+    of_appearance.push_back(&faces_of[surface_material_of(appearance)]);
+  for (const grammars::Terminal& terminal : derivation.terminals)
+    for (const Face& face : terminal.faces)
+      of_appearance[terminal.appearance]->push_back({face, terminal.detail_distance_m});
+  for (auto& [surface, faces] : faces_of) faces = join_rectangles(std::move(faces));
+  return faces_of;
+}
+
 std::vector<MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature) {
-  std::map<SurfaceMaterial, MaterialMesh> mesh_of;
-  std::vector<TargetMesh> target_of_appearance;
-  for (const grammars::Appearance& appearance : derivation.appearances) {
-    const SurfaceMaterial surface = surface_material_of(appearance);
-    const auto [place, is_new] =
-        mesh_of.try_emplace(surface, MaterialMesh{{}, surface.material, surface.tint, feature});
-    target_of_appearance.push_back({&place->second, materials::has_texture(surface.material, 0)});
-  }
-  reserve_points(derivation, target_of_appearance);
-  for (const grammars::Terminal& terminal : derivation.terminals) {
-    const auto [mesh, has_uvs] = target_of_appearance[terminal.appearance];
-    for (const Face& face : terminal.faces) add_material_face(face, has_uvs, *mesh);
-  }
   std::vector<MaterialMesh> meshes;
-  for (auto& [surface, mesh] : mesh_of)
+  for (const auto& [surface, faces] : faces_by_surface(derivation)) {
+    MaterialMesh mesh{{}, surface.material, surface.tint, feature};
+    const bool has_uvs = materials::has_texture(surface.material, 0);
+    reserve_points(faces, has_uvs, mesh);
+    for (const DerivedFace& derived : faces) add_material_face(derived.face, has_uvs, mesh);
     if (!mesh.mesh.triangles.empty()) meshes.push_back(std::move(mesh));
+  }
   return meshes;
 }
 
