@@ -116,22 +116,20 @@ struct FacadeBuilder {
   double texel_m, tolerance_m;
   OsmId feature;
   FacadeMeshes result{};
-  std::map<SurfaceMaterial, MaterialMesh> uniform{};
+  std::map<SurfaceMaterial, std::vector<DerivedFace>> uniform{};
+  std::vector<DerivedFace> textured{};
 
-  void add_uniform(const Face& face, const SurfaceMaterial& surface) {
-    MaterialMesh& mesh =
-        uniform.try_emplace(surface, MaterialMesh{{}, surface.material, surface.tint, feature}).first->second;
-    add_face(face, mesh.mesh);
-  }
+  void add_uniform(const Face& face, const SurfaceMaterial& surface) { uniform[surface].push_back({face, 0}); }
 
-  void add_textured(const Face& face, const View& view, impostor::Picture&& picture) {
-    fill_gaps(picture);
-    TexturedFace textured{std::move(picture), {{}, kUnderTextures, materials::kNoTint, feature}};
-    add_face(face, textured.mesh.mesh);
-    for (const Vec3 p : textured.mesh.mesh.positions)
-      textured.mesh.uvs.push_back({dot(p - view.corner, view.u), dot(p - view.corner, view.v)});
-    textured.mesh.colour_source = materials::ColourSource::kByAtlas;
-    if (!textured.mesh.mesh.triangles.empty()) result.textured_faces.push_back(std::move(textured));
+  void add_textured(const Face& face) {
+    const View view = view_of(face, texel_m);
+    TexturedFace added{render_supersampled(detailed, view).picture, {{}, kUnderTextures, materials::kNoTint, feature}};
+    fill_gaps(added.picture);
+    add_face(face, added.mesh.mesh);
+    for (const Vec3 p : added.mesh.mesh.positions)
+      added.mesh.uvs.push_back({dot(p - view.corner, view.u), dot(p - view.corner, view.v)});
+    added.mesh.colour_source = materials::ColourSource::kByAtlas;
+    if (!added.mesh.mesh.triangles.empty()) result.textured_faces.push_back(std::move(added));
   }
 
   // Rails with the area of the railing's bars hide as much of what is behind them. Returns false if the face is no
@@ -157,7 +155,19 @@ struct FacadeBuilder {
     if (impostor.dominant_share >= uniform_share(view)) return add_uniform(face, impostor.dominant);
     const bool is_small = texels < kMinTexels || std::min(view.columns, view.rows) == 1;
     if (is_small && !emits(mean(impostor.picture))) return add_uniform(face, mean_material(impostor));
-    add_textured(face, view, std::move(impostor.picture));
+    textured.push_back({face, 0});
+  }
+
+  // Faces are joined when all are known. Those of one colour stay apart from textured ones, which would need larger
+  // pictures.
+  FacadeMeshes finish() && {
+    for (const DerivedFace& derived : join_rectangles(std::move(textured))) add_textured(derived.face);
+    for (auto& [surface, faces] : uniform) {
+      MaterialMesh mesh{{}, surface.material, surface.tint, feature};
+      for (const DerivedFace& derived : join_rectangles(std::move(faces))) add_face(derived.face, mesh.mesh);
+      if (!mesh.mesh.triangles.empty()) result.meshes.push_back(std::move(mesh));
+    }
+    return std::move(result);
   }
 };
 
@@ -177,11 +187,13 @@ FacadeMeshes texture_facades(const grammars::Derivation& derivation, const impos
                              double tolerance_m, OsmId feature) {
   assert(texel_m > 0 && tolerance_m >= 0);
   FacadeBuilder builder{detailed, texel_m, tolerance_m, feature};
-  for (const auto& [surface, faces] : faces_by_surface(derivation))
-    for (const DerivedFace& derived : faces) builder.add(derived.face, surface, derived.detail_distance_m);
-  for (auto& [surface, mesh] : builder.uniform)
-    if (!mesh.mesh.triangles.empty()) builder.result.meshes.push_back(std::move(mesh));
-  return std::move(builder.result);
+  std::vector<SurfaceMaterial> surfaces;
+  for (const grammars::Appearance& appearance : derivation.appearances)
+    surfaces.push_back(surface_material_of(appearance));
+  for (const grammars::Terminal& terminal : derivation.terminals)
+    for (const Face& face : terminal.faces)
+      builder.add(face, surfaces[terminal.appearance], terminal.detail_distance_m);
+  return std::move(builder).finish();
 }
 
 }  // namespace citykiln::buildings

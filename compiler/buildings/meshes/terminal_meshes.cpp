@@ -7,7 +7,9 @@
 #include <optional>
 #include <span>
 
+#include "compiler/buildings/meshes/railings.h"
 #include "compiler/buildings/styles/paint_colour.h"
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/geometry/triangles/triangulate.h"
 #include "compiler/materials/texture.h"
 
@@ -113,7 +115,11 @@ bool add_face_with_normal(const Face& face, Vec3 twice_outer_m2, Vec3 normal, Me
 
 void add_material_face(const Face& face, bool has_uvs, MaterialMesh& mesh) {
   const Vec3 twice_m2 = double_area_vector_m2(face.outer), normal = unit(twice_m2);
-  if (add_face_with_normal(face, twice_m2, normal, mesh.mesh) && has_uvs) add_uvs(face, normal, mesh);
+  if (!add_face_with_normal(face, twice_m2, normal, mesh.mesh) || !has_uvs) return;
+  if (mesh.material == Material::kRailing)
+    add_railing_uvs(face, mesh);
+  else
+    add_uvs(face, normal, mesh);
 }
 
 // Growing meshes step by step would copy them several times.
@@ -122,6 +128,17 @@ void reserve_points(std::span<const DerivedFace> faces, bool has_uvs, MaterialMe
   for (const DerivedFace& derived : faces) points += grammars::vertex_count(std::span(&derived.face, 1));
   mesh.mesh.positions.reserve(points), mesh.mesh.triangles.reserve(points / 2);
   if (has_uvs) mesh.uvs.reserve(points);
+}
+
+void add_faces(std::span<const DerivedFace> faces, MaterialMesh& mesh) {
+  const bool has_uvs = materials::has_texture(mesh.material, 0);
+  reserve_points(faces, has_uvs, mesh);
+  for (const DerivedFace& derived : faces) add_material_face(derived.face, has_uvs, mesh);
+}
+
+void add_bars(std::span<const DerivedFace> railings, MaterialMesh& mesh) {
+  for (const DerivedFace& railing : railings)
+    for (const Face& part : parts_of_railing(railing.face)) add_face(part, mesh.mesh);
 }
 
 }  // namespace
@@ -157,13 +174,14 @@ std::map<SurfaceMaterial, std::vector<DerivedFace>> faces_by_surface(const gramm
   return faces_of;
 }
 
-std::vector<MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature) {
+std::vector<MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature, double tolerance_m) {
   std::vector<MaterialMesh> meshes;
   for (const auto& [surface, faces] : faces_by_surface(derivation)) {
     MaterialMesh mesh{{}, surface.material, surface.tint, feature};
-    const bool has_uvs = materials::has_texture(surface.material, 0);
-    reserve_points(faces, has_uvs, mesh);
-    for (const DerivedFace& derived : faces) add_material_face(derived.face, has_uvs, mesh);
+    if (surface.material == Material::kRailing && has_detail(Detail::kRailingBars, tolerance_m))
+      add_bars(faces, mesh);
+    else
+      add_faces(faces, mesh);
     if (!mesh.mesh.triangles.empty()) meshes.push_back(std::move(mesh));
   }
   return meshes;

@@ -31,10 +31,13 @@ std::map<materials::SurfaceMaterial, std::vector<DerivedFace>> faces_by_surface(
 
 /// Returns the terminals' faces as one mesh per material and tint, sorted by material and tint.
 ///
+/// At tolerances with Detail::kRailingBars, the faces of Material::kRailing are replaced by their bars (railings.h).
+///
 /// Guarantees: triangles are planar and counter-clockwise seen from outside. The vertices of a simple face are its
 /// points, bit for bit, and its triangles have its area; of rectangles that are joined, the corners of the union.
 /// Texture coordinates run along the lower edge of a face and up the face, so that coplanar faces continue the texture.
 /// Deterministic. Ignores faces without area, assets, and the terminals' own texture frames. O(n log n).
-std::vector<materials::MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature);
+std::vector<materials::MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature,
+                                                     double tolerance_m);
 
 }  // namespace citykiln::buildings
