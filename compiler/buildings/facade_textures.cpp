@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 #include <map>
+#include <set>
+#include <span>
 
 #include "compiler/buildings/meshes/terminal_meshes.h"
 #include "compiler/buildings/styles/paint_colour.h"
@@ -110,6 +112,16 @@ Rails rails_of(const Face& face, double share) {
   return rails;
 }
 
+// The texels of all pictures, where equal ones count once (impostor/atlas.h).
+std::uint64_t distinct_texels(std::span<const TexturedFace> faces) {
+  const auto is_less = [](const impostor::Picture* a, const impostor::Picture* b) { return *a < *b; };
+  std::set<const impostor::Picture*, decltype(is_less)> pictures(is_less);
+  std::uint64_t texels = 0;
+  for (const TexturedFace& face : faces)
+    if (pictures.insert(&face.picture).second) texels += face.picture.texels.size();
+  return texels;
+}
+
 // State while the faces of a derivation are converted.
 struct FacadeBuilder {
   const impostor::Model& detailed;
@@ -117,19 +129,36 @@ struct FacadeBuilder {
   OsmId feature;
   FacadeMeshes result{};
   std::map<SurfaceMaterial, std::vector<DerivedFace>> uniform{};
-  std::vector<DerivedFace> textured{};
+  std::vector<TexturedFace> textured{};
+  std::vector<DerivedFace> textured_parts{};  // the faces of `textured`
 
   void add_uniform(const Face& face, const SurfaceMaterial& surface) { uniform[surface].push_back({face, 0}); }
 
-  void add_textured(const Face& face) {
+  void add_textured(const Face& face, impostor::Picture&& picture) {
+    textured.push_back(textured_face(face, std::move(picture)));
+    textured_parts.push_back({face, 0});
+  }
+
+  TexturedFace textured_face(const Face& face, impostor::Picture&& picture) const {
     const View view = view_of(face, texel_m);
-    TexturedFace added{render_supersampled(detailed, view).picture, {{}, kUnderTextures, materials::kNoTint, feature}};
-    fill_gaps(added.picture);
-    add_face(face, added.mesh.mesh);
-    for (const Vec3 p : added.mesh.mesh.positions)
-      added.mesh.uvs.push_back({dot(p - view.corner, view.u), dot(p - view.corner, view.v)});
-    added.mesh.colour_source = materials::ColourSource::kByAtlas;
-    if (!added.mesh.mesh.triangles.empty()) result.textured_faces.push_back(std::move(added));
+    fill_gaps(picture);
+    TexturedFace made{std::move(picture), {{}, kUnderTextures, materials::kNoTint, feature}};
+    add_face(face, made.mesh.mesh);
+    for (const Vec3 p : made.mesh.mesh.positions)
+      made.mesh.uvs.push_back({dot(p - view.corner, view.u), dot(p - view.corner, view.v)});
+    made.mesh.colour_source = materials::ColourSource::kByAtlas;
+    return made;
+  }
+
+  // Joined faces take fewer triangles, but parts with equal pictures share one of them.
+  void join_textured() {
+    std::vector<DerivedFace> faces = join_rectangles(textured_parts);
+    if (faces.size() == textured.size()) return;
+    std::vector<TexturedFace> joined;
+    for (const DerivedFace& derived : faces)
+      joined.push_back(
+          textured_face(derived.face, render_supersampled(detailed, view_of(derived.face, texel_m)).picture));
+    if (distinct_texels(joined) <= distinct_texels(textured)) textured = std::move(joined);
   }
 
   // Rails with the area of the railing's bars hide as much of what is behind them. Returns false if the face is no
@@ -155,13 +184,15 @@ struct FacadeBuilder {
     if (impostor.dominant_share >= uniform_share(view)) return add_uniform(face, impostor.dominant);
     const bool is_small = texels < kMinTexels || std::min(view.columns, view.rows) == 1;
     if (is_small && !emits(mean(impostor.picture))) return add_uniform(face, mean_material(impostor));
-    textured.push_back({face, 0});
+    add_textured(face, std::move(impostor.picture));
   }
 
   // Faces are joined when all are known. Those of one colour stay apart from textured ones, which would need larger
   // pictures.
   FacadeMeshes finish() && {
-    for (const DerivedFace& derived : join_rectangles(std::move(textured))) add_textured(derived.face);
+    join_textured();
+    for (TexturedFace& face : textured)
+      if (!face.mesh.mesh.triangles.empty()) result.textured_faces.push_back(std::move(face));
     for (auto& [surface, faces] : uniform) {
       MaterialMesh mesh{{}, surface.material, surface.tint, feature};
       for (const DerivedFace& derived : join_rectangles(std::move(faces))) add_face(derived.face, mesh.mesh);
