@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 #include <map>
+#include <set>
+#include <span>
 
 #include "compiler/buildings/meshes/terminal_meshes.h"
 #include "compiler/buildings/styles/paint_colour.h"
@@ -110,28 +112,53 @@ Rails rails_of(const Face& face, double share) {
   return rails;
 }
 
+// The texels of all pictures, where equal ones count once (impostor/atlas.h).
+std::uint64_t distinct_texels(std::span<const TexturedFace> faces) {
+  const auto is_less = [](const impostor::Picture* a, const impostor::Picture* b) { return *a < *b; };
+  std::set<const impostor::Picture*, decltype(is_less)> pictures(is_less);
+  std::uint64_t texels = 0;
+  for (const TexturedFace& face : faces)
+    if (pictures.insert(&face.picture).second) texels += face.picture.texels.size();
+  return texels;
+}
+
 // State while the faces of a derivation are converted.
 struct FacadeBuilder {
   const impostor::Model& detailed;
   double texel_m, tolerance_m;
   OsmId feature;
   FacadeMeshes result{};
-  std::map<SurfaceMaterial, MaterialMesh> uniform{};
+  std::map<SurfaceMaterial, std::vector<DerivedFace>> uniform{};
+  std::vector<TexturedFace> textured{};
+  std::vector<DerivedFace> textured_parts{};  // the faces of `textured`
 
-  void add_uniform(const Face& face, const SurfaceMaterial& surface) {
-    MaterialMesh& mesh =
-        uniform.try_emplace(surface, MaterialMesh{{}, surface.material, surface.tint, feature}).first->second;
-    add_face(face, mesh.mesh);
+  void add_uniform(const Face& face, const SurfaceMaterial& surface) { uniform[surface].push_back({face, 0}); }
+
+  void add_textured(const Face& face, impostor::Picture&& picture) {
+    textured.push_back(textured_face(face, std::move(picture)));
+    textured_parts.push_back({face, 0});
   }
 
-  void add_textured(const Face& face, const View& view, impostor::Picture&& picture) {
+  TexturedFace textured_face(const Face& face, impostor::Picture&& picture) const {
+    const View view = view_of(face, texel_m);
     fill_gaps(picture);
-    TexturedFace textured{std::move(picture), {{}, kUnderTextures, materials::kNoTint, feature}};
-    add_face(face, textured.mesh.mesh);
-    for (const Vec3 p : textured.mesh.mesh.positions)
-      textured.mesh.uvs.push_back({dot(p - view.corner, view.u), dot(p - view.corner, view.v)});
-    textured.mesh.colour_source = materials::ColourSource::kByAtlas;
-    if (!textured.mesh.mesh.triangles.empty()) result.textured_faces.push_back(std::move(textured));
+    TexturedFace made{std::move(picture), {{}, kUnderTextures, materials::kNoTint, feature}};
+    add_face(face, made.mesh.mesh);
+    for (const Vec3 p : made.mesh.mesh.positions)
+      made.mesh.uvs.push_back({dot(p - view.corner, view.u), dot(p - view.corner, view.v)});
+    made.mesh.colour_source = materials::ColourSource::kByAtlas;
+    return made;
+  }
+
+  // Joined faces take fewer triangles, but parts with equal pictures share one of them.
+  void join_textured() {
+    std::vector<DerivedFace> faces = join_rectangles(textured_parts);
+    if (faces.size() == textured.size()) return;
+    std::vector<TexturedFace> joined;
+    for (const DerivedFace& derived : faces)
+      joined.push_back(
+          textured_face(derived.face, render_supersampled(detailed, view_of(derived.face, texel_m)).picture));
+    if (distinct_texels(joined) <= distinct_texels(textured)) textured = std::move(joined);
   }
 
   // Rails with the area of the railing's bars hide as much of what is behind them. Returns false if the face is no
@@ -157,7 +184,21 @@ struct FacadeBuilder {
     if (impostor.dominant_share >= uniform_share(view)) return add_uniform(face, impostor.dominant);
     const bool is_small = texels < kMinTexels || std::min(view.columns, view.rows) == 1;
     if (is_small && !emits(mean(impostor.picture))) return add_uniform(face, mean_material(impostor));
-    add_textured(face, view, std::move(impostor.picture));
+    add_textured(face, std::move(impostor.picture));
+  }
+
+  // Faces are joined when all are known. Those of one colour stay apart from textured ones, which would need larger
+  // pictures.
+  FacadeMeshes finish() && {
+    join_textured();
+    for (TexturedFace& face : textured)
+      if (!face.mesh.mesh.triangles.empty()) result.textured_faces.push_back(std::move(face));
+    for (auto& [surface, faces] : uniform) {
+      MaterialMesh mesh{{}, surface.material, surface.tint, feature};
+      for (const DerivedFace& derived : join_rectangles(std::move(faces))) add_face(derived.face, mesh.mesh);
+      if (!mesh.mesh.triangles.empty()) result.meshes.push_back(std::move(mesh));
+    }
+    return std::move(result);
   }
 };
 
@@ -176,16 +217,14 @@ std::uint32_t halvings_for(const View& view) {
 FacadeMeshes texture_facades(const grammars::Derivation& derivation, const impostor::Model& detailed, double texel_m,
                              double tolerance_m, OsmId feature) {
   assert(texel_m > 0 && tolerance_m >= 0);
+  FacadeBuilder builder{detailed, texel_m, tolerance_m, feature};
   std::vector<SurfaceMaterial> surfaces;
   for (const grammars::Appearance& appearance : derivation.appearances)
     surfaces.push_back(surface_material_of(appearance));
-  FacadeBuilder builder{detailed, texel_m, tolerance_m, feature};
   for (const grammars::Terminal& terminal : derivation.terminals)
     for (const Face& face : terminal.faces)
       builder.add(face, surfaces[terminal.appearance], terminal.detail_distance_m);
-  for (auto& [surface, mesh] : builder.uniform)
-    if (!mesh.mesh.triangles.empty()) builder.result.meshes.push_back(std::move(mesh));
-  return std::move(builder.result);
+  return std::move(builder).finish();
 }
 
 }  // namespace citykiln::buildings

@@ -34,8 +34,10 @@ struct FacadeMeshes {
 /// - a mesh of one material, if this material covers the whole face (of a roof, 95 %);
 /// - a mesh of the mean colour, if it has fewer than kMinTexels texels or is one texel wide, and emits no light;
 /// - else a textured face, with normals if texels are smaller than 2 m.
+/// Then rectangles are joined (meshes/join_rectangles.h): those of one material; and textured ones, unless
+/// their pictures together have more texels than the distinct ones of the parts.
 /// Faces that the detailed model does not cover and faces of more than kMaxTexelsPerFace texels keep the terminal's
-/// material. Deterministic on every CPU. Cost: one impostor::render() per face.
+/// material. Deterministic on every CPU. Cost: one impostor::render() per face, and another per joined one.
 FacadeMeshes texture_facades(const grammars::Derivation& derivation, const impostor::Model& detailed, double texel_m,
                              double tolerance_m, OsmId feature);
 

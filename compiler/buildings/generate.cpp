@@ -209,7 +209,7 @@ impostor::Model detailed_model(Level level) {
   Report repeated;
   const MassModel mass = mass_model(level, kDetailedModel_m, repeated);
   return impostor::model_of(
-      terminal_meshes(derive(level, mass, kDetailedModel_m - mass.roof.error_m), level.building.id.osm));
+      terminal_meshes(derive(level, mass, kDetailedModel_m - mass.roof.error_m), level.building.id.osm, 0));
 }
 
 void add_ruled(const Level& level, const RuledMass& ruled, GeneratedBuilding& generated, Report& report) {
@@ -227,7 +227,7 @@ void add_ruled(const Level& level, const RuledMass& ruled, GeneratedBuilding& ge
   if (level.detailed)
     faces = texture_facades(derivation, *level.detailed, level.tolerance_m, tolerance_m, feature);
   else
-    faces.meshes = terminal_meshes(derivation, feature);
+    faces.meshes = terminal_meshes(derivation, feature, level.tolerance_m);
   generated.error_m += std::max({derivation.error_m, ruled.omitted_m, faces.error_m});
   for (MaterialMesh& mesh : faces.meshes) generated.meshes.push_back(std::move(mesh));
   generated.textured_faces = std::move(faces.textured_faces);

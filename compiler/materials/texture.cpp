@@ -119,7 +119,12 @@ double side_m(const Texture& texture) {
 }
 
 bool has_texture(Material material, double tolerance_m) {
-  return row_of(material) != nullptr && has_detail(Detail::kMaterialTextures, tolerance_m);
+  return row_of(material) != nullptr && (has_detail(Detail::kMaterialTextures, tolerance_m) || has_holes(material));
+}
+
+bool has_holes(Material material) {
+  const Row* row = row_of(material);
+  return row != nullptr && row->pattern == TexturePattern::kBars;
 }
 
 bool has_normals(Material material, double tolerance_m) {
@@ -143,6 +148,8 @@ Texture texture_of(Material material, double tolerance_m, std::uint64_t seed) {
   const Row& row = *row_of(material);
   const PatternFields tones = generate_pattern(row.pattern, row.side_px, key_of(material, seed));
   Texture texture{material, {}, {}};
+  for (const float opacity : tones.opacity.values)
+    texture.opacity.push_back(static_cast<std::uint8_t>(opacity * 255 + 0.5f));
   if (row.contrast > 0) texture.colour = colour_image(row, tones.tone);
   if (has_normals(material, tolerance_m))
     texture.normal = normal_image(row, downsampled(tones.relief, std::min(row.side_px, kMaxNormalsSide_px)));

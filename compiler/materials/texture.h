@@ -23,6 +23,8 @@ struct Texture {
   /// A square of the same side in metres, or empty. Texels are (n + 1) / 2 · 255 of the unit normal's components along
   /// u, against v (up in the image) and outwards.
   TextureImage normal{};
+  /// One per texel of `colour`, 0 to 255, if the texture has holes: texels below 128. Else empty.
+  std::vector<std::uint8_t> opacity{};
   bool operator==(const Texture&) const = default;
 };
 
@@ -35,12 +37,15 @@ inline const TextureImage& shown_image(const Texture& texture) {
 double side_m(const Texture& texture);
 
 /// True if a material has a texture at a tolerance: it has a row in texture_table.inc, and Detail::kMaterialTextures is
-/// shown at the tolerance.
+/// shown at the tolerance; with holes, at any tolerance.
 bool has_texture(Material material, double tolerance_m);
 
 /// True if the texture of a material has normals at a tolerance: always for water, and for textures with relief if
 /// Detail::kGroundNormals is shown at the tolerance.
 bool has_normals(Material material, double tolerance_m);
+
+/// True if the material's texture has holes. Faces are then seen from both sides.
+bool has_holes(Material material);
 
 /// Returns the side of the material's texture, metres; 0 if it has none.
 double texture_side_m(Material material);

@@ -277,6 +277,25 @@ PatternFields scars(std::uint32_t px, std::uint64_t key) {
   }));
 }
 
+// The opacity of a texel between bars. Texels of 1/2 or more are no holes. A mip level holds means, of which the thin
+// bars would soon be less than 1/2 everywhere: around every fourth bar the holes are nearly 1/2, so that its texels
+// stay on levels of 16 and 32 times the size, about as large a share as the bars are.
+double opacity_between_bars(std::uint32_t column) {
+  constexpr std::uint32_t kAround = 4;
+  if (column / kBarPitch_px % kAround != 0) return 0;
+  return column % kBarPitch_px < kBarPitch_px / 2 ? 124 / 255.0 : 88 / 255.0;
+}
+
+// Constant brightness, since bars are painted.
+PatternFields bars(std::uint32_t px, std::uint64_t) {
+  const auto opacity = [](std::uint32_t column, std::uint32_t row) {
+    const std::uint32_t across = column % kBarPitch_px;
+    const bool is_bar = across >= kBarBegin_px && across < kBarBegin_px + kBar_px && row >= kBarsFrom_px;
+    return is_bar || row >= kRailFrom_px ? 1.0 : opacity_between_bars(column);
+  };
+  return {flat(px), flat(px), combined(px, opacity)};
+}
+
 using Generator = PatternFields (*)(std::uint32_t side_px, std::uint64_t key);
 
 // In the order of TexturePattern.
@@ -299,6 +318,7 @@ constexpr Generator kGenerators[] = {blades,
                                        return bricks(px, {9, 6, 0.012}, key);
                                      },  // kTiles
                                      waves,
+                                     bars,
                                      furrows,
                                      streaks,
                                      lenticels,

@@ -20,6 +20,7 @@ enum class TexturePattern : std::uint8_t {
   kBricks,   ///< Courses of bricks along u, 77 mm high if the side is 2 m.
   kTiles,    ///< Rows of roof tiles along u, 1/3 m high if the side is 2 m.
   kWaves,    ///< Water; brightness is constant.
+  kBars,     ///< A railing: eight bars along v below a rail, with holes between; brightness is constant.
   // Bark; v runs along the stem.
   kFurrows,    ///< Ridges along the stem that part and join: oak.
   kStreaks,    ///< Faint streaks across the stem: beech.
@@ -29,9 +30,16 @@ enum class TexturePattern : std::uint8_t {
   kScars       ///< Rings of leaf scars, a sixteenth of the side apart: palm.
 };
 
+/// The texture of TexturePattern::kBars in texels of 1/256 of its side, u across the bars, v up from the gap below
+/// them. Faces show it from v = kRailingLow_px to kRailingHigh_px, so that filters do not mix its ends.
+inline constexpr std::uint32_t kBarPitch_px = 32, kBarBegin_px = 17, kBar_px = 5;
+inline constexpr std::uint32_t kRailingLow_px = 8, kBarsFrom_px = 27, kRailFrom_px = 236, kRailingHigh_px = 248;
+
 struct PatternFields {
   Field tone;    ///< Brightness: mean 0, standard deviation 1/2, clamped to -1 … 1; or all 0.
   Field relief;  ///< Height: mean 0, standard deviation 1.
+  /// Opacity, 0 to 1, where there are holes; else without values.
+  Field opacity{};
 };
 
 inline bool is_bark(TexturePattern pattern) { return pattern >= TexturePattern::kFurrows; }

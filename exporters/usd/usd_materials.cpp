@@ -160,12 +160,14 @@ void add_repeated(UsdBuilder& b, const materials::Texture& texture, Float4 tint,
   const auto factor = materials::colour_factor(texture);
   for (std::size_t c = 0; c < 3; ++c) tint[c] *= static_cast<float>(factor[c]);
   if (!texture.colour.texels.empty())
-    uses.push_back({.name = "colour",
-                    .path = add_texture_file(b, name + "Colour", texture.colour, PictureContent::kColour),
-                    .is_colour = true,
-                    .wrap_s = "repeat",
-                    .wrap_t = "repeat",
-                    .scale = tint});
+    uses.push_back(
+        {.name = "colour",
+         .path = add_texture_file(b, name + "Colour", texture.colour, PictureContent::kColour, texture.opacity),
+         .is_colour = true,
+         .wrap_s = "repeat",
+         .wrap_t = "repeat",
+         .scale = tint,
+         .has_alpha = !texture.opacity.empty()});
   add_normal_map(b, name + "Normal", texture.normal, "repeat", uses);
 }
 

@@ -101,13 +101,14 @@ void write_features(UsdBuilder& b, const Primitive& p) {
 UsdBounds write_mesh(UsdBuilder& b, const std::string& name, const Primitive& front, const impostor::Cutout* cutout) {
   const bool is_leaf = front.colour_source == ColourSource::kByCutout;
   const bool is_backed = is_leaf && has_backs(front);
+  const bool is_flat = is_leaf || materials::has_holes(front.material);
   const std::string material = material_path(b, front, cutout);
   const Primitive both = is_backed ? with_backs(front) : Primitive{};
   const Primitive& p = is_backed ? both : front;
   const UsdBounds bounds = bounds_of(p);
   b.writer.begin_prim({.type = "Mesh", .name = name, .api_schemas = {"MaterialBindingAPI"}});
   write_extent(b, bounds);
-  b.writer.write({.type = "bool", .name = "doubleSided", .value = is_leaf && !is_backed, .is_uniform = true});
+  b.writer.write({.type = "bool", .name = "doubleSided", .value = is_flat && !is_backed, .is_uniform = true});
   b.writer.write({.type = "token", .name = "orientation", .value = UsdToken{"rightHanded"}, .is_uniform = true});
   b.writer.write({.type = "token", .name = "subdivisionScheme", .value = UsdToken{"none"}, .is_uniform = true});
   write_faces(b, p);

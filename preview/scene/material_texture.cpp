@@ -1,5 +1,8 @@
 #include "preview/scene/material_texture.h"
 
+#include <cassert>
+#include <cmath>
+
 namespace citykiln::preview {
 
 MaterialTexture::MaterialTexture(const materials::Texture& texture)
@@ -21,6 +24,21 @@ std::array<double, 3> MaterialTexture::colour(const TextureFootprint& footprint)
   std::array<double, 3> mean = colour_->mean(footprint);
   for (std::size_t c = 0; c < 3; ++c) mean[c] *= factor_[c];
   return mean;
+}
+
+bool MaterialTexture::is_there(Vec2 at_m) const {
+  assert(has_holes());
+  const auto side = static_cast<std::int64_t>(texture_->colour.columns);
+  const auto opacity = [&](std::int64_t column, std::int64_t row) -> double {
+    const std::int64_t c = (column % side + side) % side, r = (row % side + side) % side;
+    return texture_->opacity[static_cast<std::size_t>(r * side + c)];
+  };
+  const double x = at_m.x / texture_->colour.texel_m - 0.5, y = at_m.y / texture_->colour.texel_m - 0.5;
+  const double left = std::floor(x), top = std::floor(y), u = x - left, v = y - top;
+  const auto column = static_cast<std::int64_t>(left), row = static_cast<std::int64_t>(top);
+  const double above = opacity(column, row) * (1 - u) + opacity(column + 1, row) * u;
+  const double below = opacity(column, row + 1) * (1 - u) + opacity(column + 1, row + 1) * u;
+  return above * (1 - v) + below * v >= 127.5;
 }
 
 Vec3 MaterialTexture::normal(const TextureFootprint& footprint) const {

@@ -21,6 +21,10 @@ class MaterialTexture {
   /// Returns the unit normal over a footprint: its components along u, against v, and outwards.
   Vec3 normal(const TextureFootprint& footprint) const;
   bool has_normals() const { return normal_.has_value(); }
+  bool has_holes() const { return !texture_->opacity.empty(); }
+  /// True if there is no hole at a point: the opacity, interpolated between four texels, is at least 127.5.
+  /// @param at_m  Metres on the texture, which repeats. Requires has_holes().
+  bool is_there(Vec2 at_m) const;
   std::size_t bytes() const;  ///< The bytes of the textures with their images.
 
  private:

@@ -163,10 +163,15 @@ Rgb mean_emission(const MeshPart& part, std::size_t triangle) {
   return sum * (kUnit / (kPlaces * kPlaces));
 }
 
-// Embree's filter of a hit: holes of cutouts are no hits. Called for single rays only.
+bool has_holes(const MeshPart& part) {
+  return part.cutout != nullptr || (part.material_texture != nullptr && part.material_texture->has_holes());
+}
+
+// Embree's filter of a hit: holes of cutouts and textures are no hits. Called for single rays only.
 void pass_holes(const RTCFilterFunctionNArguments* args) {
   const auto& part = *static_cast<const MeshPart*>(args->geometryUserPtr);
-  if (!part.cutout->is_there(uv_at(hit_triangle(part, *reinterpret_cast<const RTCHit*>(args->hit)))))
+  const Vec2 at_m = uv_at(hit_triangle(part, *reinterpret_cast<const RTCHit*>(args->hit)));
+  if (!(part.cutout != nullptr ? part.cutout->is_there(at_m) : part.material_texture->is_there(at_m)))
     args->valid[0] = 0;
 }
 
@@ -222,7 +227,7 @@ void attach(RTCDevice device, RTCScene scene, const MeshPart& part) {
                              sizeof(bake::Float3), part.corners.size() - 1);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, primitive.triangles.data(), 0,
                              sizeof(primitive.triangles[0]), primitive.triangles.size());
-  if (part.cutout != nullptr) {
+  if (has_holes(part)) {
     rtcSetGeometryUserData(geometry, const_cast<MeshPart*>(&part));
     rtcSetGeometryIntersectFilterFunction(geometry, pass_holes);
     rtcSetGeometryOccludedFilterFunction(geometry, pass_holes);

@@ -21,7 +21,7 @@ struct MeshPart {
   const bake::Primitive* primitive = nullptr;
   std::vector<bake::Float3> corners{};        ///< One per position, and one unused, as Embree reads 16 bytes at each.
   const MipTexture* marking_atlas = nullptr;  ///< Colour.
-  const MaterialTexture* material_texture = nullptr;  ///< Colour and normal.
+  const MaterialTexture* material_texture = nullptr;  ///< Colour, normal and holes.
   const FacadeAtlasTexture* facade_atlas = nullptr;   ///< Colour, normal, roughness and emission.
   const CutoutTexture* cutout = nullptr;              ///< Colour, normal and holes.
   /// For each triangle the rectangle of texels of the facade atlas that it shows; empty without this atlas.
@@ -51,7 +51,7 @@ MeshPart mesh_part_of(const bake::Primitive& primitive, Vec3 offset, const MipTe
 
 /// Adds a part to a scene that is not committed yet. Embree numbers geometries from 0, so the geometry id of a hit is
 /// the number of parts that were added before. The scene refers to the part, its corners and its primitive's triangles:
-/// none of them may move, change or end before the scene does. Rays pass through the holes of its cutout.
+/// none of them may move, change or end before the scene does. Rays pass through the holes of its cutout or texture.
 void attach(RTCDevice device, RTCScene scene, const MeshPart& part);
 
 /// Appends the triangles of the part that emit light to `all`, in their order, and sets MeshPart::emitters to their

@@ -187,7 +187,7 @@ bool add_building(bake::PrimitiveMap& merged, Order order, double tolerance_m) {
   for (const LimitHit& hit : derivation.limits) std::fprintf(stderr, "%s\n", limit_line(*program, hit).c_str());
   if (shows_names) colour_by_names(derivation);
   std::size_t triangles = 0;
-  for (const auto& mesh : buildings::terminal_meshes(derivation, {})) {
+  for (const auto& mesh : buildings::terminal_meshes(derivation, {}, 0)) {
     triangles += mesh.mesh.triangles.size();
     bake::merge(merged, {mesh, bake::Layer::kBuildings}, {}, 0);
   }

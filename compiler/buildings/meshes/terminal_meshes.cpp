@@ -7,7 +7,9 @@
 #include <optional>
 #include <span>
 
+#include "compiler/buildings/meshes/railings.h"
 #include "compiler/buildings/styles/paint_colour.h"
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/geometry/triangles/triangulate.h"
 #include "compiler/materials/texture.h"
 
@@ -113,27 +115,30 @@ bool add_face_with_normal(const Face& face, Vec3 twice_outer_m2, Vec3 normal, Me
 
 void add_material_face(const Face& face, bool has_uvs, MaterialMesh& mesh) {
   const Vec3 twice_m2 = double_area_vector_m2(face.outer), normal = unit(twice_m2);
-  if (add_face_with_normal(face, twice_m2, normal, mesh.mesh) && has_uvs) add_uvs(face, normal, mesh);
+  if (!add_face_with_normal(face, twice_m2, normal, mesh.mesh) || !has_uvs) return;
+  if (mesh.material == Material::kRailing)
+    add_railing_uvs(face, mesh);
+  else
+    add_uvs(face, normal, mesh);
 }
 
-// The mesh that terminals of one appearance are added to.
-struct TargetMesh {
-  MaterialMesh* mesh;
-  bool has_uvs;
-};
-
 // Growing meshes step by step would copy them several times.
-void reserve_points(const grammars::Derivation& derivation, std::span<const TargetMesh> target_of_appearance) {
-  std::vector<std::size_t> points(target_of_appearance.size());
-  for (const grammars::Terminal& terminal : derivation.terminals)
-    points[terminal.appearance] += grammars::vertex_count(terminal.faces);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto [mesh, has_uvs] = target_of_appearance[i];
-    const std::size_t all = mesh->mesh.positions.capacity() + points[i];
-    mesh->mesh.positions.reserve(all);
-    mesh->mesh.triangles.reserve(all / 2);
-    if (has_uvs) mesh->uvs.reserve(all);
-  }
+void reserve_points(std::span<const DerivedFace> faces, bool has_uvs, MaterialMesh& mesh) {
+  std::size_t points = 0;
+  for (const DerivedFace& derived : faces) points += grammars::vertex_count(std::span(&derived.face, 1));
+  mesh.mesh.positions.reserve(points), mesh.mesh.triangles.reserve(points / 2);
+  if (has_uvs) mesh.uvs.reserve(points);
+}
+
+void add_faces(std::span<const DerivedFace> faces, MaterialMesh& mesh) {
+  const bool has_uvs = materials::has_texture(mesh.material, 0);
+  reserve_points(faces, has_uvs, mesh);
+  for (const DerivedFace& derived : faces) add_material_face(derived.face, has_uvs, mesh);
+}
+
+void add_bars(std::span<const DerivedFace> railings, MaterialMesh& mesh) {
+  for (const DerivedFace& railing : railings)
+    for (const Face& part : parts_of_railing(railing.face)) add_face(part, mesh.mesh);
 }
 
 }  // namespace
@@ -157,23 +162,28 @@ SurfaceMaterial surface_material_of(const grammars::Appearance& appearance) {
   return {chosen, tint_towards(chosen, paint)};
 }
 
-std::vector<MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature) {
-  std::map<SurfaceMaterial, MaterialMesh> mesh_of;
-  std::vector<TargetMesh> target_of_appearance;
-  for (const grammars::Appearance& appearance : derivation.appearances) {
-    const SurfaceMaterial surface = surface_material_of(appearance);
-    const auto [place, is_new] =
-        mesh_of.try_emplace(surface, MaterialMesh{{}, surface.material, surface.tint, feature});
-    target_of_appearance.push_back({&place->second, materials::has_texture(surface.material, 0)});
-  }
-  reserve_points(derivation, target_of_appearance);
-  for (const grammars::Terminal& terminal : derivation.terminals) {
-    const auto [mesh, has_uvs] = target_of_appearance[terminal.appearance];
-    for (const Face& face : terminal.faces) add_material_face(face, has_uvs, *mesh);
-  }
+std::map<SurfaceMaterial, std::vector<DerivedFace>> faces_by_surface(const grammars::Derivation& derivation) {
+  std::map<SurfaceMaterial, std::vector<DerivedFace>> faces_of;
+  std::vector<std::vector<DerivedFace>*> of_appearance;
+  for (const grammars::Appearance& appearance : derivation.appearances)
+    of_appearance.push_back(&faces_of[surface_material_of(appearance)]);
+  for (const grammars::Terminal& terminal : derivation.terminals)
+    for (const Face& face : terminal.faces)
+      of_appearance[terminal.appearance]->push_back({face, terminal.detail_distance_m});
+  for (auto& [surface, faces] : faces_of) faces = join_rectangles(std::move(faces));
+  return faces_of;
+}
+
+std::vector<MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature, double tolerance_m) {
   std::vector<MaterialMesh> meshes;
-  for (auto& [surface, mesh] : mesh_of)
+  for (const auto& [surface, faces] : faces_by_surface(derivation)) {
+    MaterialMesh mesh{{}, surface.material, surface.tint, feature};
+    if (surface.material == Material::kRailing && has_detail(Detail::kRailingBars, tolerance_m))
+      add_bars(faces, mesh);
+    else
+      add_faces(faces, mesh);
     if (!mesh.mesh.triangles.empty()) meshes.push_back(std::move(mesh));
+  }
   return meshes;
 }
 

@@ -2,8 +2,10 @@
 // material and tint.
 #pragma once
 
+#include <map>
 #include <vector>
 
+#include "compiler/buildings/meshes/join_rectangles.h"
 #include "compiler/materials/material_mesh.h"
 #include "grammars/derivation/derive.h"
 
@@ -23,12 +25,19 @@ void add_face(const grammars::Face& face, Mesh& mesh);
 /// added by one overload.
 void add_face(const grammars::Face& face, materials::MaterialMesh& mesh);
 
+/// Returns the terminals' faces by material and tint, with rectangles joined (join_rectangles.h). Terminals without
+/// faces, such as assets, add nothing. O(n log n).
+std::map<materials::SurfaceMaterial, std::vector<DerivedFace>> faces_by_surface(const grammars::Derivation& derivation);
+
 /// Returns the terminals' faces as one mesh per material and tint, sorted by material and tint.
 ///
+/// At tolerances with Detail::kRailingBars, the faces of Material::kRailing are replaced by their bars (railings.h).
+///
 /// Guarantees: triangles are planar and counter-clockwise seen from outside. The vertices of a simple face are its
-/// points, bit for bit, and its triangles have its area. Texture coordinates run along the lower edge of a face and up
-/// the face, so that coplanar faces continue the texture. Deterministic. Ignores faces without area, assets, and the
-/// terminals' own texture frames. O(n) for faces without holes and with at most one reflex corner, else O(n log n).
-std::vector<materials::MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature);
+/// points, bit for bit, and its triangles have its area; of rectangles that are joined, the corners of the union.
+/// Texture coordinates run along the lower edge of a face and up the face, so that coplanar faces continue the texture.
+/// Deterministic. Ignores faces without area, assets, and the terminals' own texture frames. O(n log n).
+std::vector<materials::MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature,
+                                                     double tolerance_m);
 
 }  // namespace citykiln::buildings

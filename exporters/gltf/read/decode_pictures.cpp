@@ -46,7 +46,9 @@ void read_texture(GltfReader& reader, const tinygltf::Image& image, std::vector<
   materials::Texture& texture = texture_with(textures, coloured ? *coloured : *shaped);
   materials::TextureImage& target = coloured ? texture.colour : texture.normal;
   expect(target.texels.empty() && (shaped || texture.normal.texels.empty()), "each material's pictures once, in order");
-  target = read_picture(reader, image);
+  CutoutImage picture = cutout_image_in(reader, image);
+  target = std::move(picture.colour);
+  if (coloured && materials::has_holes(texture.material)) texture.opacity = std::move(picture.opacity);
   expect(target.columns == target.rows, "textures that are square");
 }
 

@@ -141,9 +141,10 @@ std::size_t material_number(GlbBuilder& f, const MaterialKey& key) {
   // from which it is read back
   if (key.tint != materials::kNoTint) m["extras"]["tint"] = {key.tint[0], key.tint[1], key.tint[2]};
   if (const materials::TextureImage* normals = normals_of(f, key)) m["normalTexture"] = shown(f, *normals);
-  // leaves are flat; texels with an opacity below a half are holes
-  if (key.cutout != nullptr) m["alphaMode"] = "MASK";
-  if (key.cutout != nullptr && !key.has_backs) m["doubleSided"] = true;
+  // leaves and railings are flat; texels with an opacity below a half are holes
+  const bool has_holes = key.cutout != nullptr || (key.texture != nullptr && !key.texture->opacity.empty());
+  if (has_holes) m["alphaMode"] = "MASK";
+  if (has_holes && !key.has_backs) m["doubleSided"] = true;
   set_emission(f, key, m);
   f.material_keys.push_back(key);
   return f.add("materials", std::move(m));

@@ -43,7 +43,7 @@ std::vector<TileImage> images_of_tile(const GlbBuilder& f) {
   add(kGroups[1], kFacadeNormalImage, facades.normal);
   for (const materials::Texture& texture : f.tile.textures) {
     const std::string name(values_of(texture.material).name);
-    add(kGroups[2], name + "Colour", texture.colour, PictureContent::kColour);
+    add(kGroups[2], name + "Colour", texture.colour, PictureContent::kColour, texture.opacity);
     add(kGroups[2], name + "Normal", texture.normal);
   }
   for (const impostor::Cutout* cutout : f.cutouts) {

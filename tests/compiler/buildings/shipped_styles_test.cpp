@@ -86,7 +86,7 @@ MadeMass made_of(const ShippedStyle& style) {
 
 std::size_t triangles_of(const Derivation& derivation) {
   std::size_t sum = 0;
-  for (const auto& part : terminal_meshes(derivation, {})) sum += part.mesh.triangles.size();
+  for (const auto& part : terminal_meshes(derivation, {}, 0)) sum += part.mesh.triangles.size();
   return sum;
 }
 

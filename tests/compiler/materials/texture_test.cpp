@@ -26,7 +26,8 @@ std::vector<Texture> all_textures(double tolerance_m, std::uint64_t seed = 1) {
   static std::map<std::uint64_t, TextureCache> caches;
   std::vector<Texture> textures =
       caches.try_emplace(seed, seed).first->second.textures_of(all_materials(), tolerance_m);
-  EXPECT_EQ(textures.empty(), !has_detail(Detail::kMaterialTextures, tolerance_m));
+  EXPECT_EQ(std::ranges::all_of(textures, [](const Texture& t) { return has_holes(t.material); }),
+            !has_detail(Detail::kMaterialTextures, tolerance_m));
   return textures;
 }
 
@@ -121,9 +122,14 @@ TEST(Texture, IsSharpAtEyeHeight) {
     EXPECT_LE(texture_of(material, 0.1, 1).colour.texel_m, 0.008);
 }
 
-TEST(Texture, IsNoneOnCoarseLevels) {
+TEST(Texture, IsNoneOnCoarseLevelsUnlessItHasHoles) {
   for (const double tolerance_m : {tolerances_with(Detail::kMaterialTextures).below_m, 0.5, 2.5, 12.5})
-    EXPECT_TRUE(all_textures(tolerance_m).empty());
+    for (const Texture& texture : all_textures(tolerance_m)) EXPECT_FALSE(texture.opacity.empty());
+}
+
+TEST(Texture, HasOpacityIfItHasHoles) {
+  for (const Texture& texture : all_textures(0.1))
+    EXPECT_EQ(texture.opacity.size(), has_holes(texture.material) ? texture.colour.texels.size() : 0);
 }
 
 bool has_waves(const Texture& texture) {

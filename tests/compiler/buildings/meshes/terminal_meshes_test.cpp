@@ -45,13 +45,13 @@ Tile --> setback(0.4) { all : Frame. | remainder : set(material.name, "glass") c
 )";
 
 TEST(TerminalMeshes, AreClosedForAClosedShape) {
-  const auto meshes = terminal_meshes(derived(kBlock), {OsmType::kWay, 7});
+  const auto meshes = terminal_meshes(derived(kBlock), {OsmType::kWay, 7}, 0);
   EXPECT_NEAR(volume_m3(meshes), (12 * 5 + 5 * 4 - 9) * 6, 1e-9);
   for (const MaterialMesh& part : meshes) EXPECT_EQ(part.feature, (OsmId{OsmType::kWay, 7}));
 }
 
 TEST(TerminalMeshes, AreOnePerMaterialAndTint) {
-  const auto meshes = terminal_meshes(derived(kBlock), {});
+  const auto meshes = terminal_meshes(derived(kBlock), {}, 0);
   ASSERT_EQ(meshes.size(), 4u);
   for (std::size_t i = 1; i < meshes.size(); ++i)
     EXPECT_LT((SurfaceMaterial{meshes[i - 1].material, meshes[i - 1].tint}),
@@ -66,7 +66,7 @@ TEST(TerminalMeshes, UseTheFacesOwnPoints) {
   std::set<Vec3> own;
   for (const auto& terminal : derivation.terminals)
     for (const auto& face : terminal.faces) each_vertex(face, [&](Vec3 p) { own.insert(p); });
-  const std::vector<MaterialMesh> meshes = terminal_meshes(derivation, {});
+  const std::vector<MaterialMesh> meshes = terminal_meshes(derivation, {}, 0);
   ASSERT_FALSE(meshes.empty());
   for (const MaterialMesh& part : meshes)
     for (const Vec3 p : part.mesh.positions) EXPECT_TRUE(own.contains(p));
@@ -115,7 +115,7 @@ TEST(AddFace, FillsEveryRingWithItsTrianglesOnce) {
 
 TEST(TerminalMeshes, HaveTextureCoordinatesInMetres) {
   int textured = 0;
-  for (const MaterialMesh& part : terminal_meshes(derived(kBlock), {})) {
+  for (const MaterialMesh& part : terminal_meshes(derived(kBlock), {}, 0)) {
     const bool has_texture = materials::has_texture(part.material, 0);
     EXPECT_EQ(part.uvs.size(), has_texture ? part.mesh.positions.size() : 0u);
     if (!has_texture) continue;
@@ -142,9 +142,9 @@ TEST(TerminalMeshes, AreTotalForDegenerateFaces) {
   faces.resize(3);
   faces[1].outer = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   faces[2].outer = {{0, 0, 0}, {1, 0, 1}, {1, 0, 0}, {0, 0, 1}};
-  EXPECT_LE(terminal_meshes(derivation, {}).size(), 1u);
+  EXPECT_LE(terminal_meshes(derivation, {}, 0).size(), 1u);
   derivation.appearances[0].name = "stone";
-  EXPECT_LE(terminal_meshes(derivation, {}).size(), 1u);
+  EXPECT_LE(terminal_meshes(derivation, {}, 0).size(), 1u);
 }
 
 TEST(SurfaceMaterialOf, FindsEveryMaterialByItsName) {

@@ -1,0 +1,191 @@
+#include "compiler/buildings/meshes/join_rectangles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "compiler/contract/tolerance.h"
+#include "compiler/geometry/segment.h"
+
+namespace citykiln::buildings {
+namespace {
+
+// Copies of equal shapes meet to 8 µm (grammars/cga.md); a metre of two facets of a round tower bends by more.
+constexpr double kJoint_m = 0x1p-14;
+
+// A rectangle: corner 0 to corner 1 is its lower side, or on level ground the side that runs most nearly east.
+struct Rectangle {
+  std::array<Vec3, 4> corner;
+  std::size_t face = 0;  // index of the face that was its first part
+  double detail_distance_m = 0;
+  bool is_joined = false;
+};
+
+bool is_rectangular(std::span<const Vec3> ring) {
+  const Vec3 a = ring[1] - ring[0], b = ring[2] - ring[1];
+  const double bend_m = length(ring[3] - ring[2] + a), a_m = length(a), b_m = length(b);
+  return bend_m < kJoint_m && std::min(a_m, b_m) > kJoint_m && std::abs(dot(a, b)) < kJoint_m * std::min(a_m, b_m);
+}
+
+// The side from which the corners are counted.
+std::size_t lower_side(std::span<const Vec3> ring) {
+  constexpr double kLevel = 0.0087;  // as for texture coordinates, the sine of half a degree
+  const Vec3 a = unit(ring[1] - ring[0]), b = unit(ring[2] - ring[1]), foot = cross(Vec3{0, 0, 1}, cross(a, b));
+  const Vec3 along = length(foot) < kLevel ? Vec3{1, 0, 0} : foot;
+  const double with_a = dot(a, along), with_b = dot(b, along);
+  if (std::abs(with_a) >= std::abs(with_b)) return with_a > 0 ? 0 : 2;
+  return with_b > 0 ? 1 : 3;
+}
+
+std::optional<Rectangle> rectangle_of(const DerivedFace& derived, std::size_t index) {
+  const grammars::Ring3& ring = derived.face.outer;
+  if (ring.size() != 4 || !derived.face.holes.empty() || !is_rectangular(ring)) return std::nullopt;
+  Rectangle rectangle{{}, index, derived.detail_distance_m};
+  const std::size_t first = lower_side(ring);
+  for (std::size_t i = 0; i < 4; ++i) rectangle.corner[i] = ring[(first + i) % 4];
+  return rectangle;
+}
+
+bool is_before(const Rectangle& a, const Rectangle& b) {
+  return std::ranges::lexicographical_compare(a.corner, b.corner, [](Vec3 p, Vec3 q) {
+    return std::array{p.x, p.y, p.z} < std::array{q.x, q.y, q.z};
+  });
+}
+
+// Corners that round to equal multiples of kQuantum_m have equal numbers; so have corners 2 km apart, which are told
+// apart later.
+std::uint64_t corner_number(Vec3 p) {
+  constexpr std::uint64_t kMask = (1u << 21) - 1;
+  const auto steps = [](double m) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(m / kQuantum_m + 0.5))) & kMask;
+  };
+  return steps(p.x) << 42 | steps(p.y) << 21 | steps(p.z);
+}
+
+using SideNumber = std::pair<std::uint64_t, std::uint64_t>;
+
+// Rectangles are joined along an axis: across the far side of one and the near side of the next. `near_first` is the
+// corner at which the near side begins; the far side is the opposite one.
+struct JoinAxis {
+  std::size_t near_first;
+  std::size_t far_first() const { return (near_first + 2) % 4; }
+  std::size_t far_last() const { return (near_first + 3) % 4; }
+  std::size_t near_last() const { return (near_first + 1) % 4; }
+};
+constexpr JoinAxis kUpwards{0}, kAlong{3};
+
+SideNumber near_side(const Rectangle& r, JoinAxis axis) {
+  return {corner_number(r.corner[axis.near_first]), corner_number(r.corner[axis.near_last()])};
+}
+// As seen from the next rectangle, whose near side runs the other way.
+SideNumber far_side(const Rectangle& r, JoinAxis axis) {
+  return {corner_number(r.corner[axis.far_last()]), corner_number(r.corner[axis.far_first()])};
+}
+
+// True if the corners at which two rectangles meet are on the sides of their union.
+bool meet_straight(const Rectangle& a, const Rectangle& b, JoinAxis axis) {
+  const auto is_straight = [&](std::size_t near, std::size_t far) {
+    const auto off_m = [&](Vec3 p) { return distance_to_segment(a.corner[near], b.corner[far], p); };
+    return length(a.corner[far] - b.corner[near]) < kJoint_m && off_m(a.corner[far]) < kJoint_m &&
+           off_m(b.corner[near]) < kJoint_m;
+  };
+  return is_straight(axis.near_first, axis.far_last()) && is_straight(axis.near_last(), axis.far_first());
+}
+
+void extend(Rectangle& a, const Rectangle& b, JoinAxis axis) {
+  for (const std::size_t far : {axis.far_first(), axis.far_last()}) a.corner[far] = b.corner[far];
+  a.face = std::min(a.face, b.face);
+  a.detail_distance_m = std::max(a.detail_distance_m, b.detail_distance_m);
+  a.is_joined = true;
+}
+
+constexpr std::size_t kNoNext = ~std::size_t{0};
+
+// By rectangle: the one that follows it along the axis. No two have the same next one.
+std::vector<std::size_t> next_along(const std::vector<Rectangle>& rectangles, JoinAxis axis) {
+  std::vector<std::pair<SideNumber, std::size_t>> near;
+  for (std::size_t i = 0; i < rectangles.size(); ++i) near.push_back({near_side(rectangles[i], axis), i});
+  std::ranges::sort(near);
+  std::vector<bool> is_taken(rectangles.size());
+  std::vector<std::size_t> next(rectangles.size(), kNoNext);
+  for (std::size_t i = 0; i < rectangles.size(); ++i) {
+    const SideNumber side = far_side(rectangles[i], axis);
+    for (auto at = std::ranges::lower_bound(near, std::pair(side, std::size_t{0}));
+         at != near.end() && at->first == side && next[i] == kNoNext; ++at)
+      if (!is_taken[at->second] && meet_straight(rectangles[i], rectangles[at->second], axis))
+        next[i] = at->second, is_taken[at->second] = true;
+  }
+  return next;
+}
+
+// Joins all runs of rectangles along an axis.
+std::vector<Rectangle> joined_along(const std::vector<Rectangle>& rectangles, JoinAxis axis) {
+  const std::vector<std::size_t> next = next_along(rectangles, axis);
+  std::vector<bool> follows(rectangles.size());
+  for (const std::size_t i : next)
+    if (i != kNoNext) follows[i] = true;
+  std::vector<Rectangle> joined;
+  for (std::size_t i = 0; i < rectangles.size(); ++i) {
+    if (follows[i]) continue;
+    Rectangle run = rectangles[i];
+    for (std::size_t at = next[i]; at != kNoNext; at = next[at]) {
+      if (meet_straight(run, rectangles[at], axis)) {
+        extend(run, rectangles[at], axis);
+      } else {
+        joined.push_back(std::exchange(run, rectangles[at]));
+      }
+    }
+    joined.push_back(run);
+  }
+  return joined;
+}
+
+// Along one axis and the other in turn, until both find nothing.
+std::vector<Rectangle> joined_in_turn(std::vector<Rectangle> rectangles, JoinAxis axis) {
+  for (int idle = 0; idle < 2; axis = axis.near_first == kUpwards.near_first ? kAlong : kUpwards) {
+    const std::size_t before = rectangles.size();
+    rectangles = joined_along(rectangles, axis);
+    idle = rectangles.size() < before ? 0 : idle + 1;
+  }
+  return rectangles;
+}
+
+std::vector<Rectangle> fewest_joined(const std::vector<Rectangle>& rectangles) {
+  std::vector<Rectangle> upwards = joined_in_turn(rectangles, kUpwards);
+  if (upwards.size() == rectangles.size()) return upwards;
+  std::vector<Rectangle> along = joined_in_turn(rectangles, kAlong);
+  return along.size() < upwards.size() ? along : upwards;
+}
+
+DerivedFace derived_face(const Rectangle& rectangle, grammars::FaceTag tag) {
+  DerivedFace derived;
+  derived.face.outer = grammars::Ring3(rectangle.corner.begin(), rectangle.corner.end());
+  derived.face.tag = tag;
+  derived.detail_distance_m = rectangle.detail_distance_m;
+  return derived;
+}
+
+}  // namespace
+
+std::vector<DerivedFace> join_rectangles(std::vector<DerivedFace> faces) {
+  std::vector<Rectangle> rectangles;
+  std::vector<bool> is_part(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (const std::optional<Rectangle> rectangle = rectangle_of(faces[i], i))
+      rectangles.push_back(*rectangle), is_part[i] = true;
+  std::ranges::sort(rectangles, is_before);
+  for (const Rectangle& r : fewest_joined(rectangles)) {
+    is_part[r.face] = false;
+    if (r.is_joined) faces[r.face] = derived_face(r, faces[r.face].face.tag);
+  }
+  std::vector<DerivedFace> kept;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (!is_part[i]) kept.push_back(std::move(faces[i]));
+  return kept;
+}
+
+}  // namespace citykiln::buildings
