@@ -271,12 +271,12 @@ CoverFaces faces_between(std::span<const Border> borders) {
 }
 
 MergedSlivers merge_slivers(std::span<const Border> borders, double thickness_m,
-                            const std::function<bool(std::uint32_t)>& may_merge) {
+                            const std::function<bool(const CoverFace&)>& may_merge) {
   return merge_slivers(faces_between(borders), thickness_m, may_merge);
 }
 
 MergedSlivers merge_slivers(const CoverFaces& between, double thickness_m,
-                            const std::function<bool(std::uint32_t)>& may_merge) {
+                            const std::function<bool(const CoverFace&)>& may_merge) {
   assert(thickness_m >= 0);
   MergingRegions all{between.net, between.of_face, between.cover_faces};
   std::priority_queue<QueueEntry> turns;
@@ -287,7 +287,7 @@ MergedSlivers merge_slivers(const CoverFaces& between, double thickness_m,
     turns.pop();
     const CoverFace& cover_face = all.cover_faces[turn.cover_face];
     const bool is_stale = cover_face.merged_into != turn.cover_face || cover_face.twice_area != turn.twice_area;
-    if (is_stale || cover_face.touches_cell_border || !may_merge(cover_face.polygon)) continue;
+    if (is_stale || cover_face.touches_cell_border || !may_merge(cover_face)) continue;
     const double reach_m = face_bound_m(all, turn.cover_face, thickness_m);
     if (reach_m > thickness_m) continue;
     const std::uint32_t neighbour = closest_neighbour(all, turn.cover_face);
