@@ -29,6 +29,11 @@ constexpr double kCellBorderShare = 0.5;
 // √(1 - 0.7²) ≈ 0.7 is left for heights.
 constexpr double kBorderShare = 0.5, kSliverShare = 0.2;
 
+// Borders are straightened by this much when a cell is prepared, to be simplified faster for each level: snapping moved
+// their points by up to 0.7 grid steps off the straight lines that they split. Levels whose tolerance is not much
+// larger begin with the borders as they are.
+constexpr double kStraightened_m = 2 * kQuantum_m, kStraightShare = 0.1;
+
 // A mesh that is off gets edges of the reference at most so many times: where they push other faces aside, these can be
 // off in turn.
 constexpr int kEdgeRounds = 12;
@@ -88,13 +93,21 @@ bool any_touches(const Boxes& boxes, const CoverFace& face, const Delaunay& net)
   });
 }
 
-SimplerBorders simpler_borders(const PreparedCell& prepared, double tolerance_m, const Boxes& kept) {
-  const Delaunay& net = prepared.faces_between_borders.net;
-  const auto may_merge = [&](const CoverFace& face) { return kept.empty() || !any_touches(kept, face, net); };
+// @param between   The faces to begin with.
+// @param before_m  By how much their borders have moved.
+SimplerBorders simpler_borders(const CoverFaces& between, double before_m, double tolerance_m, const Boxes& kept) {
+  const auto may_merge = [&](const CoverFace& face) { return kept.empty() || !any_touches(kept, face, between.net); };
   const auto is_pinned = [&](GridPoint p) { return any_contains(kept, plane_point(p)); };
-  MergedSlivers merged = merge_slivers(prepared.faces_between_borders, kSliverShare * tolerance_m, may_merge);
+  MergedSlivers merged = merge_slivers(between, kSliverShare * tolerance_m, may_merge);
   SimplifiedBorders simplified = simplify_borders(merged.borders, kBorderShare * tolerance_m, is_pinned);
-  return {std::move(simplified.borders), merged.error_m + simplified.error_m};
+  return {std::move(simplified.borders), before_m + merged.error_m + simplified.error_m};
+}
+
+// @param kept  If there are any, borders in them stay as they are.
+SimplerBorders simpler_borders(const PreparedCell& prepared, double tolerance_m, const Boxes& kept) {
+  if (kept.empty() && prepared.straightened_m <= kStraightShare * tolerance_m)
+    return simpler_borders(prepared.faces_between_borders, prepared.straightened_m, tolerance_m, kept);
+  return simpler_borders(faces_between(prepared.borders), 0, tolerance_m, kept);
 }
 
 // The height tolerances of the cell's border, of borders inside and of faces.
@@ -152,6 +165,13 @@ std::vector<Border> ungraded_borders(const NearbyCover& layers, GradedHeights& c
   if (layers.order.empty()) return empty_cell_borders(cell);
   const Partition all = partition_all_rings(layers, lines_near_border(grading_lines(cache, cell), cell), {}, cell);
   return visible_borders(all, ring_joints(layers, all.arrangement, cell));
+}
+
+// Returns the prepared cell without pieces of its border.
+PreparedCell prepared_of(std::vector<FaceHeight>&& heights, std::vector<Border>&& borders, Reference&& reference) {
+  const SimplifiedBorders straight = simplify_borders(borders, kStraightened_m, [](GridPoint) { return false; });
+  return {std::move(heights),  std::move(borders), faces_between(straight.borders), straight.error_m, {},
+          std::move(reference)};
 }
 
 // A cell's mesh before it gets its layers, and how far its borders moved in plan.
@@ -250,7 +270,7 @@ Simplified simplified_to(const PreparedCell& prepared, double tolerance_m, const
 // Where there is no room for a vertex, as on steps of the ground, the mesh gets the reference's own edges, round by
 // round, as they push others aside. Borders are not simplified: so they meet these edges at the reference's vertices.
 Simplified along_reference(const PreparedCell& prepared, double tolerance_m, const SideTolerances& sides_m) {
-  const SimplerBorders whole = simpler_borders(prepared, 0, {});
+  const SimplerBorders whole = simpler_borders(faces_between(prepared.borders), 0, 0, {});
   GridLines lines;
   const auto refine_along_lines = [&] {
     return refined_to(prepared.reference, whole.borders, prepared.heights,
@@ -281,17 +301,16 @@ PreparedCell prepare_cell(std::span<const LandCoverPolygon> surfaces, const Grad
   const std::vector<LandCoverPolygon> bent = rings_with_bends(surfaces, cache, cell);
   const NearbyCover layers = land_cover_near(bent, cell);
   if (!has_grading(graded, cell))
-    return {std::move(heights),
-            faces_between(ungraded_borders(layers, cache, cell)),
-            {},
-            reference_of(graded.terrain, cell)};
+    return prepared_of(std::move(heights), ungraded_borders(layers, cache, cell), reference_of(graded.terrain, cell));
   const auto lines = grading_lines(cache, cell);
   const std::vector<GridPoint> points = bend_points_on_border(cache, cell);
   Partition all = partition_all_rings(layers, lines, points, cell);
-  CoverFaces between = faces_between(visible_borders(all, ring_joints(layers, all.arrangement, cell)));
+  std::vector<Border> borders = visible_borders(all, ring_joints(layers, all.arrangement, cell));
   std::vector<CellBorderPiece> cell_border = cell_border_pieces(layers, lines, points, all.arrangement, cell);
   Reference reference = reference_on(std::move(all), heights, cache, cell);
-  return {std::move(heights), std::move(between), std::move(cell_border), std::move(reference)};
+  PreparedCell prepared = prepared_of(std::move(heights), std::move(borders), std::move(reference));
+  prepared.cell_border = std::move(cell_border);
+  return prepared;
 }
 
 GroundMesh generate_cell(std::span<const LandCoverPolygon> surfaces, const GradedTerrain& graded, const Box2& cell,

@@ -17,6 +17,7 @@ struct CoverFace {
   std::uint32_t merged_into = 0;     ///< The face it was merged into; its own index while it stays.
   std::int64_t twice_area = 0;       ///< Twice its area, in square grid steps.
   double own_m2 = 0;                 ///< Its area without merged faces.
+  double inner_radius_m = 0;         ///< The radius of the largest circle inside one of its triangles.
   std::vector<std::uint32_t> faces;  ///< Its triangles, and those of merged faces.
   bool touches_cell_border = false;
 };
