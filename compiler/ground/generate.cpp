@@ -18,7 +18,7 @@
 namespace citykiln::ground {
 namespace {
 
-// Borders are split to at most this many times finer than the heights' tolerance.
+// Near places that are off, borders are split this many times finer than the heights' tolerance.
 constexpr double kFinestBorders = 8;
 
 // The cell's border is split at this share of the tolerance. A vertex close to a border that is off by a, where the
@@ -29,12 +29,19 @@ constexpr double kCellBorderShare = 0.5;
 // √(1 - 0.7²) ≈ 0.7 is left for heights.
 constexpr double kBorderShare = 0.5, kSliverShare = 0.2;
 
+// Borders are straightened by this much when a cell is prepared, to be simplified faster for each level: snapping moved
+// their points by up to 0.7 grid steps off the straight lines that they split. Levels whose tolerance is not much
+// larger begin with the borders as they are.
+constexpr double kStraightened_m = 2 * kQuantum_m, kStraightShare = 0.1;
+
 // A mesh that is off gets edges of the reference at most so many times: where they push other faces aside, these can be
 // off in turn.
 constexpr int kEdgeRounds = 12;
 
-// Where borders that move by kBorderShare leave heights that do not hold, they move by these shares of it.
-constexpr double kBorderRetries[] = {0.25, 0.0625, 0};
+// How often a mesh is made at most before it gets only edges of the reference, and how far around faces that are off
+// borders become finer.
+constexpr int kFinerRounds = 5;
+constexpr double kBesideOff_m = 0.25;
 
 [[maybe_unused]] bool is_whole(const Box2& cell) {
   const auto is_integer = [](double x) { return x == std::floor(x); };
@@ -66,12 +73,41 @@ struct SimplerBorders {
   double error_m;
 };
 
-SimplerBorders simpler_borders(const PreparedCell& prepared, double tolerance_m) {
-  const auto any = [](std::uint32_t) { return true; };
-  const auto none = [](GridPoint) { return false; };
-  MergedSlivers merged = merge_slivers(prepared.faces_between_borders, kSliverShare * tolerance_m, any);
-  SimplifiedBorders simplified = simplify_borders(merged.borders, kBorderShare * tolerance_m, none);
-  return {std::move(simplified.borders), merged.error_m + simplified.error_m};
+// Boxes about places where heights are off: borders there are not simplified.
+using Boxes = std::vector<Box2>;
+
+bool any_contains(const Boxes& boxes, Vec2 p) {
+  return std::ranges::any_of(boxes, [&](const Box2& box) { return box.contains(p); });
+}
+
+bool any_touches(const Boxes& boxes, const Border& border) {
+  const Box2 own = box_of_segment(plane_point(border.a), plane_point(border.b));
+  return std::ranges::any_of(boxes, [&](const Box2& box) { return box.touches(own); });
+}
+
+// Returns whether a face between borders has a corner in one of the boxes.
+bool any_touches(const Boxes& boxes, const CoverFace& face, const Delaunay& net) {
+  return std::ranges::any_of(face.faces, [&](std::uint32_t f) {
+    return std::ranges::any_of(net.faces()[f].vertices,
+                               [&](std::uint32_t v) { return any_contains(boxes, plane_point(net.vertices()[v])); });
+  });
+}
+
+// @param between   The faces to begin with.
+// @param before_m  By how much their borders have moved.
+SimplerBorders simpler_borders(const CoverFaces& between, double before_m, double tolerance_m, const Boxes& kept) {
+  const auto may_merge = [&](const CoverFace& face) { return kept.empty() || !any_touches(kept, face, between.net); };
+  const auto is_pinned = [&](GridPoint p) { return any_contains(kept, plane_point(p)); };
+  MergedSlivers merged = merge_slivers(between, kSliverShare * tolerance_m, may_merge);
+  SimplifiedBorders simplified = simplify_borders(merged.borders, kBorderShare * tolerance_m, is_pinned);
+  return {std::move(simplified.borders), before_m + merged.error_m + simplified.error_m};
+}
+
+// @param kept  If there are any, borders in them stay as they are.
+SimplerBorders simpler_borders(const PreparedCell& prepared, double tolerance_m, const Boxes& kept) {
+  if (kept.empty() && prepared.straightened_m <= kStraightShare * tolerance_m)
+    return simpler_borders(prepared.faces_between_borders, prepared.straightened_m, tolerance_m, kept);
+  return simpler_borders(faces_between(prepared.borders), 0, tolerance_m, kept);
 }
 
 // The height tolerances of the cell's border, of borders inside and of faces.
@@ -95,10 +131,24 @@ Partition partition_along(const Reference& reference, std::span<const Border> wh
   return std::move(*all);
 }
 
+// Splits borders where the ground bends, more finely near the boxes.
+SplitBorders split_finely(const Reference& reference, std::span<const Border> borders,
+                          std::span<const FaceHeight> heights, const HeightTolerances& tolerances, const Boxes& finer) {
+  std::vector<Border> sorted(borders.begin(), borders.end());
+  const auto near = std::ranges::stable_partition(
+      sorted, [&](const Border& border) { return border.is_cell_border || !any_touches(finer, border); });
+  const std::span<const Border> far(sorted.begin(), near.begin());
+  SplitBorders bent = split_borders(reference, far, heights, tolerances.cell_border_m, tolerances.borders_m);
+  const SplitBorders fine =
+      split_borders(reference, near, heights, tolerances.cell_border_m, tolerances.borders_m / kFinestBorders);
+  bent.borders.insert(bent.borders.end(), fine.borders.begin(), fine.borders.end());
+  return bent;
+}
+
 // Splits the borders where the ground bends, triangulates them with further lines and refines the faces.
 Refined refined_to(const Reference& reference, std::span<const Border> borders, std::span<const FaceHeight> heights,
-                   const HeightTolerances& tolerances, const GridLines& lines) {
-  const SplitBorders bent = split_borders(reference, borders, heights, tolerances.cell_border_m, tolerances.borders_m);
+                   const HeightTolerances& tolerances, const GridLines& lines, const Boxes& finer) {
+  const SplitBorders bent = split_finely(reference, borders, heights, tolerances, finer);
   Partition seen = partition_along(reference, borders, bent, lines);
   std::vector<FaceHeight> of_faces = face_heights(seen.face_cover, heights);
   return refine(std::move(seen), std::move(of_faces), reference, tolerances.faces_m);
@@ -115,6 +165,13 @@ std::vector<Border> ungraded_borders(const NearbyCover& layers, GradedHeights& c
   if (layers.order.empty()) return empty_cell_borders(cell);
   const Partition all = partition_all_rings(layers, lines_near_border(grading_lines(cache, cell), cell), {}, cell);
   return visible_borders(all, ring_joints(layers, all.arrangement, cell));
+}
+
+// Returns the prepared cell without pieces of its border.
+PreparedCell prepared_of(std::vector<FaceHeight>&& heights, std::vector<Border>&& borders, Reference&& reference) {
+  const SimplifiedBorders straight = simplify_borders(borders, kStraightened_m, [](GridPoint) { return false; });
+  return {std::move(heights),  std::move(borders), faces_between(straight.borders), straight.error_m, {},
+          std::move(reference)};
 }
 
 // A cell's mesh before it gets its layers, and how far its borders moved in plan.
@@ -137,27 +194,6 @@ void keep_better(Refined& best, Refined&& other) {
   if (other.error_m < best.error_m) best = std::move(other);
 }
 
-// Where a border is off by nearly the tolerance, a sliver beside it can be off by more and too thin for a further
-// vertex. So inner borders are split more finely while that helps. The cell's border is not: its vertices are the
-// neighbour's too.
-// @param borders_m  The tolerance to which borders are simplified in plan, at most tolerance_m.
-Simplified simplified_to(const PreparedCell& prepared, double tolerance_m, double borders_m,
-                         const SideTolerances& sides_m) {
-  const SimplerBorders simpler = simpler_borders(prepared, borders_m);
-  const double height_m = height_tolerance_m(tolerance_m, simpler.error_m);
-  double inner_m = height_m;
-  const auto refine_borders = [&] {
-    return refined_to(prepared.reference, simpler.borders, prepared.heights,
-                      {cell_border_m(sides_m), inner_m, height_m}, {});
-  };
-  Simplified cell{refine_borders(), simpler.error_m};
-  while (cell.refined.error_m > height_m && inner_m > height_m / kFinestBorders) {
-    inner_m /= 2;
-    keep_better(cell.refined, refine_borders());
-  }
-  return cell;
-}
-
 // The edges of the reference about the faces that are off.
 GridLines edges_about_errors(const Reference& reference, const Refined& refined) {
   const std::vector<GridPoint>& vertices = refined.triangulation.vertices();
@@ -178,14 +214,67 @@ bool add_lines(GridLines& lines, const GridLines& more) {
   return any_new;
 }
 
+// Adds the boxes about faces that are off.
+void add_boxes(Boxes& boxes, const Refined& refined) {
+  const std::vector<GridPoint>& vertices = refined.triangulation.vertices();
+  for (const std::uint32_t f : refined.off) {
+    Box2 box;
+    for (const std::uint32_t v : refined.triangulation.faces()[f].vertices) box.grow(plane_point(vertices[v]));
+    boxes.push_back(box.widened(kBesideOff_m));
+  }
+}
+
+// What the next mesh of a cell needs, by the faces of earlier meshes that were off.
+struct Finer {
+  Boxes boxes;      // about the faces that were off: borders there are split finely
+  Boxes whole;      // borders there are not simplified either
+  GridLines lines;  // edges of the reference
+};
+
+// Borders are split more finely first. If that did not suffice, they are not simplified either, and edges of the
+// reference are added.
+void make_finer(Finer& finer, const Reference& reference, const Refined& refined) {
+  if (refined.off.empty()) return;
+  const bool is_first = finer.boxes.empty();
+  add_boxes(finer.boxes, refined);
+  if (is_first) return;
+  finer.whole = finer.boxes;
+  add_lines(finer.lines, edges_about_errors(reference, refined));
+}
+
+// Where a border is off by nearly the tolerance, a sliver beside it can be off by more and too thin for a further
+// vertex. A border that moves off a step in the ground leaves the step in a face, which may have no room for a vertex
+// on it. So borders become finer near faces that are off, round by round. The cell's border does not: its vertices are
+// the neighbour's too.
+Simplified simplified_to(const PreparedCell& prepared, double tolerance_m, const SideTolerances& sides_m) {
+  Finer finer;
+  SimplerBorders simpler = simpler_borders(prepared, tolerance_m, {});
+  const auto refine_borders = [&] {
+    const double height_m = height_tolerance_m(tolerance_m, simpler.error_m);
+    const HeightTolerances tolerances{cell_border_m(sides_m), height_m, height_m};
+    return Simplified{
+        refined_to(prepared.reference, simpler.borders, prepared.heights, tolerances, finer.lines, finer.boxes),
+        simpler.error_m};
+  };
+  Simplified best = refine_borders();
+  make_finer(finer, prepared.reference, best.refined);
+  for (int round = 1; round < kFinerRounds && !keeps(best, tolerance_m); ++round) {
+    if (!finer.whole.empty()) simpler = simpler_borders(prepared, tolerance_m, finer.whole);
+    Simplified next = refine_borders();
+    make_finer(finer, prepared.reference, next.refined);
+    if (error_m_of(next) < error_m_of(best)) best = std::move(next);
+  }
+  return best;
+}
+
 // Where there is no room for a vertex, as on steps of the ground, the mesh gets the reference's own edges, round by
 // round, as they push others aside. Borders are not simplified: so they meet these edges at the reference's vertices.
 Simplified along_reference(const PreparedCell& prepared, double tolerance_m, const SideTolerances& sides_m) {
-  const SimplerBorders whole = simpler_borders(prepared, 0);
+  const SimplerBorders whole = simpler_borders(faces_between(prepared.borders), 0, 0, {});
   GridLines lines;
   const auto refine_along_lines = [&] {
     return refined_to(prepared.reference, whole.borders, prepared.heights,
-                      {cell_border_m(sides_m), tolerance_m / kFinestBorders, tolerance_m}, lines);
+                      {cell_border_m(sides_m), tolerance_m / kFinestBorders, tolerance_m}, lines, {});
   };
   Simplified cell{refine_along_lines(), whole.error_m};
   GridLines more = edges_about_errors(prepared.reference, cell.refined);
@@ -212,17 +301,16 @@ PreparedCell prepare_cell(std::span<const LandCoverPolygon> surfaces, const Grad
   const std::vector<LandCoverPolygon> bent = rings_with_bends(surfaces, cache, cell);
   const NearbyCover layers = land_cover_near(bent, cell);
   if (!has_grading(graded, cell))
-    return {std::move(heights),
-            faces_between(ungraded_borders(layers, cache, cell)),
-            {},
-            reference_of(graded.terrain, cell)};
+    return prepared_of(std::move(heights), ungraded_borders(layers, cache, cell), reference_of(graded.terrain, cell));
   const auto lines = grading_lines(cache, cell);
   const std::vector<GridPoint> points = bend_points_on_border(cache, cell);
   Partition all = partition_all_rings(layers, lines, points, cell);
-  CoverFaces between = faces_between(visible_borders(all, ring_joints(layers, all.arrangement, cell)));
+  std::vector<Border> borders = visible_borders(all, ring_joints(layers, all.arrangement, cell));
   std::vector<CellBorderPiece> cell_border = cell_border_pieces(layers, lines, points, all.arrangement, cell);
   Reference reference = reference_on(std::move(all), heights, cache, cell);
-  return {std::move(heights), std::move(between), std::move(cell_border), std::move(reference)};
+  PreparedCell prepared = prepared_of(std::move(heights), std::move(borders), std::move(reference));
+  prepared.cell_border = std::move(cell_border);
+  return prepared;
 }
 
 GroundMesh generate_cell(std::span<const LandCoverPolygon> surfaces, const GradedTerrain& graded, const Box2& cell,
@@ -239,14 +327,7 @@ GroundMesh generate_cell(const PreparedCell& prepared, GradedNormals& normals, d
                          const SideTolerances& sides_m, Report& report) {
   assert(tolerance_m > 0);
   assert(std::min({sides_m.west_m, sides_m.east_m, sides_m.south_m, sides_m.north_m}) > 0);
-  // A border that moves off a step in the ground leaves the step in a face, which may have no room for a vertex on it.
-  // So where heights do not hold, borders move less, at last not at all.
-  Simplified best = simplified_to(prepared, tolerance_m, tolerance_m, sides_m);
-  for (const double share : kBorderRetries) {
-    if (keeps(best, tolerance_m)) break;
-    Simplified finer = simplified_to(prepared, tolerance_m, share * tolerance_m, sides_m);
-    if (error_m_of(finer) < error_m_of(best)) best = std::move(finer);
-  }
+  Simplified best = simplified_to(prepared, tolerance_m, sides_m);
   if (!keeps(best, tolerance_m)) {
     Simplified exact = along_reference(prepared, tolerance_m, sides_m);
     if (error_m_of(exact) < error_m_of(best)) best = std::move(exact);

@@ -34,7 +34,9 @@ namespace citykiln::ground {
 /// The data of a cell that do not depend on the tolerance. A cell is a square of ground that is meshed on its own.
 struct PreparedCell {
   std::vector<FaceHeight> heights;           ///< One per land cover polygon.
-  CoverFaces faces_between_borders;          ///< The faces between visible borders.
+  std::vector<Border> borders;               ///< The visible borders.
+  CoverFaces faces_between_borders;          ///< The faces between these borders, straightened.
+  double straightened_m;                     ///< The largest distance by which straightening moved a border.
   std::vector<CellBorderPiece> cell_border;  ///< Pieces of the cell's border along which visible borders run.
   Reference reference;                       ///< The triangulation against which heights are measured.
 };

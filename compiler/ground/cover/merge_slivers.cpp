@@ -47,6 +47,17 @@ std::uint32_t surface_by(std::span<const Border> borders, const Delaunay& net, s
   return from < to ? border->left : border->right;
 }
 
+// Returns the radius of the circle inside a triangle.
+double inner_radius_m(const Delaunay& net, std::uint32_t face) {
+  double perimeter_m = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto [a, b] = edge_of(net, face, i);
+    perimeter_m += distance(plane_point(a), plane_point(b));
+  }
+  const auto [a, b] = edge_of(net, face, 0);
+  return 2 * area_of_steps_m2(turn(a, b, edge_of(net, face, 1).second)) / perimeter_m;
+}
+
 // Flood-fills a land cover face from one of its triangles.
 CoverFace region_from(CoverFaces& all, std::span<const Border> borders, std::uint32_t start) {
   const auto number = static_cast<std::uint32_t>(all.cover_faces.size());
@@ -60,6 +71,7 @@ CoverFace region_from(CoverFaces& all, std::span<const Border> borders, std::uin
     const auto [a, b] = edge_of(all.net, f, 0);
     cover_face.twice_area += turn(a, b, edge_of(all.net, f, 1).second);
     cover_face.faces.push_back(f);
+    cover_face.inner_radius_m = std::max(cover_face.inner_radius_m, inner_radius_m(all.net, f));
     const DelaunayFace& face = all.net.faces()[f];
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t beyond = face.neighbours[i];
@@ -163,6 +175,9 @@ std::vector<Piece> pieces_at(const MergingRegions& all, std::span<const BorderEn
 constexpr int kHalvings = 12;
 constexpr std::size_t kFacesAbout = 24;
 
+// More than what rounding adds to a radius.
+constexpr double kRoundedUp = 1 + 0x1p-30;
+
 double face_bound_m(const MergingRegions& all, std::span<const BorderEnd> border, std::uint32_t cover_face,
                     std::uint32_t face, double enough_m) {
   const auto corner = [&](int i) { return plane_point(all.net.vertices()[all.net.faces()[face].vertices[i]]); };
@@ -224,6 +239,7 @@ void merge_into(MergingRegions& all, std::uint32_t cover_face, std::uint32_t nei
   CoverFace& to = all.cover_faces[neighbour];
   from.merged_into = neighbour;
   to.twice_area += from.twice_area;
+  to.inner_radius_m = std::max(to.inner_radius_m, from.inner_radius_m);
   to.touches_cell_border |= from.touches_cell_border;
   to.faces.insert(to.faces.end(), from.faces.begin(), from.faces.end());
   from.faces.clear();
@@ -271,12 +287,12 @@ CoverFaces faces_between(std::span<const Border> borders) {
 }
 
 MergedSlivers merge_slivers(std::span<const Border> borders, double thickness_m,
-                            const std::function<bool(std::uint32_t)>& may_merge) {
+                            const std::function<bool(const CoverFace&)>& may_merge) {
   return merge_slivers(faces_between(borders), thickness_m, may_merge);
 }
 
 MergedSlivers merge_slivers(const CoverFaces& between, double thickness_m,
-                            const std::function<bool(std::uint32_t)>& may_merge) {
+                            const std::function<bool(const CoverFace&)>& may_merge) {
   assert(thickness_m >= 0);
   MergingRegions all{between.net, between.of_face, between.cover_faces};
   std::priority_queue<QueueEntry> turns;
@@ -287,7 +303,9 @@ MergedSlivers merge_slivers(const CoverFaces& between, double thickness_m,
     turns.pop();
     const CoverFace& cover_face = all.cover_faces[turn.cover_face];
     const bool is_stale = cover_face.merged_into != turn.cover_face || cover_face.twice_area != turn.twice_area;
-    if (is_stale || cover_face.touches_cell_border || !may_merge(cover_face.polygon)) continue;
+    if (is_stale || cover_face.touches_cell_border) continue;
+    // no border crosses a triangle, so the middle of its inner circle is this far from all of them
+    if (cover_face.inner_radius_m > thickness_m * kRoundedUp || !may_merge(cover_face)) continue;
     const double reach_m = face_bound_m(all, turn.cover_face, thickness_m);
     if (reach_m > thickness_m) continue;
     const std::uint32_t neighbour = closest_neighbour(all, turn.cover_face);

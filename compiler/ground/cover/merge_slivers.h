@@ -17,6 +17,7 @@ struct CoverFace {
   std::uint32_t merged_into = 0;     ///< The face it was merged into; its own index while it stays.
   std::int64_t twice_area = 0;       ///< Twice its area, in square grid steps.
   double own_m2 = 0;                 ///< Its area without merged faces.
+  double inner_radius_m = 0;         ///< The radius of the largest circle inside one of its triangles.
   std::vector<std::uint32_t> faces;  ///< Its triangles, and those of merged faces.
   bool touches_cell_border = false;
 };
@@ -46,14 +47,14 @@ struct MergedSlivers {
 ///
 /// @param thickness_m  >= 0. A face is thin if every point of it is proved to lie within this of its border: true for
 ///                     strips up to about this width, false for strips of more than twice the width.
-/// @param may_merge    True if the faces of a polygon may be merged.
+/// @param may_merge    True if a face may be merged into a neighbour; it is given with those merged into it.
 /// Guarantees: error_m <= thickness_m; faces on the cell's border stay, so cells still meet; there are no new vertices.
 /// Depends on the set of borders only. O(n log n), times the neighbours merged into one face.
 /// Method: in a constrained Delaunay triangulation of the borders a triangle is thin if its corners are close to one
 /// piece of border that starts at them, or if both of its halves are thin.
 MergedSlivers merge_slivers(const CoverFaces& between, double thickness_m,
-                            const std::function<bool(std::uint32_t)>& may_merge);
+                            const std::function<bool(const CoverFace&)>& may_merge);
 MergedSlivers merge_slivers(std::span<const Border> borders, double thickness_m,
-                            const std::function<bool(std::uint32_t)>& may_merge);
+                            const std::function<bool(const CoverFace&)>& may_merge);
 
 }  // namespace citykiln::ground

@@ -8,7 +8,7 @@
 namespace citykiln::ground {
 namespace {
 
-bool all_may(std::uint32_t) { return true; }
+bool all_may(const CoverFace&) { return true; }
 
 double total_m2(const std::vector<BorderFace>& faces) {
   double area_m2 = 0;
@@ -78,9 +78,9 @@ TEST(MergeSlivers, OrderDoesNotCount) {
 
 TEST(MergeSlivers, OnlyWhatMayYieldDoes) {
   const auto borders = borders_of(wavy_surfaces(4, 60, 1), kWavyCell);
-  EXPECT_EQ(merge_slivers(borders, 2, [](std::uint32_t) { return false; }).faces, 0u);
+  EXPECT_EQ(merge_slivers(borders, 2, [](const CoverFace&) { return false; }).faces, 0u);
   const auto before = faces_by_surface(border_faces_between(borders));
-  const auto now = merge_slivers(borders, 2, [](std::uint32_t s) { return s % 2 == 0; });
+  const auto now = merge_slivers(borders, 2, [](const CoverFace& face) { return face.polygon % 2 == 0; });
   ASSERT_GT(now.faces, 0u);
   for (const auto& [surface, faces] : before)
     if (surface % 2 == 1 && surface != 0xffffffffu) {
