@@ -187,8 +187,8 @@ struct FacadeBuilder {
     add_textured(face, std::move(impostor.picture));
   }
 
-  // Faces are joined when all are known. Those of one colour stay apart from textured ones, which would need larger
-  // pictures.
+  // Faces are joined when all are known. Faces of one colour stay apart from textured ones, whose
+  // pictures would grow.
   FacadeMeshes finish() && {
     join_textured();
     for (TexturedFace& face : textured)

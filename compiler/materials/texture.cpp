@@ -119,7 +119,8 @@ double side_m(const Texture& texture) {
 }
 
 bool has_texture(Material material, double tolerance_m) {
-  return row_of(material) != nullptr && (has_detail(Detail::kMaterialTextures, tolerance_m) || has_holes(material));
+  if (has_holes(material)) return tolerance_m < tolerances_with(Detail::kFacadeTextures).from_m;
+  return row_of(material) != nullptr && has_detail(Detail::kMaterialTextures, tolerance_m);
 }
 
 bool has_holes(Material material) {

@@ -81,7 +81,7 @@ constexpr JoinAxis kUpwards{0}, kAlong{3};
 SideNumber near_side(const Rectangle& r, JoinAxis axis) {
   return {corner_number(r.corner[axis.near_first]), corner_number(r.corner[axis.near_last()])};
 }
-// As seen from the next rectangle, whose near side runs the other way.
+// The corners are in the order of the next rectangle's near side, which runs the other way.
 SideNumber far_side(const Rectangle& r, JoinAxis axis) {
   return {corner_number(r.corner[axis.far_last()]), corner_number(r.corner[axis.far_first()])};
 }
