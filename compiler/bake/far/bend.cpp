@@ -219,7 +219,8 @@ BakedTile bent(BakedTile tile, const map::Cylinder& cylinder) {
 
 BakedTile in_world(BakedTile tile, const scene::Header& header) {
   const auto cylinder = scene::cylinder_of(header);
-  return cylinder ? bent(std::move(tile), *cylinder) : tile;
+  if (cylinder) return bent(std::move(tile), *cylinder);
+  return tile;
 }
 
 std::vector<PlacedLamp> in_world(std::vector<PlacedLamp> lamps, const scene::Header& header) {

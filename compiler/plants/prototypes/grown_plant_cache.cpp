@@ -50,6 +50,18 @@ GrownPlant grow(const SpeciesText& text, const SpeciesValues& species, std::uint
   return file ? grow(*file, species, variant, month) : GrownPlant{};
 }
 
+namespace {
+
+// Cards stand for the leaves. Grown plants are kept for a whole run, so vectors get their least size.
+void keep_stems_and_cards(GrownPlant& grown) {
+  lsystems::Skeleton stems;
+  stems.segments = std::move(grown.skeleton.segments), stems.warnings = std::move(grown.skeleton.warnings);
+  stems.segments.shrink_to_fit(), grown.foliage.cards.shrink_to_fit();
+  grown.skeleton = std::move(stems);
+}
+
+}  // namespace
+
 GrownPlant grow(const lsystems::PlantFile& file, const SpeciesValues& species, std::uint8_t variant, Month month) {
   GrownPlant grown{lsystems::grow_plant(file, variant).skeleton,
                    {},
@@ -59,6 +71,7 @@ GrownPlant grow(const lsystems::PlantFile& file, const SpeciesValues& species, s
   grown.foliage = foliage_of(file.system, grown.skeleton, grown.appearance.leaf);
   if (grown.appearance.leaf_share < 1) drop_fruit(grown.foliage);
   grown.height_m = height_of(grown);
+  keep_stems_and_cards(grown);
   return grown;
 }
 

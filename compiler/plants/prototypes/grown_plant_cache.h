@@ -22,7 +22,7 @@ namespace citykiln::plants {
 /// A grown prototype: stems and leaves before they are meshed. Lengths are in the units of its .lsys file, which vary
 /// from file to file; meshes are scaled to the height of each placed plant.
 struct GrownPlant {
-  lsystems::Skeleton skeleton;
+  lsystems::Skeleton skeleton;  ///< Stems alone; foliage has the leaves.
   Foliage foliage;
   double height_m = 0;  ///< Height of its highest leaf or stem, in the units of the .lsys file; 0: the plant is empty.
   Appearance appearance{};                                ///< Materials and tints in the month.

@@ -237,6 +237,8 @@ GlbParts compressed_glb(GlbParts plain, Compression compression, int threads) {
   assert(compression != Compression::kNone);
   GlbParts packed{plain.gltf, {}};
   if (primitives_of(packed.gltf).empty()) return plain;
+  // large, and should not move while it grows
+  packed.buffer.reserve(plain.buffer.size());
   copy_other_views(plain, packed);
   if (compression == Compression::kDraco) {
     compress_draco(plain, packed, threads);
