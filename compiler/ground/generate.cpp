@@ -224,7 +224,7 @@ void add_boxes(Boxes& boxes, const Refined& refined) {
   }
 }
 
-// What the next mesh of a cell needs, by the faces of earlier meshes that were off.
+// The needs of a cell's next mesh, by the faces of earlier meshes that were off.
 struct Finer {
   Boxes boxes;      // about the faces that were off: borders there are split finely
   Boxes whole;      // borders there are not simplified either
