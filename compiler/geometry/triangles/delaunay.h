@@ -1,4 +1,5 @@
-// A constrained Delaunay triangulation with numbered faces that takes further points.
+// A constrained Delaunay triangulation with numbered faces that takes further points. CGAL's headers stay in
+// delaunay.cpp.
 #pragma once
 
 #include <array>
@@ -37,7 +38,7 @@ class Delaunay {
   const std::vector<DelaunayFace>& faces() const;
 
   /// Returns the face that a new point at p would split (one of two if p is on an edge), searched from face `near`.
-  /// kNoFace if p is a vertex, lies on a constrained or an outer edge, or lies outside.
+  /// kNoFace if p is a vertex, lies on a constrained edge, or lies outside.
   std::uint32_t face_to_split(GridPoint p, std::uint32_t near) const;
 
   /// Inserts a point into the face that face_to_split() found, as the last vertex. Returns the new and changed faces,

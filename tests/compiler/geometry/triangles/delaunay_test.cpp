@@ -6,7 +6,6 @@
 
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/point_buckets.h"
-#include "compiler/geometry/vec.h"
 
 namespace citykiln {
 namespace {
@@ -93,68 +92,6 @@ TEST(Delaunay, TakesPointsAfterFlips) {
     expect_whole(d);
     // no point came onto a side
     EXPECT_EQ(d.faces().size(), 2 * d.vertices().size() - 2 - 4);
-  }
-}
-
-// A cell crossed by segments between random points.
-Arrangement crossed_cell(std::uint64_t seed) {
-  const RandomSequence draw(seed, StableId{5}, "segments");
-  std::vector<OwnedSegment> segments;
-  for (std::uint32_t n = 0; n < 40; ++n) {
-    const auto place = [&](std::uint32_t k) {
-      return static_cast<std::int64_t>(draw.between(0, 16 * 1024, 4 * n + k));
-    };
-    segments.push_back({{place(0), place(1)}, {place(2), place(3)}, n, 1});
-  }
-  return arrange(segments, {}, {{0, 0}, {16, 16}});
-}
-
-Delaunay triangulation_of(const Arrangement& arrangement) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (const ArrangedEdge& e : arrangement.edges) edges.emplace_back(e.a, e.b);
-  return Delaunay(arrangement.vertices, edges);
-}
-
-TEST(Delaunay, HasAllGivenEdges) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const Arrangement arrangement = crossed_cell(seed);
-    const Delaunay d = triangulation_of(arrangement);
-    expect_whole(d);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> constrained, given;
-    for (const DelaunayFace& face : d.faces())
-      for (int i = 0; i < 3; ++i)
-        if (face.is_constrained[i])
-          constrained.push_back(std::minmax(face.vertices[(i + 1) % 3], face.vertices[(i + 2) % 3]));
-    std::ranges::sort(constrained);
-    constrained.erase(std::unique(constrained.begin(), constrained.end()), constrained.end());
-    for (const ArrangedEdge& e : arrangement.edges) given.emplace_back(e.a, e.b);
-    EXPECT_EQ(constrained, given);
-  }
-}
-
-// Returns how far inside the circle through a triangle's corners a point lies, in proportion to the circle's radius;
-// negative outside.
-double depth_in_circle(Vec2 a, Vec2 b, Vec2 c, Vec2 p) {
-  const Vec2 u = b - a, v = c - a;
-  const double twice = 2 * cross(u, v);
-  const Vec2 centre = a + Vec2{v.y * dot(u, u) - u.y * dot(v, v), u.x * dot(v, v) - v.x * dot(u, u)} * (1 / twice);
-  return 1 - length(p - centre) / length(a - centre);
-}
-
-TEST(Delaunay, NoCircleHoldsTheCornerBeyondAFreeEdge) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const Delaunay d = triangulation_of(crossed_cell(seed));
-    const auto place = [&](std::uint32_t v) { return plane_point(d.vertices()[v]); };
-    for (std::uint32_t f = 0; f < d.faces().size(); ++f)
-      for (int i = 0; i < 3; ++i) {
-        const DelaunayFace& face = d.faces()[f];
-        if (face.is_constrained[i] || face.neighbours[i] == kNoFace) continue;
-        const DelaunayFace& beyond = d.faces()[face.neighbours[i]];
-        const auto k = std::ranges::find(beyond.neighbours, f) - beyond.neighbours.begin();
-        const double depth = depth_in_circle(place(face.vertices[0]), place(face.vertices[1]), place(face.vertices[2]),
-                                             place(beyond.vertices[k]));
-        EXPECT_LT(depth, 1e-6);
-      }
   }
 }
 
