@@ -47,7 +47,7 @@ std::vector<grammars::FrontLine> front_lines(const Building& building, const std
 
 // Tolerance of the model that facade textures are rendered from, which all levels share: windows keep reveals and
 // frames, railings their bars.
-constexpr double kDetailedModel_m = 0.1;
+constexpr double kDetailedModel_m = 0.05;
 
 // At this tolerance a roof has all its planes.
 constexpr double kWholeRoof_m = 0.02;

@@ -113,7 +113,8 @@ GeneratedThing generate(const Form& form, const Kind& kind, std::uint64_t seed, 
   if (!is_shown(form, kind.row, tolerance_m)) return {{}, form.height_m};
   const grammars::Derivation derivation =
       grammars::derive(kind.rules, box_of_form(form), options_of(form, seed, is_night, tolerance_m));
-  return {buildings::terminal_meshes(derivation, {}, tolerance_m), derivation.error_m, faults_of(form, kind, seed, derivation)};
+  return {buildings::terminal_meshes(derivation, {}, tolerance_m), derivation.error_m,
+          faults_of(form, kind, seed, derivation)};
 }
 
 Placement place(const Thing& thing, const ground::GradedTerrain& ground) {

@@ -77,7 +77,8 @@ TEST_P(SimplifiedBordersReal, KeepEveryGuaranteeAfterMergingSlivers) {
     Stopwatch watch;
     for (const CellBorders& cell : cells) {
       watch.start();
-      const auto thick = ground::merge_slivers(cell.borders, tolerance_m, [](const ground::CoverFace&) { return true; });
+      const auto thick =
+          ground::merge_slivers(cell.borders, tolerance_m, [](const ground::CoverFace&) { return true; });
       const auto now = ground::simplify_borders(thick.borders, tolerance_m, [](GridPoint) { return false; });
       watch.stop();
       EXPECT_LE(thick.error_m, tolerance_m);
