@@ -53,7 +53,7 @@ struct View {
   bool has_slopes = false;            ///< Texels get slopes.
 };
 
-/// Light sources are visible past occluders that are at least kMinOccluderGap_m in front of them, such as balconies,
+/// Light sources are visible past occluders at least kMinOccluderGap_m in front of the source, such as balconies,
 /// but not past nearer ones, such as window frames. Sources more than kMaxRoomDepth_m behind the rectangle belong to
 /// rooms behind other walls.
 inline constexpr double kMinOccluderGap_m = 0.375, kMaxRoomDepth_m = 0.5;
@@ -73,8 +73,8 @@ struct Impostor {
 /// 2^-10 m, the lowest index is visible. Triangles with a common edge cover each sample on it once. Back faces and
 /// surfaces outside the depth range are not visible. Triangles with a vertex more than 2^20 texels away, or not finite,
 /// are ignored. Emission of surfaces up to kMaxRoomDepth_m behind the rectangle is visible past occluders that are
-/// kMinOccluderGap_m or more in front of it. Slopes include steps in depth: their mean over covered texels is the rise
-/// over all of these. Cost: O(blocks + triangles in view + samples).
+/// kMinOccluderGap_m or more in front of the surface. Slopes include steps in depth: their mean over covered texels is
+/// the rise over all of these. Cost: O(blocks + triangles in view + samples).
 Impostor render(const Model& model, const View& view);
 
 }  // namespace citykiln::impostor

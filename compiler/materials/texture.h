@@ -37,7 +37,8 @@ inline const TextureImage& shown_image(const Texture& texture) {
 double side_m(const Texture& texture);
 
 /// True if a material has a texture at a tolerance: it has a row in texture_table.inc, and Detail::kMaterialTextures is
-/// shown at the tolerance. A texture with holes is shown until Detail::kFacadeTextures replaces what has it.
+/// shown at the tolerance. A texture with holes is shown up to the tolerances of Detail::kFacadeTextures,
+/// which replace its faces.
 bool has_texture(Material material, double tolerance_m);
 
 /// True if the texture of a material has normals at a tolerance: always for water, and for textures with relief if

@@ -32,6 +32,8 @@ enum class TexturePattern : std::uint8_t {
 
 /// The texture of TexturePattern::kBars in texels of 1/256 of its side, u across the bars, v up from the gap below
 /// them. Faces show it from v = kRailingLow_px to kRailingHigh_px, so that filters do not mix its ends.
+/// A bar is kBar_px wide; the first one begins at u = kBarBegin_px. Bars stand from v = kBarsFrom_px to the rail, which
+/// begins at v = kRailFrom_px.
 inline constexpr std::uint32_t kBarPitch_px = 32, kBarBegin_px = 17, kBar_px = 5;
 inline constexpr std::uint32_t kRailingLow_px = 8, kBarsFrom_px = 27, kRailFrom_px = 236, kRailingHigh_px = 248;
 

@@ -30,7 +30,7 @@ Obstacles obstacles_of(const std::vector<Line>& lines, const std::vector<Polygon
 /// True if no obstacle crosses the segment from a to b.
 bool is_seen(const Obstacles& obstacles, Vec2 a, Vec2 b);
 
-/// Returns the distance from p at which an obstacle lies in the direction `towards`; at most `most_m`.
+/// Returns the distance from p to the first obstacle in the direction `towards`, or `most_m` if none is nearer.
 /// @param towards  Length 1.
 double distance_to_obstacle(const Obstacles& obstacles, Vec2 p, Vec2 towards, double most_m);
 
@@ -44,7 +44,7 @@ struct Piece {
   std::uint32_t label = 0;  ///< The owner of places in it (edge_owners.h).
 };
 
-/// Pieces with an index of their boxes.
+/// Pieces with an index of their boxes. The obstacles must live as long as the field.
 struct Field {
   std::vector<Piece> pieces;
   BoxGrid grid;
@@ -70,9 +70,9 @@ inline double distance_m(const Piece& piece, Vec2 p) { return dot(p - piece.foot
 /// Returns the index of the nearest piece that contains p and whose street edge no obstacle hides from p; kNoIndex if
 /// there is none. The lowest index of equal distances.
 std::uint32_t nearest_piece(const Field& field, Vec2 p);
-/// Returns nearest_piece() of some pieces only: indices, ascending. O(pieces + obstacles near the lines of sight).
+/// Returns nearest_piece() among the given pieces: indices, ascending. O(pieces + obstacles near the lines of sight).
 std::uint32_t nearest_piece(const Field& field, std::span<const std::uint32_t> pieces, Vec2 p);
-/// True if one of some pieces contains p, is nearer than `below_m`, and no obstacle hides its street edge from p.
+/// True if one of the given pieces contains p, is nearer than `below_m`, and no obstacle hides its street edge from p.
 bool is_any_nearer(const Field& field, std::span<const std::uint32_t> pieces, Vec2 p, double below_m);
 /// Returns nearest_piece() among the pieces of other street edges that are nearer than `most_m`.
 std::uint32_t nearest_other(const Field& field, Vec2 p, std::uint32_t street_edge, double most_m);

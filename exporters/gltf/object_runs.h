@@ -1,5 +1,5 @@
-// Splits a primitive into runs of vertices that no triangle connects: the objects that were appended one after the
-// other.
+// Splits a primitive into runs: consecutive vertices and triangles that no triangle connects to the rest. They are the
+// objects that were appended one after the other.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct ObjectRun {
 /// triangles, in order. Empty for a primitive without triangles. O(n).
 std::vector<ObjectRun> object_runs(const bake::Primitive& primitive);
 
-/// Joins neighbouring runs whose first vertices have the same feature, where a primitive has features. O(runs).
+/// Joins neighbouring runs of one feature. Returns `runs` for a primitive without features. O(runs).
 std::vector<ObjectRun> feature_runs(const bake::Primitive& primitive, const std::vector<ObjectRun>& runs);
 
 /// Joins neighbouring runs into as few as possible with at most `most_vertices` each. A longer run stays alone.

@@ -272,7 +272,7 @@ def content_of(path):
 
 
 def roads_of(runs):
-    """The roads of a run's manifest: names and lines of places in the root's frame."""
+    """The roads of a run's scene.kiln: names and lines of places in the root's frame."""
     with tempfile.TemporaryDirectory() as scratch:
         path = Path(scratch) / "roads.json"
         subprocess.run([PROGRAM, "inspect", runs.manifest, "--layer", "roads", "--geojson", path], check=True, capture_output=True)
@@ -324,7 +324,7 @@ def over_roads(roads, start, end, step_m):
 
 
 def eyes_of(flight, runs, roads, street):
-    """The eyes of a flight, each looking at where it is 50 m later."""
+    """The eyes of a flight. Each heads towards its place 50 m later, tilted down by down_deg."""
     places = along_street(roads, street, flight.step_m if flight.name == "street" else 5)
     if flight.name != "street":
         start, end = places[0], places[-1]

@@ -1,10 +1,10 @@
 // Joins rectangles that lie side by side in one plane. Splits cut a wall into floors, columns, piers and sills; most of
 // these pieces look alike, and a rectangle takes two triangles whatever its size.
 //
-//   +---+---+---+      +---+---+---+      1. stacked: across level sides
-//   | a | w | a |      |   | w |   |      2. in rows: across the other sides
+//   +---+---+---+      +---+---+---+      1. one above the other: across level sides
+//   | a | w | a |      |   | w |   |      2. beside each other: across the other sides
 //   +---+---+---+  →   | a +---+ a |      3. again, until no two rectangles share a whole side
-//   | a | a | a |      |   | a |   |
+//   | a | a | a |      |   | a |   |      a, w: faces of two appearances
 //   +---+---+---+      +---+---+---+
 #pragma once
 
@@ -27,8 +27,8 @@ struct DerivedFace {
 /// are within 2^-14 m of its sides for each part that was added, so that the union of all faces stays the same to that.
 /// A joined rectangle has the greatest detail_distance_m of its parts. The set of results does not depend on the order
 /// of `faces`; a result stands where the first of its parts stood. Faces that are not rectangles stay.
-/// Bad input: of rectangles that overlap, one is joined, the others stay. O(n log n) for each turn, of which there are
-/// few.
+/// Bad input: of rectangles that overlap, only one is joined. O(n log n) for each repetition of steps 1 and 2, of which
+/// there are few.
 std::vector<DerivedFace> join_rectangles(std::vector<DerivedFace> faces);
 
 }  // namespace citykiln::buildings

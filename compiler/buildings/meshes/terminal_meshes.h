@@ -1,4 +1,5 @@
-// Makes meshes of a derivation (the result of facade rules): triangulates the faces of its terminals and groups them by
+// Makes meshes of a derivation (the result of facade rules): triangulates the faces of its terminals (shapes that no
+// rule replaces) and groups them by
 // material and tint.
 #pragma once
 
@@ -15,14 +16,14 @@ namespace citykiln::buildings {
 ///
 /// material.name is the name of a material in snake case ("roof_tile"); an unknown name is plaster. The colour becomes
 /// a tint (paint_colour.h), on kPaint if the material is too dark for it; white, the default, leaves the material
-/// untinted. Glass stays glass.
+/// untinted. A colour never changes glass to kPaint.
 materials::SurfaceMaterial surface_material_of(const grammars::Appearance& appearance);
 
 /// Adds the triangles of a face. Faces without area add nothing.
 void add_face(const grammars::Face& face, Mesh& mesh);
 
-/// Adds the triangles of a face, with texture coordinates if the material has a texture. All faces of a mesh must be
-/// added by one overload.
+/// Adds the triangles of a face, with texture coordinates if the material has a texture. All faces of the MaterialMesh
+/// must be added by this overload, so that each position has coordinates.
 void add_face(const grammars::Face& face, materials::MaterialMesh& mesh);
 
 /// Returns the terminals' faces by material and tint, with rectangles joined (join_rectangles.h). Terminals without

@@ -19,7 +19,7 @@ struct EncodedTile {
   std::vector<std::byte> glb;
   std::vector<SharedFile> shared;  ///< Files that it refers to, with Layout::kShared.
   double error_m = 0;
-  /// The number in the file, without triangles that packing drops (quantise.h).
+  /// The number in the file, without triangles that packing drops (quantise.h), with those of every instance.
   std::uint64_t triangles = 0;
 };
 
