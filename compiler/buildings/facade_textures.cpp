@@ -150,15 +150,33 @@ struct FacadeBuilder {
     return made;
   }
 
-  // Joined faces take fewer triangles, but parts with equal pictures share one of them.
+  // Joined faces take fewer triangles, but parts with equal pictures share one of them. Only faces that are new are
+  // rendered: the others stand in the order in which they were added.
   void join_textured() {
-    std::vector<DerivedFace> faces = join_rectangles(textured_parts);
-    if (faces.size() == textured.size()) return;
+    const std::vector<DerivedFace> faces = join_rectangles(textured_parts);
+    if (faces.size() == textured.size() || texels_of(faces) > distinct_texels(textured)) return;
     std::vector<TexturedFace> joined;
-    for (const DerivedFace& derived : faces)
-      joined.push_back(
-          textured_face(derived.face, render_supersampled(detailed, view_of(derived.face, texel_m)).picture));
-    if (distinct_texels(joined) <= distinct_texels(textured)) textured = std::move(joined);
+    auto part = textured_parts.begin();
+    for (const auto& [face, distance_m] : faces) {
+      const auto same =
+          std::find_if(part, textured_parts.end(), [&](const auto& p) { return p.face.outer == face.outer; });
+      if (same == textured_parts.end()) {
+        joined.push_back(textured_face(face, render_supersampled(detailed, view_of(face, texel_m)).picture));
+      } else {
+        joined.push_back(std::move(textured[static_cast<std::size_t>(same - textured_parts.begin())]));
+        part = same + 1;
+      }
+    }
+    textured = std::move(joined);
+  }
+
+  std::uint64_t texels_of(std::span<const DerivedFace> faces) const {
+    std::uint64_t texels = 0;
+    for (const DerivedFace& derived : faces) {
+      const View view = view_of(derived.face, texel_m);
+      texels += std::uint64_t{view.columns} * view.rows;
+    }
+    return texels;
   }
 
   // Rails with the area of the railing's bars hide as much of what is behind them. Returns false if the face is no

@@ -208,10 +208,9 @@ Json encoded_primitive(GlbBuilder& f, const Primitive& front, const impostor::Cu
   return out;
 }
 
-// True if the target's reader may shade the primitive's faces. Positions that are packed are rounded, so that faces
-// lean.
+// True if the target's reader may shade the primitive's faces. Codecs round positions again, so that faces lean.
 bool may_lack_normals(const GlbBuilder& f, const Primitive& p, const impostor::Cutout* cutout) {
-  if (!values_of(f.options.target).shades_flat || f.options.compression > Compression::kLean) return false;
+  if (!values_of(f.options.target).shades_flat || f.options.compression > Compression::kQuantize) return false;
   const MaterialKey key = material_key_of(f, p, cutout);
   return !key.has_backs && normals_of(f, key) == nullptr;
 }
