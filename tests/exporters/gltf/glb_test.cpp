@@ -39,6 +39,21 @@ TEST(Glb, TextureCoordinatesAreInUnitsOfTheImageWithoutATransform) {
   }
 }
 
+TEST(Glb, WhiteColoursAreLeftOut) {
+  BakedTile tile = made_tile(1);
+  bake::Primitive& first = tile.primitives.front();
+  std::ranges::fill(first.colours, materials::kNoTint);
+  const auto has_colours = [&] {
+    return gltf_of(tile, kNodes)["meshes"][0]["primitives"][0]["attributes"].contains("COLOR_0");
+  };
+  EXPECT_FALSE(has_colours());
+  const auto back = decoded(encoded(tile, kNodes));
+  ASSERT_TRUE(back) << refusal(back);
+  EXPECT_EQ(*back, tile);
+  first.colours.back() = {254, 255, 255, 255};
+  EXPECT_TRUE(has_colours());
+}
+
 TEST(Glb, BothWaysOfInstancingAreOneTile) {
   const auto with_extension = decoded(encoded(made_tile(1), kExtension)),
              with_nodes = decoded(encoded(made_tile(1), kNodes));
