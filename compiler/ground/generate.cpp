@@ -135,9 +135,11 @@ Partition partition_along(const Reference& reference, std::span<const Border> wh
 SplitBorders split_finely(const Reference& reference, std::span<const Border> borders,
                           std::span<const FaceHeight> heights, const HeightTolerances& tolerances, const Boxes& finer) {
   std::vector<Border> sorted(borders.begin(), borders.end());
-  const auto near = std::ranges::stable_partition(
-      sorted, [&](const Border& border) { return border.is_cell_border || !any_touches(finer, border); });
-  const std::span<const Border> far(sorted.begin(), near.begin());
+  const auto first_near = std::stable_partition(sorted.begin(), sorted.end(), [&](const Border& border) {
+    return border.is_cell_border || !any_touches(finer, border);
+  });
+  const std::span<const Border> far(sorted.begin(), first_near);
+  const std::span<const Border> near(first_near, sorted.end());
   SplitBorders bent = split_borders(reference, far, heights, tolerances.cell_border_m, tolerances.borders_m);
   const SplitBorders fine =
       split_borders(reference, near, heights, tolerances.cell_border_m, tolerances.borders_m / kFinestBorders);
