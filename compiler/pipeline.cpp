@@ -317,6 +317,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   timer.enter("sort into tiles");
   const Result<scene::Header> header = header_with_texts(*around, spec, *standing, *tables);
   if (!header) return header.error();
+  const std::span<const lots::Yard> yard_recipes = yards ? yards->recipes : std::span<const lots::Yard>{};
   scene::Scene scene = scene::assemble({.heights = heights,
                                         .buildings = buildings,
                                         .bridges = structures.bridges,
@@ -336,6 +337,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
                                         .woods = plants.woods,
                                         .plantings = plants.plantings,
                                         .corridors = plants.corridors,
+                                        .yards = yard_recipes,
                                         .texts = map.texts},
                                        *header, spec.only, spec.threads);
   map::remove_diagnoses_outside(osm, plane, features.extent, report);

@@ -158,8 +158,8 @@ struct FacadeBuilder {
     std::vector<TexturedFace> joined;
     auto part = textured_parts.begin();
     for (const auto& [face, distance_m] : faces) {
-      const auto same =
-          std::find_if(part, textured_parts.end(), [&](const auto& p) { return p.face.outer == face.outer; });
+      const auto same = std::find_if(part, textured_parts.end(),
+                                     [&, &outer = face.outer](const auto& p) { return p.face.outer == outer; });
       if (same == textured_parts.end()) {
         joined.push_back(textured_face(face, render_supersampled(detailed, view_of(face, texel_m)).picture));
       } else {

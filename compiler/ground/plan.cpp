@@ -15,21 +15,21 @@ std::uint32_t whole_m2(double area_m2) {
   return static_cast<std::uint32_t>(std::min(std::floor(area_m2 + 0.5), 4.0e9));
 }
 
-LandCoverPolygon area_surface(const map::AreaFeature& area) {
+}  // namespace
+
+LandCoverPolygon surface_of(const map::AreaFeature& area) {
   LandCoverPolygon surface{
       .id = area.id, .surface = area.surface, .area_m2 = whole_m2(area.area_m2), .rings = {area.polygon.outer}};
   surface.rings.insert(surface.rings.end(), area.polygon.holes.begin(), area.polygon.holes.end());
   return surface;
 }
 
-}  // namespace
-
 std::vector<LandCoverPolygon> plan(const map::FeatureView& features, Report& report) {
   std::vector<LandCoverPolygon> surfaces;
   Account account;
   for (const map::AreaFeature& area : features.areas) {
     account.in += report.counts(area.id.osm), account.out += report.counts(area.id.osm);
-    surfaces.push_back(area_surface(area));
+    surfaces.push_back(surface_of(area));
   }
   report.account("ground", "area") = account;
   return with_contained_on_top(std::move(surfaces));

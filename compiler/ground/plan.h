@@ -14,6 +14,9 @@
 
 namespace citykiln::ground {
 
+/// Returns the polygon of an area, without a raised priority.
+LandCoverPolygon surface_of(const map::AreaFeature& area);
+
 /// Returns mapped areas as polygons, sorted by id. Polygons of roads, watercourses and buildings come from their own
 /// recipes. Ledger "ground/area".
 std::vector<LandCoverPolygon> plan(const map::FeatureView& features, Report& report);

@@ -1,55 +1,34 @@
 #include "compiler/lots/add_yards.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <utility>
 
 #include "compiler/contract/derived_id.h"
-#include "compiler/contract/random_sequence.h"
 #include "compiler/contract/system/for_each_slot.h"
 #include "compiler/geometry/polygons/centroid.h"
 #include "compiler/geometry/segment.h"
-#include "compiler/geometry/snap.h"
 #include "compiler/lots/border_yards.h"
+#include "compiler/lots/draw_yard.h"
+#include "compiler/lots/lay_yard.h"
 
 namespace citykiln::lots {
 namespace {
 
-using map::BarrierKind;
-
-// Plants trees and shrubs in yards.
-
-// A plant of a yard.
-struct YardPlant {
-  Vec2 at;  ///< Snapped.
-  bool is_shrub = false;
-  double height_m = 0;  ///< 0: as usual for its species.
-};
-
 // The most plants of a yard. Squares are filled row by row from the south; beyond that, the north stays empty.
 constexpr std::size_t kMostPlants = 48;
-constexpr double kSquare_m = 4, kMostMoved_m = 1.2;
 constexpr double kTreeToWall_m = 3, kShrubToWall_m = 2, kToWay_m = 1, kToBorder_m = 0.75, kToTree_m = 2;
+// The part of an entrance's id: the last one of a yard.
+constexpr std::uint32_t kEntrancePart = kPartsOfYard - 1;
 
-// Shrubs of gardens, as they are kept.
-constexpr double kLeastShrub_m = 0.75, kHighestShrub_m = 1.75;
-
-// Draws of one square: their first index follows from the square, within the lot.
-constexpr std::uint32_t kDraws = 4, kFirstDraw = 16;
-
+// Decides which plants of a yard stand.
 struct Planter {
-  const Lot& lot;
-  const YardRule& rule;
-  std::span<const map::Barrier> barriers;
+  const Polygon& lot;
+  std::span<const Polyline> barriers;
   const BorderObstacles& obstacles;
-
-  map::LandCoverClass surface_at(Vec2 p) const {
-    const bool is_front = rule.front != rule.rear && lot.frame.local(p).y <= lot.setback_m;
-    return is_front ? rule.front : rule.rear;
-  }
 
   bool is_off_ways(Vec2 p) const {
     const MappedThings& mapped = obstacles.mapped;
@@ -60,17 +39,14 @@ struct Planter {
 
   bool is_off_barriers(Vec2 p) const {
     return clearance_m(obstacles.mapped.barriers, p, kToBorder_m) >= kToBorder_m &&
-           std::ranges::none_of(barriers, [&](const map::Barrier& barrier) {
-             return distance_to_polyline(barrier.axis, p) < kToBorder_m;
-           });
+           std::ranges::none_of(barriers,
+                                [&](const Polyline& axis) { return distance_to_polyline(axis, p) < kToBorder_m; });
   }
 
   bool is_place(Vec2 p, bool is_shrub) const {
     const MappedThings& mapped = obstacles.mapped;
     const double to_wall_m = is_shrub ? kShrubToWall_m : kTreeToWall_m;
-    return contains(lot.parcel.polygon, p) && is_planted(surface_at(p)) &&
-           distance_to_ring(lot.parcel.polygon.outer, p) >= kToBorder_m &&
-           clearance_m(mapped.walls, p, to_wall_m) >= to_wall_m && !is_inside_any(mapped.buildings, p) &&
+    return clearance_m(mapped.walls, p, to_wall_m) >= to_wall_m && !is_inside_any(mapped.buildings, p) &&
            !is_inside_any(mapped.pools, p) && is_off_ways(p) && is_off_barriers(p) &&
            clearance_m(mapped.wires, p, 0.25) > 0 && clearance_m(mapped.junction_zones, p, 0.25) > 0 &&
            !is_inside_any(mapped.corners, p) && clearance_m(mapped.trees, p, kToTree_m) >= kToTree_m;
@@ -78,79 +54,41 @@ struct Planter {
 
   bool has_mapped_tree() const {
     const Capsules& trees = obstacles.mapped.trees;
-    return !trees.all.empty() &&
-           std::ranges::any_of(boxes_about(trees.grid, box_of(lot.parcel.polygon.outer)), [&](std::uint32_t i) {
-             return contains(lot.parcel.polygon, trees.all[i].a) || contains(lot.parcel.polygon, trees.all[i].b);
-           });
+    return !trees.all.empty() && std::ranges::any_of(boxes_about(trees.grid, box_of(lot.outer)), [&](std::uint32_t i) {
+      return contains(lot, trees.all[i].a) || contains(lot, trees.all[i].b);
+    });
   }
 };
 
-// A number of a square that does not depend on the lot's extent.
-std::uint32_t draw_index(std::int64_t column, std::int64_t row) {
-  const auto square = static_cast<std::uint32_t>((column & 0x3fff) << 14 | (row & 0x3fff));
-  return kFirstDraw + kDraws * square;
-}
-
-// Returns the plants of a yard: one candidate in the middle of each square of 4 m of a grid of the plane, moved at
-// random by up to 1.2 m, so that two are at least 1.6 m apart. A candidate is kept with the rule's density on lawn,
-// gravel and earth. It stands at least
+// Returns for each plant that the seed draws in a yard whether it stands. It does at least
 //
 // - 3 m (shrubs 2 m) from walls: a crown of 2 m reaches no roof, and eaves are at most 1.5 m wide;
-// - 1 m from pavements, paths and drives, 0.75 m from barriers and the lot's border, 2 m from mapped trees;
-// - outside of pools, of the corridors of wires (kClearOfWires_m) of the zones about junctions (kSight_m), and of
+// - 1 m from pavements, paths and drives, 0.75 m from barriers, 2 m from mapped trees;
+// - outside of pools, of the corridors of wires (kClearOfWires_m), of the zones about junctions (kSight_m), and of
 //   the surfaces of junctions and the outer corners of bends.
 // No trees stand where one is mapped in the lot.
-// @param barriers  The barriers of the lot (barriers_of()).
-// @param draw      The random numbers of the lot; indices from 16 on are used.
-std::vector<YardPlant> plants_of(const Lot& lot, const YardRule& rule, std::span<const map::Barrier> barriers,
-                                 const BorderObstacles& obstacles, const RandomSequence& draw) {
-  std::vector<YardPlant> plants;
-  const double per_square = (rule.trees + rule.shrubs) * kSquare_m * kSquare_m / 100;
-  if (per_square <= 0) return plants;
-  const Planter planter{lot, rule, barriers, obstacles};
+// @param yard  With its borders.
+std::vector<bool> standing_plants(const Yard& yard, const YardRule& rule, const BorderObstacles& obstacles,
+                                  std::uint64_t seed) {
+  const std::vector<BorderStep> steps = border_steps(yard.polygon.outer);
+  std::vector<Polyline> barriers;
+  for (const BorderRun& run : yard.borders) barriers.push_back(border_line(steps, run));
+  const Planter planter{yard.polygon, barriers, obstacles};
   const bool has_tree = planter.has_mapped_tree();
-  const Box2 box = box_of(lot.parcel.polygon.outer);
-  const auto first = [](double v) { return static_cast<std::int64_t>(std::floor(v / kSquare_m)); };
-  for (std::int64_t row = first(box.min.y); row <= first(box.max.y); ++row)
-    for (std::int64_t column = first(box.min.x); column <= first(box.max.x); ++column) {
-      const std::uint32_t index = draw_index(column, row);
-      const double kept = draw.unit(index);
-      if (kept >= per_square || plants.size() >= kMostPlants) continue;
-      const bool is_shrub = kept >= rule.trees * kSquare_m * kSquare_m / 100;
-      const Vec2 moved{draw.between(-kMostMoved_m, kMostMoved_m, index + 1),
-                       draw.between(-kMostMoved_m, kMostMoved_m, index + 2)};
-      const Vec2 at = snapped(
-          Vec2{(static_cast<double>(column) + 0.5) * kSquare_m, (static_cast<double>(row) + 0.5) * kSquare_m} + moved);
-      if ((!is_shrub && has_tree) || !planter.is_place(at, is_shrub)) continue;
-      const double height_m = is_shrub ? draw.between(kLeastShrub_m, kHighestShrub_m, index + 3) : 0;
-      plants.push_back({at, is_shrub, std::floor(height_m * 8) / 8});
-    }
-  return plants;
-}
-
-// Parts of ids of one building: areas and plants are numbered, barriers have room for pieces at the extent's border.
-constexpr std::uint32_t kPartsOfBuilding = 256, kPartsOfBarrier = 4, kEntrancePart = 255;
-
-// The name that rows of bays have in pitches/pitches.inc.
-constexpr const char* kBays = "parking";
-
-double width_of(BarrierKind kind) {
-  switch (kind) {
-    case BarrierKind::kHedge:
-      return 0.625;
-    case BarrierKind::kWall:
-      return 0.25;
-    default:
-      return 0.125;
+  std::vector<bool> standing;
+  std::size_t count = 0;
+  for (const YardPlant& plant : plants_drawn(yard, rule, seed)) {
+    const bool is_wanted = count < kMostPlants && (plant.is_shrub || !has_tree);
+    standing.push_back(is_wanted && planter.is_place(plant.at, plant.is_shrub));
+    count += standing.back();
   }
+  return standing;
 }
 
-// The yard of one lot.
-struct Yard {
-  YardGround ground;
-  std::vector<map::Barrier> barriers{};
-  std::vector<YardPlant> plants{};
-};
+bool is_arid(climate::ClimateClass climate) {
+  using enum climate::ClimateClass;
+  return climate == kBSh || climate == kBSk || climate == kBWh || climate == kBWk;
+}
 
 Capsules street_fronts(const std::vector<parcels::Line>& lines) {
   std::vector<Capsule> strips;
@@ -176,67 +114,66 @@ struct YardMaker {
   const MapLand land;
   const std::vector<Lot> lots;
   const MappedThings mapped;
-  std::vector<std::optional<YardRule>> rules{};
+  std::vector<std::optional<YardRule>> rules{};  // one for each lot, as `made` has
 
-  RandomSequence draw_of(const Lot& lot) const {
-    return {inputs.seed, stable_id(features.footprints[lot.main].id), "yard"};
+  // The yard of a lot without what stands and lies on it.
+  Yard empty_yard(const Lot& lot) const {
+    return {.building = features.footprints[lot.main].id,
+            .country = lot.country,
+            .kind = lot.kind,
+            .is_arid = is_arid(lot.climate),
+            .polygon = lot.parcel.polygon,
+            .frame = lot.frame,
+            .setback_m = lot.setback_m};
   }
 
+  std::optional<YardRule> rule_for(const Yard& yard) const {
+    const Box2 box = box_of(yard.polygon.outer);
+    const bool is_fit = !box.is_empty() && std::max(box.width(), box.height()) <= kLargestYard_m;
+    return is_fit ? rule_of(yard, inputs.seed) : std::nullopt;
+  }
+
+  // One yard for each lot; those without a rule stay empty.
   std::vector<Yard> yards() {
-    for (const Lot& lot : lots) rules.push_back(rule_for(lot, draw_of(lot)));
-    auto yards = for_each_slot<Yard>(lots.size(), inputs.threads, [&](std::size_t i) {
-      return rules[i] ? Yard{.ground = lay_yard(features, lots[i], *rules[i], mapped)} : Yard{};
+    std::vector<Yard> made;
+    for (const Lot& lot : lots) rules.push_back(rule_for(made.emplace_back(empty_yard(lot))));
+    for_each_index(lots.size(), inputs.threads, [&](std::size_t i) {
+      if (!rules[i]) return;
+      YardLayout layout = lay_yard(features, lots[i], *rules[i], mapped);
+      made[i].strips = std::move(layout.strips), made[i].has_bays = layout.has_bays;
     });
     std::vector<Capsule> openings;
-    for (const Yard& yard : yards)
-      openings.insert(openings.end(), yard.ground.openings.begin(), yard.ground.openings.end());
+    for (const Yard& yard : made)
+      for (const Capsule& opening : openings_of(yard)) openings.push_back(opening);
     const BorderObstacles obstacles{mapped, index_capsules(std::move(openings)), street_fronts(land.land.lines)};
     const SharedEdges edges = index_edges(lots);
     for_each_index(lots.size(), inputs.threads, [&](std::size_t i) {
       if (!rules[i]) return;
-      yards[i].barriers = barriers_of(static_cast<std::uint32_t>(i), lots, rules, edges, obstacles);
-      yards[i].plants = plants_of(lots[i], *rules[i], yards[i].barriers, obstacles, draw_of(lots[i]));
+      made[i].borders = borders_of(static_cast<std::uint32_t>(i), lots, rules, edges, obstacles);
+      made[i].plants = standing_plants(made[i], *rules[i], obstacles, inputs.seed);
     });
-    return yards;
+    return made;
   }
 };
 
-struct YardAdder {
-  Yards& yards;
+template <typename Feature>
+void append(std::vector<Feature>& all, std::vector<Feature>&& more) {
+  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
 
-  void add(const Lot& lot, const Yard& yard) {
-    const ObjectId building = yards.footprints[lot.main].id;
-    const auto id_of = [&](std::uint32_t n) { return derived_id(building, kPartsOfBuilding, n); };
-    std::uint32_t part = 0;
-    for (const YardArea& area : yard.ground.areas) {
-      const ObjectId id = id_of(part++);
-      yards.areas.push_back(
-          {.id = id, .polygon = area.polygon, .surface = area.surface, .area_m2 = area_m2(area.polygon)});
-      if (area.has_bays) yards.sports_areas.push_back({id, kBays});
-    }
-    part = 0;
-    for (std::size_t i = 0; i < yard.barriers.size() && i < kPartsOfBuilding / kPartsOfBarrier; ++i) {
-      const map::Barrier& barrier = yard.barriers[i];
-      yards.barriers.push_back({.id = id_of(part),
-                                .axis = barrier.axis,
-                                .kind = barrier.kind,
-                                .height_m = barrier.height_m,
-                                .width_m = width_of(barrier.kind)});
-      part += kPartsOfBarrier;
-    }
-    part = 0;
-    for (const YardPlant& plant : yard.plants) {
-      const map::PlantKind kind = plant.is_shrub ? map::PlantKind::kBush : map::PlantKind::kUnknown;
-      yards.points.push_back({.id = id_of(part++),
-                              .at = plant.at,
-                              .kind = map::PointKind::kTree,
-                              .height_m = plant.height_m,
-                              .plant_tags = {.kind = kind}});
-    }
-    if (wants_entrance(lot, yards.footprints[lot.main]))
-      yards.points.push_back({.id = id_of(kEntrancePart), .at = lot.door->at, .kind = map::PointKind::kEntrance});
-  }
-};
+// Adds the features of a lot's yard, and its recipe.
+void add_yard(const Lot& lot, Yard&& yard, std::uint64_t seed, Yards& yards) {
+  DrawnYard drawn = draw_yard(yard, seed);
+  append(yards.areas, std::move(drawn.areas)), append(yards.sports_areas, std::move(drawn.bays));
+  append(yards.barriers, std::move(drawn.barriers)), append(yards.points, std::move(drawn.plants));
+  map::Footprint& main = yards.footprints[lot.main];
+  if (wants_entrance(lot, main))
+    yards.points.push_back({.id = derived_id(main.id, kPartsOfYard, kEntrancePart),
+                            .at = lot.door->at,
+                            .kind = map::PointKind::kEntrance});
+  main.assumed |= bit_of(Assumption::kYards);
+  yards.recipes.push_back(std::move(yard));
+}
 
 // Car parks without mapped lanes have bays.
 void add_bays(const MappedThings& mapped, Yards& yards, Report& report) {
@@ -278,20 +215,18 @@ Yards with_yards(const map::FeatureView& features, const LotInputs& inputs, Repo
   std::vector<Lot> lots = lots_on(features, land, inputs);
   YardMaker maker{features, inputs, std::move(land), std::move(lots),
                   mapped_things(features, inputs.roads, inputs.junctions, inputs.private_ways)};
-  const std::vector<Yard> made = maker.yards();
+  std::vector<Yard> made = maker.yards();
   Yards yards{.footprints = {features.footprints.begin(), features.footprints.end()},
               .areas = {features.areas.begin(), features.areas.end()},
               .sports_areas = {features.sports_areas.begin(), features.sports_areas.end()},
               .barriers = {features.barriers.begin(), features.barriers.end()},
-              .points = {features.points.begin(), features.points.end()}};
-  YardAdder adder{yards};
+              .points = {features.points.begin(), features.points.end()},
+              .recipes = {}};
   for (std::size_t i = 0; i < made.size(); ++i) {
     const Lot& lot = maker.lots[i];
     if (!maker.rules[i] || !is_in_extent(features, lot)) continue;
-    adder.add(lot, made[i]);
-    map::Footprint& main = yards.footprints[lot.main];
-    main.assumed |= bit_of(Assumption::kYards);
-    report.count_assumed(Assumption::kYards, main.id.osm);
+    report.count_assumed(Assumption::kYards, made[i].building.osm);
+    add_yard(lot, std::move(made[i]), inputs.seed, yards);
   }
   add_bays(maker.mapped, yards, report);
   std::ranges::stable_sort(yards.areas, {}, &map::AreaFeature::id);

@@ -25,6 +25,7 @@ struct Yards {
   std::vector<map::SportsArea> sports_areas;
   std::vector<map::Barrier> barriers;
   std::vector<map::PointFeature> points;
+  std::vector<Yard> recipes;  ///< What areas, barriers and plants of yards were drawn from; sorted by building.
 };
 
 /// Returns the features with the lists of `yards` in place of theirs. The result refers to `yards`, which must outlive
@@ -41,8 +42,9 @@ map::FeatureView seen_with(map::FeatureView features, const Yards& yards);
 /// these mapped car parks are counted in the report as assumed.
 ///
 /// Nothing is added over mapped land that is finer than land use, since such land is in no lot; surfaces of yards have
-/// lower priorities than it. No mapped feature is changed, but for the mark. The result does not depend on the order of
-/// features. Cannot fail. Cost: that of parcels::divide() and plan_lots(), plus O(n log n).
+/// lower priorities than it. Yards are what draw_yard() draws of `recipes`, but for entrances and for bays of mapped
+/// car parks. No mapped feature is changed, but for the mark. The result does not depend on the order of features.
+/// Cannot fail. Cost: that of parcels::divide() and plan_lots(), plus O(n log n).
 Yards with_yards(const map::FeatureView& features, const LotInputs& inputs, Report& report);
 
 }  // namespace citykiln::lots

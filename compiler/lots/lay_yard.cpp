@@ -5,8 +5,8 @@
 #include <functional>
 #include <utility>
 
-#include "compiler/geometry/polygons/clip_polygon.h"
 #include "compiler/geometry/snap.h"
+#include "compiler/lots/draw_yard.h"
 #include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::lots {
@@ -16,10 +16,8 @@ using map::BuildingClass;
 
 // Paths and drives begin below the pavement.
 constexpr double kBelowPavement_m = 0.25;
-// The front yard ends a little behind the front wall, below the house.
-constexpr double kBehindFront_m = 0.25;
-// Front yards narrower than this are not seen beside the pavement, or have no path.
-constexpr double kLeastSeen_m = 0.3125, kLeastFront_m = 0.75;
+// Narrower front yards have no path.
+constexpr double kLeastFront_m = 0.75;
 // From the wall of a side door to the path along the house.
 constexpr double kBesideHouse_m = 1.25;
 // A path ends below the wall.
@@ -38,40 +36,22 @@ constexpr double kLeastGarage_m2 = 12, kLargestGarage_m2 = 60;
 // Private ways and car parks count as the lot's if they lie in it, or touch its border within this distance.
 constexpr double kTouchesLot_m = 1;
 
-// The part of a polygon with y below a limit in the frame.
-std::vector<Polygon> part_below(const Polygon& polygon, const Frame& frame, double limit_m) {
-  std::vector<Ring> rings;
-  for (const Ring* ring : rings_of(polygon)) {
-    Ring clipped;
-    for (std::size_t i = 0; i < ring->size(); ++i) {
-      const Vec2 a = (*ring)[i], b = (*ring)[(i + 1) % ring->size()];
-      const double ya = frame.local(a).y - limit_m, yb = frame.local(b).y - limit_m;
-      if (ya <= 0) clipped.push_back(a);
-      if ((ya < 0) != (yb < 0) && ya != yb) clipped.push_back(snapped(a + (b - a) * (ya / (ya - yb))));
-    }
-    if (Ring clean = without_repeats(clipped); clean.size() >= 3) rings.push_back(std::move(clean));
-  }
-  return united(rings);
-}
-
-// The rectangle about a segment.
-Polygon strip_about(Vec2 a, Vec2 b, double width_m) {
-  const Vec2 aside = left_of(unit(b - a)) * (width_m / 2);
-  return {.outer = {snapped(a - aside), snapped(b - aside), snapped(b + aside), snapped(a + aside)}, .holes = {}};
-}
+// A place in the frame on the grid of recipes.
+Vec2 on_grid(Vec2 p) { return snapped_to(kYardStep_m, p); }
 
 struct YardLayer {
   const map::FeatureView& features;
   const Lot& lot;
   const YardRule& rule;
   const MappedThings& mapped;
-  YardGround ground{};
+  const Frame frame = frame_at(lot.frame);
+  YardLayout layout{};
 
   bool is_in_lot(Vec2 p) const { return contains(lot.parcel.polygon, p); }
 
-  // True if a place of a path or drive is free. Places before y = 0 lie below the pavement.
+  // True if a place of a path or drive is free. It may lie below the pavement.
   bool is_free(Vec2 p) const {
-    if (lot.frame.local(p).y > kBelowPavement_m && !is_in_lot(p)) return false;
+    if (frame.local(p).y > kUnderPavement_m && !is_in_lot(p)) return false;
     return !is_inside_any(mapped.buildings, p) && !is_inside_any(mapped.pools, p) &&
            clearance_m(mapped.barriers, p, kClearOfMapped_m) >= kClearOfMapped_m &&
            clearance_m(mapped.trees, p, kClearOfMapped_m) >= kClearOfMapped_m;
@@ -86,7 +66,7 @@ struct YardLayer {
     for (int i = steps; i >= 0; --i)
       for (const double share : {-0.5, 0.0, 0.5}) {
         const Vec2 p = a + along * (length * i / steps) + aside * (width_m * share);
-        if (!is_free(lot.frame.plane(p))) return false;
+        if (!is_free(frame.plane(p))) return false;
       }
     return true;
   }
@@ -111,53 +91,28 @@ struct YardLayer {
     return false;
   }
 
-  void add(map::LandCoverClass surface, Polygon polygon) {
-    if (signed_area_m2(polygon.outer) < 0) std::ranges::reverse(polygon.outer);
-    if (polygon.outer.size() >= 3) ground.areas.push_back({surface, std::move(polygon)});
-  }
-
-  void add_strip(map::LandCoverClass surface, Vec2 a, Vec2 b, double width_m) {
-    const Vec2 from = lot.frame.plane(a), to = lot.frame.plane(b);
-    add(surface, strip_about(from, to, width_m));
-    ground.openings.push_back({from, to, width_m / 2});
-  }
+  void add_strip(bool is_drive, Vec2 from, Vec2 to) { layout.strips.push_back({is_drive, on_grid(from), on_grid(to)}); }
 
   bool has_bays() const {
     const bool has_customers = lot.kind == LotKind::kShop || lot.kind == LotKind::kWorks;
     return has_customers && lot.setback_m >= kBaysDepth_m && !touches_lot(mapped.parking);
   }
 
-  void lay_surfaces() {
-    add(rule.rear, lot.parcel.polygon);
-    const bool is_with_bays = has_bays();
-    if ((rule.front == rule.rear && !is_with_bays) || lot.setback_m < kLeastSeen_m) return;
-    for (Polygon& part : part_below(lot.parcel.polygon, lot.frame, lot.setback_m + kBehindFront_m)) {
-      if (area_m2(part) < 1) continue;
-      add(rule.front, std::move(part));
-      ground.areas.back().has_bays = is_with_bays;
-    }
-  }
-
   void lay_path() {
     if (!lot.door || has_mapped_path()) return;
-    const Vec2 door = lot.frame.local(lot.door->at);
-    const Vec2 outward{dot(lot.door->outward, lot.frame.along), dot(lot.door->outward, lot.frame.inward)};
+    const Vec2 door = on_grid(frame.local(lot.door->at));
+    const Vec2 outward{dot(lot.door->outward, frame.along), dot(lot.door->outward, frame.inward)};
     if (door.y < kLeastFront_m) return;
-    const Vec2 on_wall = door - outward * kBelowWall_m, before = door + outward * kRoomStep_m;
+    const Vec2 before = door + outward * kRoomStep_m;
     const Vec2 aside = door + outward * kBesideHouse_m;
     // a door in the front leads straight to the street, one in a side first away from the wall
     const bool is_front = outward.y < -0.7;
     const Vec2 turn = is_front ? door : aside, street{turn.x, -kBelowPavement_m};
     if (turn.y < kLeastFront_m || !is_strip_free(is_front ? before : aside, street, kYardPath_m)) return;
-    if (is_front) return add_path(on_wall, street);
+    if (is_front) return add_strip(false, door + Vec2{0, kBelowWall_m}, street);
     if (outward.y > 0.7 || !is_strip_free(before, aside, kYardPath_m / 2)) return;
-    add_path(on_wall, aside + outward * (kYardPath_m / 2));
-    add_path(Vec2{aside.x, aside.y + kYardPath_m / 2}, street);
-  }
-
-  void add_path(Vec2 a, Vec2 b) {
-    add_strip(rule.path, a, b, kYardPath_m);
-    ground.has_path = true;
+    add_strip(false, door - outward * kBelowWall_m, aside + outward * (kYardPath_m / 2));
+    add_strip(false, {aside.x, aside.y + kYardPath_m / 2}, street);
   }
 
   bool is_garage(const map::Footprint& f) const {
@@ -172,11 +127,11 @@ struct YardLayer {
     for (const std::uint32_t f : lot.footprints) {
       if (f == lot.main || !is_garage(features.footprints[f])) continue;
       Box2 box;
-      for (const Vec2 p : features.footprints[f].polygon.outer) box.grow(lot.frame.local(p));
+      for (const Vec2 p : features.footprints[f].polygon.outer) box.grow(frame.local(p));
       const Vec2 to{box.centre().x, box.min.y};
       const double test_m = to.y - kBesideDrive_m;
       if (test_m < 1 || !is_strip_free({to.x, -kBelowPavement_m}, {to.x, test_m}, kDriveWidth_m)) continue;
-      add_strip(rule.drive, {to.x, -kBelowPavement_m}, {to.x, to.y + kBelowWall_m}, kDriveWidth_m);
+      add_strip(true, {to.x, to.y + kBelowWall_m}, {to.x, -kBelowPavement_m});
       return true;
     }
     return false;
@@ -185,7 +140,7 @@ struct YardLayer {
   // The place across the lot, farthest from another one, at which a drive up to `end_m` is free.
   std::optional<double> drive_place(double end_m, Vec2 away_from) const {
     Box2 box;
-    for (const Vec2 p : lot.parcel.polygon.outer) box.grow(lot.frame.local(p));
+    for (const Vec2 p : lot.parcel.polygon.outer) box.grow(frame.local(p));
     std::vector<double> places;
     for (double x = std::floor(box.min.x / kRoomStep_m) * kRoomStep_m; x <= box.max.x; x += kRoomStep_m)
       places.push_back(x);
@@ -197,34 +152,29 @@ struct YardLayer {
 
   void lay_drive() {
     if (!rule.has_drive || touches_lot(mapped.drives) || touches_lot(mapped.parking)) return;
-    if (lay_drive_to_garage()) {
-      ground.has_drive = true;
-      return;
-    }
+    if (lay_drive_to_garage()) return;
     Box2 house;
-    for (const Vec2 p : features.footprints[lot.main].polygon.outer) house.grow(lot.frame.local(p));
+    for (const Vec2 p : features.footprints[lot.main].polygon.outer) house.grow(frame.local(p));
     const double past_m = lot.setback_m + std::min(kPastFront_m, house.height());
     std::optional<double> at = drive_place(past_m, house.centre());
     double end_m = past_m;
     if (!at && lot.setback_m >= kCarLength_m) {
       end_m = lot.setback_m - kBesideDrive_m;
-      at = drive_place(end_m, lot.door ? lot.frame.local(lot.door->at) : house.centre());
+      at = drive_place(end_m, lot.door ? frame.local(lot.door->at) : house.centre());
     }
-    if (!at) return;
-    add_strip(rule.drive, {*at, -kBelowPavement_m}, {*at, end_m}, kDriveWidth_m);
-    ground.has_drive = true;
+    if (at) add_strip(true, {*at, end_m}, {*at, -kBelowPavement_m});
   }
 };
 
 }  // namespace
 
-YardGround lay_yard(const map::FeatureView& features, const Lot& lot, const YardRule& rule,
+YardLayout lay_yard(const map::FeatureView& features, const Lot& lot, const YardRule& rule,
                     const MappedThings& mapped) {
   YardLayer layer{features, lot, rule, mapped};
-  layer.lay_surfaces();
+  layer.layout.has_bays = layer.has_bays();
   layer.lay_path();
   layer.lay_drive();
-  return std::move(layer.ground);
+  return std::move(layer.layout);
 }
 
 }  // namespace citykiln::lots

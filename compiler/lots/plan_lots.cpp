@@ -13,6 +13,7 @@
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/polygons/centroid.h"
 #include "compiler/geometry/segment.h"
+#include "compiler/lots/coarse_outlines.h"
 #include "compiler/lots/land_use.h"
 #include "compiler/map/buildings/building_classes.h"
 
@@ -213,22 +214,31 @@ struct LotPlanner {
     lot.main = main_of(lot.footprints);
     const map::Footprint& main = features.footprints[lot.main];
     const Vec2 middle = centroid(main.polygon);
-    const std::optional<Frame> frame = frame_of(parcel.frontage, land.land.lines[parcel.frontage.line], middle);
-    if (!frame) return std::nullopt;
+    const std::optional<Frame> at_street = frame_of(parcel.frontage, land.land.lines[parcel.frontage.line], middle);
+    if (!at_street) return std::nullopt;
+    lot.frame = place_of(*at_street);
+    const Frame frame = frame_at(lot.frame);
     const Ring& ring = main.polygon.outer;
     const bool is_attached = shared_length_m(walls, lot.main, ring) >= kLeastShared_m;
-    lot.frame = *frame;
     lot.kind = kind_of_lot(main, land_use_at(uses, middle), is_attached);
     lot.country = main.country;
     lot.climate = climate_at(middle);
     lot.setback_m = std::numeric_limits<double>::infinity();
-    for (const Vec2 p : ring) lot.setback_m = std::min(lot.setback_m, frame->local(p).y);
-    lot.setback_m = std::max(0.0, lot.setback_m);
-    lot.door = mapped_door(ring, *frame, doors);
-    if (!lot.door) lot.door = door_to_front(lot.main, ring, *frame, walls);
+    for (const Vec2 p : ring) lot.setback_m = std::min(lot.setback_m, frame.local(p).y);
+    lot.setback_m = std::max(0.0, std::floor(lot.setback_m / kYardStep_m) * kYardStep_m);
+    lot.door = mapped_door(ring, frame, doors);
+    if (!lot.door) lot.door = door_to_front(lot.main, ring, frame, walls);
     return lot;
   }
 };
+
+// Gives all lots coarse outlines.
+void coarsen(std::vector<Lot>& lots) {
+  std::vector<Polygon> outlines;
+  for (Lot& lot : lots) outlines.push_back(std::move(lot.parcel.polygon));
+  outlines = coarse_outlines(outlines);
+  for (std::size_t i = 0; i < lots.size(); ++i) lots[i].parcel.polygon = std::move(outlines[i]);
+}
 
 }  // namespace
 
@@ -271,6 +281,7 @@ std::vector<Lot> plan_lots(const map::FeatureView& features, const MapLand& land
   for (std::optional<Lot>& slot : slots)
     if (slot) lots.push_back(std::move(*slot));
   std::ranges::sort(lots, {}, [&](const Lot& lot) { return features.footprints[lot.main].id; });
+  coarsen(lots);
   return lots;
 }
 

@@ -1,12 +1,5 @@
-// Describes lots with buildings: the kind, frontage, frame and door of each lot that parcels/divide.h made.
-//
-//        rear            y ▲      x runs along the street, y away from it, from kUnderPavement_m inside the pavement
-//     ┌─────────┐          │
-//     │  ┌───┐  │          │
-//     │  │   │  │ setback_m ┤
-//     │  └─D─┘  │          │      D the door: a mapped entrance, else the middle of the wall nearest to the street
-//     │frontage │          └────► x
-//    ═╧═════════╧═ street
+// Describes lots with buildings: the kind, frontage, frame and door of each lot that parcels/divide.h made. recipe.h
+// has a picture of the frame.
 #pragma once
 
 #include <cstdint>
@@ -18,40 +11,19 @@
 
 #include "compiler/climate/climate_class.h"
 #include "compiler/lots/land_of.h"
+#include "compiler/lots/recipe.h"
 #include "compiler/map/features.h"
 #include "compiler/parcels/parcels.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::lots {
 
-/// The kind of a lot, by land use and its main building. The order is that of outputs.
-enum class LotKind : std::uint8_t {
-  kDetached,    ///< A house that touches no other.
-  kRow,         ///< A house in a row, or one half of two.
-  kApartments,  ///< An apartment house that stands free.
-  kPerimeter,   ///< A house of several storeys in a closed row of a block.
-  kShop,        ///< Shops, offices, hotels.
-  kWorks,       ///< Industry.
-  kPublic,      ///< Churches, schools, public buildings.
-  kNone,        ///< Others, such as garages and barns: no yard is assumed.
-  kCount
-};
-
 /// The name of a kind, such as "detached".
 std::string_view name_of(LotKind kind);
 
-/// The frame of a lot: see the picture above. Its x axis has the direction of the line's axis, so that the frame is
-/// left-handed for lots on the right side of the line. The origin is the point of the frontage that is nearest to the
-/// centroid of the main building.
-struct Frame {
-  Vec2 origin;         ///< In metres of the plane.
-  Vec2 along, inward;  ///< The directions of x and y, unit vectors.
-  Vec2 local(Vec2 p) const { return {dot(p - origin, along), dot(p - origin, inward)}; }
-  Vec2 plane(Vec2 p) const { return origin + along * p.x + inward * p.y; }
-};
-
 /// Returns the frame at the place of a frontage that is nearest to the point `to`; nothing if no segment of the line
-/// has a length.
+/// has a length. Its origin lies kUnderPavement_m inside the pavement, and its x axis has the direction of the line's
+/// axis: it is left-handed on the right side of the line.
 /// @param line  The line that the frontage lies along.
 std::optional<Frame> frame_of(const parcels::Frontage& frontage, const parcels::Line& line, Vec2 to);
 
@@ -64,14 +36,14 @@ struct Door {
 
 /// A lot with buildings.
 struct Lot {
-  parcels::Lot parcel;
+  parcels::Lot parcel;  ///< Its polygon has a coarse outline (coarse_outlines.h), and may be empty.
   LotKind kind{};
   map::CountryGroup country{};
   climate::ClimateClass climate{};
   std::uint32_t main = 0;                   ///< The main building: an index into Features::footprints.
   std::vector<std::uint32_t> footprints{};  ///< All buildings, as such indices.
-  Frame frame{};
-  double setback_m = 0;  ///< The y of the main building's point nearest to the street, at least 0.
+  FramePlace frame{};    ///< At the point of the frontage that is nearest to the centroid of the main building.
+  double setback_m = 0;  ///< The y of the main building's point nearest to the street, as in Yard.
   std::optional<Door> door{};
 };
 

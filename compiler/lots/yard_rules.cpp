@@ -62,11 +62,6 @@ const YardRow* drawn_row(CountryGroup group, LotKind kind, std::uint32_t drawn) 
   return nullptr;
 }
 
-bool is_arid(climate::ClimateClass climate) {
-  using enum climate::ClimateClass;
-  return climate == kBSh || climate == kBSk || climate == kBWh || climate == kBWk;
-}
-
 }  // namespace
 
 bool is_planted(LandCoverClass surface) {
@@ -74,12 +69,15 @@ bool is_planted(LandCoverClass surface) {
          surface == LandCoverClass::kEarthYard;
 }
 
-std::optional<YardRule> rule_for(const Lot& lot, const RandomSequence& draw) {
-  CountryGroup group = lot.country;
-  if (weight_of(group, lot.kind) == 0) group = kAnywhere;
-  const std::uint32_t weight = weight_of(group, lot.kind);
+RandomSequence draws_of(const Yard& yard, std::uint64_t seed) { return {seed, stable_id(yard.building), "yard"}; }
+
+std::optional<YardRule> rule_of(const Yard& yard, std::uint64_t seed) {
+  const RandomSequence draw = draws_of(yard, seed);
+  CountryGroup group = yard.country;
+  if (weight_of(group, yard.kind) == 0) group = kAnywhere;
+  const std::uint32_t weight = weight_of(group, yard.kind);
   if (weight == 0) return std::nullopt;
-  const YardRow& row = *drawn_row(group, lot.kind, draw.below(weight, 0));
+  const YardRow& row = *drawn_row(group, yard.kind, draw.below(weight, 0));
   YardRule rule{.front = row.front,
                 .rear = row.rear,
                 .path = row.path,
@@ -89,7 +87,7 @@ std::optional<YardRule> rule_for(const Lot& lot, const RandomSequence& draw) {
                 .sides = row.sides,
                 .trees = row.trees,
                 .shrubs = row.shrubs};
-  if (!is_arid(lot.climate)) return rule;
+  if (!yard.is_arid) return rule;
   if (rule.front == LandCoverClass::kLawn && draw.unit(2) < 0.5) rule.front = LandCoverClass::kGravelYard;
   if (rule.rear == LandCoverClass::kLawn && draw.unit(3) < 0.5) rule.rear = LandCoverClass::kEarthYard;
   rule.trees /= 2, rule.shrubs /= 2;

@@ -5,7 +5,8 @@
 #include <optional>
 
 #include "compiler/contract/random_sequence.h"
-#include "compiler/lots/plan_lots.h"
+#include "compiler/lots/recipe.h"
+#include "compiler/map/features.h"
 
 namespace citykiln::lots {
 
@@ -23,12 +24,18 @@ struct YardRule {
   double trees = 0, shrubs = 0;  ///< On 100 m2 of soft ground.
 };
 
-/// Returns a rule drawn among the variants of the lot's group and kind, changed by its climate. In deserts and steppes
-/// a lawn has a chance of 1/2 to become gravel (in front) or earth (behind the house), and there are half as many trees
-/// and shrubs. Nothing for lots of kind kNone.
-///
-/// @param draw  The random numbers of the lot; indices 0 to 3 are used.
-std::optional<YardRule> rule_for(const Lot& lot, const RandomSequence& draw);
+/// Returns the rule of a barrier at a place.
+inline const BorderRule& border_at(const YardRule& rule, BorderPlace place) {
+  return place == BorderPlace::kElsewhere ? rule.sides : rule.street;
+}
+
+/// Returns the random numbers of a yard; indices 0 to 3 are those of its rule.
+RandomSequence draws_of(const Yard& yard, std::uint64_t seed);
+
+/// Returns a rule drawn among the variants of the yard's country group and kind, changed by its climate. In deserts and
+/// steppes a lawn has a chance of 1/2 to become gravel (in front) or earth (behind the house), and there are half as
+/// many trees and shrubs. Nothing for lots of kind kNone.
+std::optional<YardRule> rule_of(const Yard& yard, std::uint64_t seed);
 
 /// True for lawn, gravel and earth, on which plants grow.
 bool is_planted(map::LandCoverClass surface);

@@ -136,7 +136,8 @@ void keep_side(const Field& field, const Piece& own, Vec2 a, Vec2 b, std::vector
 
 // Appends a bisector of a piece and another one, where it is a border: no piece that is farther than both matters.
 void keep_bisector(const Field& field, const Piece& own, const Cut& bisector, std::vector<Cut>& cuts) {
-  const auto& [a, b] = bisector;
+  // names of their own: clang 14 captures no structured bindings
+  const Vec2 a = bisector.first, b = bisector.second;
   if (distance(a, b) < kLeastPart_m) return;
   std::vector<std::uint32_t> pieces = pieces_along(field, a, b);
   std::erase_if(pieces, [&](std::uint32_t i) {

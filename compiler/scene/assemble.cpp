@@ -191,6 +191,9 @@ ByTile tiles_of(const TileGrid& grid, std::span<const plants::TreeRow> rows) {
 ByTile tiles_of(const TileGrid& grid, std::span<const plants::PowerLineCorridor> corridors) {
   return by_segments(grid, corridors, [](const auto& c) { return std::optional(c.width_m / 2); });
 }
+ByTile tiles_of(const TileGrid& grid, std::span<const lots::Yard> yards) {
+  return by_touch(grid, yards, [](const lots::Yard& yard) { return citykiln::box_of(yard.polygon.outer); });
+}
 // Junctions are sorted by their polygons; woods and plantings are where their surfaces are.
 ByTile tiles_of(const TileGrid&, std::span<const roads::Junction>) { return {}; }
 ByTile tiles_of(const TileGrid&, std::span<const plants::Wood>) { return {}; }

@@ -13,6 +13,7 @@
 #include "compiler/climate/climate_field.h"
 #include "compiler/ground/landforms/recipe.h"
 #include "compiler/ground/recipe.h"
+#include "compiler/lots/recipe.h"
 #include "compiler/map/element_text.h"
 #include "compiler/map/plane/heightfield.h"
 #include "compiler/map/plane/plane.h"

@@ -5,10 +5,12 @@
 #include <type_traits>
 
 #include "compiler/map/element_text.h"
+#include "compiler/scene/yard_recipes.h"
 #include "exporters/kiln/building_codec.h"
 #include "exporters/kiln/member_codecs.h"
 #include "exporters/kiln/road_codec.h"
 #include "exporters/kiln/thing_codec.h"
+#include "exporters/kiln/yard_codec.h"
 
 // Writing and reading share their code: serialise() visits all fields of a chunk in order, and passes them to a Writer
 // or a Reader.
@@ -258,8 +260,17 @@ void heights(Io& io, map::Heightfield& h) {
   }
 }
 
+// The yards, and for each the gaps: what it draws but the chunk does not have.
+void yards(auto& io, scene::LeanChunk& lean) {
+  YardContext context{lean.chunk.buildings};
+  list(io, "yards", lean.chunk.yards, 0, [&](lots::Yard& yard) { serialise(io, yard, context); });
+  lean.left_out.resize(lean.chunk.yards.size());
+  for (std::vector<bool>& left_out : lean.left_out) bits(io, "yard gaps", "yard gap bits", left_out);
+}
+
 template <typename Io>
-void serialise(Io& io, Chunk& c) {
+void serialise(Io& io, scene::LeanChunk& lean) {
+  Chunk& c = lean.chunk;
   std::uint64_t is_coarse = io.point_step_m == kMapStep_m ? 1 : 0;
   io.number("point step", is_coarse);
   if constexpr (Io::kReads)
@@ -286,9 +297,10 @@ void serialise(Io& io, Chunk& c) {
   things(io, c.things);
   list(io, "wire spans", c.wire_spans, 0, [&](auto& o) { serialise(io, o); });
   texts(io, c.texts);
+  yards(io, lean);
 }
 
-double step_of(Chunk& chunk) {
+double step_of(scene::LeanChunk& chunk) {
   PointStepProbe finder;
   serialise(finder, chunk);
   return finder.point_step_m;
@@ -298,19 +310,19 @@ double step_of(Chunk& chunk) {
 
 std::span<const char* const> stream_names() { return kStreamNames; }
 
-Streams encode_chunk(const Chunk& chunk) {
+Streams encode_chunk(const Chunk& chunk, std::uint64_t seed) {
   Writer writer;
   // codecs take their objects by reference, since readers change them
-  Chunk copy = chunk;
-  writer.point_step_m = step_of(copy);
-  serialise(writer, copy);
+  scene::LeanChunk lean = scene::lean(chunk, seed);
+  writer.point_step_m = step_of(lean);
+  serialise(writer, lean);
   Streams streams;
   for (std::size_t i = 0; i < kStreamNames.size(); ++i)
     if (!writer.streams[i].bytes().empty()) streams[kStreamNames[i]] = writer.streams[i].bytes();
   return streams;
 }
 
-std::optional<Chunk> decode_chunk(const Streams& streams, scene::TileKey tile, std::string& wrong) {
+std::optional<Chunk> decode_chunk(const Streams& streams, scene::TileKey tile, std::uint64_t seed, std::string& wrong) {
   Reader reader;
   for (const auto& [name, bytes] : streams) {
     const auto known = std::ranges::find(kStreamNames, std::string_view(name));
@@ -318,14 +330,14 @@ std::optional<Chunk> decode_chunk(const Streams& streams, scene::TileKey tile, s
     reader.streams[static_cast<std::size_t>(known - kStreamNames.begin())].emplace(bytes);
     reader.total_bytes += bytes.size();
   }
-  Chunk chunk;
-  chunk.tile = tile;
-  serialise(reader, chunk);
+  scene::LeanChunk lean;
+  lean.chunk.tile = tile;
+  serialise(reader, lean);
   for (std::size_t i = 0; i < kStreamNames.size(); ++i)
     if (reader.wrong.empty() && reader.streams[i] && !reader.streams[i]->is_finished()) reader.wrong = kStreamNames[i];
   wrong = reader.wrong;
   if (!wrong.empty()) return std::nullopt;
-  return chunk;
+  return scene::drawn(std::move(lean), seed);
 }
 
 }  // namespace citykiln::exporters

@@ -32,7 +32,7 @@ using ByteSpan = std::span<const std::byte>;
 using RawBytes = std::vector<std::uint8_t>;
 
 constexpr char kMagic[8] = {'C', 'I', 'T', 'Y', 'K', 'I', 'L', 'N'};
-constexpr std::uint16_t kMajor = 5, kMinor = 0;
+constexpr std::uint16_t kMajor = 6, kMinor = 0;
 constexpr const char* kLicence =
     "This manifest is a derivative database of OpenStreetMap, made available under the Open Database License (ODbL) "
     "1.0; see https://www.openstreetmap.org/copyright";
@@ -68,8 +68,8 @@ std::uint64_t tables_hash() {
 }
 
 // The sizes of all streams, then the streams.
-RawBytes raw_chunk(const scene::Chunk& chunk) {
-  Streams streams = encode_chunk(chunk);
+RawBytes raw_chunk(const scene::Chunk& chunk, std::uint64_t seed) {
+  Streams streams = encode_chunk(chunk, seed);
   StreamWriter sizes;
   for (const char* name : stream_names()) sizes.put(streams[name].size());
   RawBytes raw = sizes.bytes();
@@ -423,7 +423,7 @@ std::string where_of(const std::string& name, scene::TileKey tile) {
 
 // Decodes one chunk. Its bytes are inside the body, as check_index has found.
 Result<scene::Chunk> chunk_of(ByteSpan body, const Entry& entry, const UnpackingDictionary& dictionary,
-                              const std::string& name) {
+                              std::uint64_t seed, const std::string& name) {
   const std::string where = where_of(name, entry.tile);
   const ByteSpan frame = body.subspan(entry.offset, entry.size);
   if (checksum(frame) != entry.checksum)
@@ -433,7 +433,7 @@ Result<scene::Chunk> chunk_of(ByteSpan body, const Entry& entry, const Unpacking
   const auto streams = streams_of(*raw);
   if (!streams) return Error{where, "expected as many streams as this format has, each of its stated size"};
   std::string wrong;
-  auto chunk = decode_chunk(*streams, entry.tile, wrong);
+  auto chunk = decode_chunk(*streams, entry.tile, seed, wrong);
   if (!chunk) return Error{where, "expected sound values in \"" + wrong + "\""};
   return std::move(*chunk);
 }
@@ -523,12 +523,12 @@ bool is_wanted(std::span<const scene::TileKey> only, scene::TileKey tile) {
 
 // Decodes the chunks of `only`, or all of them. The index has passed check_index.
 Result<std::vector<scene::Chunk>> chunks_of(ByteSpan body, std::span<const Entry> entries,
-                                            const UnpackingDictionary& dictionary, const std::string& name,
-                                            std::span<const scene::TileKey> only) {
+                                            const UnpackingDictionary& dictionary, std::uint64_t seed,
+                                            const std::string& name, std::span<const scene::TileKey> only) {
   std::vector<scene::Chunk> chunks;
   for (const Entry& entry : entries) {
     if (!is_wanted(only, entry.tile)) continue;
-    auto chunk = chunk_of(body, entry, dictionary, name);
+    auto chunk = chunk_of(body, entry, dictionary, seed, name);
     if (!chunk) return chunk.error();
     chunks.push_back(std::move(*chunk));
   }
@@ -572,7 +572,8 @@ Result<ReadHeader> read_header(ByteSpan bytes, const std::string& name) {
 Bytes encode_manifest(const scene::Scene& scene, int threads) {
   assert(std::ranges::is_sorted(scene.chunks, {}, &scene::Chunk::tile));
   const std::size_t count = scene.chunks.size();
-  const auto raws = for_each_slot<RawBytes>(count, threads, [&](std::size_t i) { return raw_chunk(scene.chunks[i]); });
+  const auto raws = for_each_slot<RawBytes>(
+      count, threads, [&](std::size_t i) { return raw_chunk(scene.chunks[i], scene.header.seed); });
   const RawBytes dictionary = train_dictionary(raws);
   const PackingDictionary ready = packing_dictionary(dictionary);
   const auto frames = for_each_slot<Bytes>(count, threads, [&](std::size_t i) { return packed(raws[i], ready); });
@@ -590,7 +591,7 @@ std::vector<StreamSize> stream_sizes_of(const scene::Scene& scene) {
   std::vector<StreamSize> sizes;
   for (const char* name : stream_names()) sizes.push_back({name, 0, 0});
   for (const scene::Chunk& chunk : scene.chunks) {
-    Streams streams = encode_chunk(chunk);
+    Streams streams = encode_chunk(chunk, scene.header.seed);
     for (StreamSize& size : sizes) {
       const std::vector<std::uint8_t>& stream = streams[size.name];
       if (stream.empty()) continue;
@@ -611,7 +612,7 @@ Result<Done> check_header(ByteSpan bytes, const std::string& name) {
 Result<scene::Scene> decode_manifest(ByteSpan bytes, const std::string& name, std::span<const scene::TileKey> only) {
   auto read = read_header(bytes, name);
   if (!read) return read.error();
-  auto chunks = chunks_of(read->body, read->entries, read->dictionary, name, only);
+  auto chunks = chunks_of(read->body, read->entries, read->dictionary, read->header.seed, name, only);
   if (!chunks) return chunks.error();
   return scene::Scene{std::move(read->header), std::move(*chunks)};
 }
@@ -621,8 +622,8 @@ std::uint64_t hash_of(const scene::Header& header) {
   return content_hash(std::as_bytes(std::span(raw)));
 }
 
-std::uint64_t hash_of(const scene::Chunk& chunk) {
-  const RawBytes raw = raw_chunk(chunk);
+std::uint64_t hash_of(const scene::Chunk& chunk, std::uint64_t seed) {
+  const RawBytes raw = raw_chunk(chunk, seed);
   return content_hash(std::as_bytes(std::span(raw)));
 }
 

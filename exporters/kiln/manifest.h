@@ -31,7 +31,7 @@ Result<Done> check_header(std::span<const std::byte> bytes, const std::string& n
 /// Hashes all properties of a header, or all recipes (planned objects of one tile) of a chunk. The hash does not depend
 /// on the other chunks of the scene. Cost: as encoding without compression.
 std::uint64_t hash_of(const scene::Header& header);
-std::uint64_t hash_of(const scene::Chunk& chunk);
+std::uint64_t hash_of(const scene::Chunk& chunk, std::uint64_t seed);
 
 /// The bytes of one stream (the values of one property) over all chunks of a scene.
 struct StreamSize {

@@ -73,8 +73,8 @@ Result<RegionSurvey> read_survey(const std::string& plan_folder, const Plan& pla
   Result<scene::Scene> scene = exporters::read_manifest(survey_path(plan_folder, region), std::span(&tile, 1));
   if (!scene) return scene.error();
   scene::Chunk& chunk = scene->chunks.front();
-  const std::uint64_t hash =
-      exporters::content_hash(fmt::format("{} {}", exporters::hash_of(scene->header), exporters::hash_of(chunk)));
+  const std::uint64_t hash = exporters::content_hash(
+      fmt::format("{} {}", exporters::hash_of(scene->header), exporters::hash_of(chunk, scene->header.seed)));
   return RegionSurvey{{plan.extent,
                        std::move(scene->header),
                        std::move(chunk.heights),
