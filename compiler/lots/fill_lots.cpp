@@ -174,7 +174,9 @@ struct LotFiller {
     const CountryGroup country = road_of(lot).country;
     const HouseRow& row =
         row_for(country, {inputs.seed, line.id, "houses"}, static_cast<std::uint32_t>(lot.frontage.side));
-    const std::optional<Box2> room = room_for_house(lot.polygon, *frame, row.room);
+    RoomSizes sizes = row.room;
+    sizes.setback_m += kUnderPavement_m;
+    const std::optional<Box2> room = room_for_house(lot.polygon, *frame, sizes);
     if (!room || !is_free(*frame, *room)) return {};
     return footprints_of(bodies_on(plane_rectangle(*frame, *room), lot, row), lot, country);
   }

@@ -223,9 +223,7 @@ struct LotPlanner {
     lot.kind = kind_of_lot(main, land_use_at(uses, middle), is_attached);
     lot.country = main.country;
     lot.climate = climate_at(middle);
-    lot.setback_m = std::numeric_limits<double>::infinity();
-    for (const Vec2 p : ring) lot.setback_m = std::min(lot.setback_m, frame.local(p).y);
-    lot.setback_m = std::max(0.0, std::floor(lot.setback_m / kYardStep_m) * kYardStep_m);
+    lot.setback_m = setback_of(ring, lot.frame);
     lot.door = mapped_door(ring, frame, doors);
     if (!lot.door) lot.door = door_to_front(lot.main, ring, frame, walls);
     return lot;

@@ -59,6 +59,9 @@ Frame frame_at(const FramePlace& place);
 /// Returns the place whose frame is nearest to a frame; x changes its direction if the frame is left-handed.
 FramePlace place_of(const Frame& frame);
 
+/// Returns the y of a building's point that is nearest to the street, rounded down: 0 or a multiple of kYardStep_m.
+double setback_of(const Ring& building, const FramePlace& place);
+
 /// A piece of the path to the door or of the drive: the ends of its middle line in the frame, multiples of kYardStep_m.
 struct YardStrip {
   bool is_drive = false;
@@ -93,7 +96,7 @@ struct Yard {
   bool is_arid = false;  ///< True in deserts and steppes.
   Polygon polygon{};     ///< The lot. Points are multiples of kOutlineStep_m; its rings may touch and cross.
   FramePlace frame{};
-  double setback_m = 0;   ///< The y of the main building's point nearest to the street: 0 or a multiple of kYardStep_m.
+  double setback_m = 0;   ///< The setback_of() the main building.
   bool has_bays = false;  ///< True if the front has bays for cars.
   std::vector<YardStrip> strips{};
   std::vector<BorderRun> borders{};

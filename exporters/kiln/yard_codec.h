@@ -113,6 +113,12 @@ void building_of(auto& io, ObjectId& building, YardContext& context) {
   building = context.buildings[context.next_building - 1].id;
 }
 
+/// The setback of the building; 0 if it is not in the chunk.
+inline double usual_setback(const lots::Yard& yard, const YardContext& context) {
+  const auto found = std::ranges::find(context.buildings, yard.building, &buildings::Building::id);
+  return found == context.buildings.end() ? 0 : lots::setback_of(found->footprint.outer, yard.frame);
+}
+
 void serialise(auto& io, lots::YardStrip& strip) {
   flag(io, "yard strip kind", strip.is_drive);
   steps(io, "yard strip x", strip.from.x, lots::kYardStep_m),
@@ -144,7 +150,10 @@ void serialise(auto& io, lots::Yard& yard, YardContext& context) {
   auto turn = static_cast<std::uint16_t>((yard.frame.heading - context.heading) & (lots::kHeadings - 1));
   io.number("yard heading", turn);
   yard.frame.heading = context.heading = static_cast<std::uint16_t>((context.heading + turn) & (lots::kHeadings - 1));
-  steps(io, "yard setback", yard.setback_m, lots::kYardStep_m);
+  const double usual_m = usual_setback(yard, context);
+  double more_m = yard.setback_m - usual_m;
+  steps(io, "yard setback", more_m, lots::kYardStep_m);
+  yard.setback_m = usual_m + more_m;
   list(io, "yard strips", yard.strips, 0, [&](lots::YardStrip& strip) { serialise(io, strip); });
   std::uint32_t end = 0;
   list(io, "yard borders", yard.borders, 0, [&](lots::BorderRun& run) { serialise(io, run, end); });

@@ -53,7 +53,40 @@ class SceneMaker {
       c.landforms.push_back({{id(), line(), surface(), metres(20), metres(20), profile(), metres(99), 0},
                              pick(ground::LandformKind::kCount)});
     c.texts = texts();
+    for (auto i = below(4); i > 0; --i) c.yards.push_back(yard(c.buildings));
     return c;
+  }
+
+  // A yard whose points, which may coincide, lie within 300 m of a place.
+  lots::Yard yard(const std::vector<buildings::Building>& buildings) {
+    const Vec2 place{static_cast<double>(below(2000)), static_cast<double>(below(2000))};
+    const auto ring = [&] {
+      Ring all;
+      for (auto i = 3 + below(5); i > 0; --i)
+        all.push_back(place + Vec2{below(1200) * lots::kOutlineStep_m, below(1200) * lots::kOutlineStep_m});
+      return all;
+    };
+    const auto in_frame = [&] {
+      return Vec2{below(900) * lots::kYardStep_m - 40, below(900) * lots::kYardStep_m - 40};
+    };
+    lots::Yard yard{.building = buildings.empty() || below(3) == 0
+                                    ? id()
+                                    : buildings[below(static_cast<std::uint32_t>(buildings.size()))].id,
+                    .country = pick(map::CountryGroup::kCount),
+                    .kind = pick(lots::LotKind::kCount),
+                    .is_arid = below(2) == 0,
+                    .polygon = {ring(), {}},
+                    .frame = {place + in_frame(), static_cast<std::uint16_t>(below(lots::kHeadings))},
+                    .setback_m = eighths(200),
+                    .has_bays = below(2) == 0};
+    if (below(3) == 0) yard.polygon.holes = {ring(), ring()};
+    for (auto i = below(4); i > 0; --i) yard.strips.push_back({below(2) == 0, in_frame(), in_frame()});
+    for (auto i = below(4); i > 0; --i)
+      yard.borders.push_back({below(900), 1 + below(90), pick(lots::BorderPlace::kCount)});
+    for (auto i = below(40); i > 0; --i) yard.plants.push_back(below(2) == 0);
+    // values beyond the last are false
+    if (!yard.plants.empty()) yard.plants.back() = true;
+    return yard;
   }
 
   things::Thing thing() {

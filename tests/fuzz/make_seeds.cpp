@@ -73,7 +73,7 @@ int main(int count, char** words) {
     write_seed(folder / "manifest", name, fuzz::unpacked_manifest(bytes));
     for (std::size_t c = 0; c < scene->chunks.size(); ++c)
       write_seed(folder / "chunk", name + "_" + std::to_string(c),
-                 fuzz::unpacked_streams(encode_chunk(scene->chunks[c])));
+                 fuzz::unpacked_streams(encode_chunk(scene->chunks[c], scene->header.seed)));
   }
   return 0;
 }

@@ -20,7 +20,7 @@ TEST(PlanLots, EveryHouseAlongAStreetHasALot) {
     EXPECT_EQ(lots[i].kind, LotKind::kDetached);
     // less what lies under the pavement
     EXPECT_NEAR(lots[i].setback_m, 8 + kUnderPavement_m, 0.01);
-    EXPECT_GT(dot(lots[i].frame.inward, Vec2{0, 1}), 0.99);
+    EXPECT_GT(dot(frame_at(lots[i].frame).inward, Vec2{0, 1}), 0.99);
   }
 }
 

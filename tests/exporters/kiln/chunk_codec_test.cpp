@@ -12,6 +12,7 @@ namespace citykiln::exporters {
 namespace {
 
 constexpr scene::TileKey kTile{3, -4};
+constexpr std::uint64_t kSeed = 5;
 
 scene::Chunk made_chunk(std::uint64_t seed) { return SceneMaker(seed).chunk(kTile, 0x1p-10); }
 
@@ -25,7 +26,7 @@ roads::Road one_lane(ObjectId id, Polyline axis) {
 // The name of the wrong stream of a chunk; "" where none is.
 std::string wrong_in(const Streams& streams) {
   std::string wrong;
-  decode_chunk(streams, kTile, wrong);
+  decode_chunk(streams, kTile, kSeed, wrong);
   return wrong;
 }
 
@@ -40,7 +41,7 @@ Streams empty_streams() {
   scene::Chunk chunk;
   chunk.tile = kTile;
   chunk.heights = {{0, 0}, {64, 64}, 2, 2, {0, 0, 0, 0}, 0};
-  Streams streams = encode_chunk(chunk);
+  Streams streams = encode_chunk(chunk, kSeed);
   for (const char* name : stream_names()) streams[name];
   return streams;
 }
@@ -49,7 +50,7 @@ TEST(ChunkCodec, ReadsBackWhatItWrote) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     const scene::Chunk chunk = made_chunk(seed);
     std::string wrong;
-    const auto back = decode_chunk(encode_chunk(chunk), kTile, wrong);
+    const auto back = decode_chunk(encode_chunk(chunk, kSeed), kTile, kSeed, wrong);
     ASSERT_TRUE(back) << wrong;
     ASSERT_EQ(*back, chunk) << seed;
   }
@@ -57,9 +58,9 @@ TEST(ChunkCodec, ReadsBackWhatItWrote) {
 
 TEST(ChunkCodec, WritesNoStreamThatTheListDoesNotName) {
   const auto names = stream_names();
-  EXPECT_FALSE(encode_chunk(made_chunk(0)).empty());
+  EXPECT_FALSE(encode_chunk(made_chunk(0), kSeed).empty());
   for (std::uint64_t seed = 0; seed < 50; ++seed)
-    for (const auto& [name, bytes] : encode_chunk(made_chunk(seed)))
+    for (const auto& [name, bytes] : encode_chunk(made_chunk(seed), kSeed))
       EXPECT_TRUE(std::find(names.begin(), names.end(), name) != names.end()) << name;
 }
 
@@ -68,17 +69,17 @@ TEST(ChunkCodec, WhateverItAcceptsIsAChunk) {
   std::mt19937_64 dice(1);
   int accepted = 0;
   for (int round = 0; round < 20000; ++round) {
-    Streams streams = encode_chunk(made_chunk(dice() % 50));
+    Streams streams = encode_chunk(made_chunk(dice() % 50), kSeed);
     const auto names = stream_names();
     auto& stream = streams[names[dice() % names.size()]];
     if (stream.empty()) continue;
     stream[dice() % stream.size()] ^= static_cast<std::uint8_t>(1 + dice() % 255);
     std::string wrong;
-    const auto chunk = decode_chunk(streams, kTile, wrong);
+    const auto chunk = decode_chunk(streams, kTile, kSeed, wrong);
     ASSERT_EQ(chunk.has_value(), wrong.empty());
     if (!chunk) continue;
     ++accepted;
-    const auto again = decode_chunk(encode_chunk(*chunk), kTile, wrong);
+    const auto again = decode_chunk(encode_chunk(*chunk, kSeed), kTile, kSeed, wrong);
     ASSERT_TRUE(again) << wrong;
     ASSERT_EQ(*again, *chunk);
   }
@@ -86,7 +87,7 @@ TEST(ChunkCodec, WhateverItAcceptsIsAChunk) {
 }
 
 TEST(ChunkCodec, AStreamTooShortOrTooLongIsNamed) {
-  const Streams whole = encode_chunk(made_chunk(7));
+  const Streams whole = encode_chunk(made_chunk(7), kSeed);
   ASSERT_FALSE(whole.empty());
   for (const auto& [name, bytes] : whole) {
     Streams longer = whole, shorter = whole;
@@ -149,7 +150,7 @@ TEST(ChunkCodec, WhatNoChunkCanBeIsNamed) {
   const auto wrong_with = [&](auto change) {
     scene::Chunk changed = chunk;
     change(changed);
-    return wrong_in(encode_chunk(changed));
+    return wrong_in(encode_chunk(changed, kSeed));
   };
   const ObjectId id{{OsmType::kWay, 7}, 0};
   EXPECT_EQ(wrong_with([&](auto& c) { c.roads = {one_lane(id, {{1, 2}})}; }), "road points");
@@ -186,7 +187,7 @@ TEST(ChunkCodec, AFlagIsNoughtOrOne) {
   scene::Chunk chunk = made_chunk(7);
   chunk.buildings.resize(1);
   chunk.buildings[0].footprint.outer = {{0, 0}, {1, 0}, {0, 1}};
-  Streams streams = encode_chunk(chunk);
+  Streams streams = encode_chunk(chunk, kSeed);
   ASSERT_EQ(streams["building stands"].size(), 1u);
   streams["building stands"].front() = 2;
   EXPECT_EQ(wrong_in(streams), "building stands");
@@ -222,7 +223,7 @@ TEST(ChunkCodec, KeepsHowAnAxisDrifts) {
     chunk.roads.back().section.axis_drift = drift;
   }
   std::string wrong;
-  const auto back = decode_chunk(encode_chunk(chunk), kTile, wrong);
+  const auto back = decode_chunk(encode_chunk(chunk, kSeed), kTile, kSeed, wrong);
   ASSERT_TRUE(back) << wrong;
   EXPECT_EQ(back->roads, chunk.roads);
 }

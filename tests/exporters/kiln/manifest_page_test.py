@@ -155,6 +155,9 @@ class Chunk:
         self.wire_spans = self.all("wire spans", self.wire_span)
         self.names = [""]
         self.texts = self.all("texts", self.text)
+        self.outline, self.last_outline, self.next_building, self.heading = [], 0, 0, 0
+        self.yards = self.all("yards", self.yard)
+        self.gaps = [self.bits("yard gaps", "yard gap bits") for _ in self.yards]
 
     def plain(self, name):
         return self.streams[name].plain()
@@ -205,6 +208,45 @@ class Chunk:
             self.names.append(self.utf8("name size", "name bytes"))
         tags = self.utf8("tags size", "tags bytes")
         return element, self.names[number], json.loads(tags) if tags else {}
+
+    def eighths(self, name):
+        return self.streams[name].signed() / 8
+
+    def bits(self, size, name):
+        numbers = self.all(size, lambda: self.plain(name))
+        assert not numbers or numbers[-1] != 0
+        return [number >> k & 1 for number in numbers for k in range(7)]
+
+    def yard_building(self):
+        number = self.plain("yard building")
+        if number == 0:
+            return self.id()
+        self.next_building += number
+        return self.buildings[self.next_building - 1][0]
+
+    def outline_point(self):
+        code = self.plain("yard points")
+        if code == 0:
+            x, y = self.outline[self.last_outline] if self.outline else (0, 0)
+            self.outline.append((x + self.streams["yard x"].signed() / 4, y + self.streams["yard y"].signed() / 4))
+            self.last_outline = len(self.outline) - 1
+        else:
+            self.last_outline += {1: 1, 2: -1}[code] if code < 3 else self.streams["yard point jumps"].signed()
+        assert 0 <= self.last_outline < len(self.outline)
+        return self.outline[self.last_outline]
+
+    def yard_strip(self):
+        return self.plain("yard strip kind"), [self.eighths(f"yard strip {name}") for name in ("x", "y", "aside", "end")]
+
+    def yard(self):
+        building, country, kind = self.yard_building(), self.plain("yard country"), self.several("yard kind", 3)
+        rings = [self.all("yard ring points", self.outline_point)]
+        rings += self.all("yard holes", lambda: self.all("yard ring points", self.outline_point))
+        origin = [place + self.eighths(f"yard frame {axis}") for place, axis in zip(rings[0][0], "xy", strict=True)]
+        self.heading = (self.heading + self.plain("yard heading")) % 1024
+        return (building, country, kind, rings, origin, self.heading, self.eighths("yard setback"), self.all("yard strips", self.yard_strip),
+                self.all("yard borders", lambda: (self.plain("border place"), self.several("border steps", 2))),
+                self.bits("yard plants", "yard plant bits"))
 
     def point(self):
         code = self.plain("points")
@@ -394,7 +436,7 @@ class Manifest:
     def __init__(self, manifest):
         assert manifest[:8] == b"CITYKILN"
         major, _, size, value = struct.unpack_from("<HHIQ", manifest, 8)
-        assert major == 5
+        assert major == 6
         frame, body = manifest[24:24 + size], manifest[24 + size:]
         assert fnv(manifest[:16] + frame) == value
         header = root_of(unzstd(frame))
