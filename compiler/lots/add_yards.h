@@ -25,7 +25,7 @@ struct Yards {
   std::vector<map::SportsArea> sports_areas;
   std::vector<map::Barrier> barriers;
   std::vector<map::PointFeature> points;
-  std::vector<Yard> recipes;  ///< What areas, barriers and plants of yards were drawn from; sorted by building.
+  std::vector<Yard> recipes;  ///< Areas, barriers and plants of yards were drawn from them; sorted by building.
 };
 
 /// Returns the features with the lists of `yards` in place of theirs. The result refers to `yards`, which must outlive

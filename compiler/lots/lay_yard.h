@@ -9,7 +9,7 @@
 
 namespace citykiln::lots {
 
-/// What lies on the ground of a yard.
+/// The path and the drive of a yard, as pieces, and whether it has bays.
 struct YardLayout {
   std::vector<YardStrip> strips;
   bool has_bays = false;

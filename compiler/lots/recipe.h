@@ -88,7 +88,7 @@ struct BorderRun {
 /// A lot whose box is wider or higher has no yard.
 inline constexpr double kLargestYard_m = 2048;
 
-/// What a yard is drawn from, beside the seed.
+/// The recipe of a yard. With the seed it decides everything that the yard has.
 struct Yard {
   ObjectId building;  ///< The main building. With the seed it decides the rule and the plants.
   map::CountryGroup country{};

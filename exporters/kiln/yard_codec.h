@@ -1,5 +1,5 @@
 // Reads and writes the recipes of yards of a chunk (the recipes of one tile). `io` is a Writer, a Reader or a probe
-// (chunk_io.h). What yards draw is not written (compiler/scene/yard_recipes.h).
+// (chunk_io.h). Surfaces, barriers and trees of yards are drawn from them (compiler/scene/yard_recipes.h).
 #pragma once
 
 #include <algorithm>
@@ -91,7 +91,7 @@ void serialise(auto& io, Polygon& polygon, OutlinePoints& known) {
       io.fail("yard x");
 }
 
-/// What is the same for all yards of a chunk, and what the one before had.
+/// The buildings and outline points of a chunk, and the place and heading of the yard before.
 struct YardContext {
   std::vector<buildings::Building>& buildings;
   OutlinePoints points{};
