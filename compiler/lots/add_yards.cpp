@@ -70,9 +70,9 @@ struct Planter {
 // @param yard  With its borders.
 std::vector<bool> standing_plants(const Yard& yard, const YardRule& rule, const BorderObstacles& obstacles,
                                   std::uint64_t seed) {
-  const std::vector<BorderStep> steps = border_steps(yard.polygon.outer);
+  const std::vector<BorderSegment> segments = border_segments(yard.polygon.outer);
   std::vector<Polyline> barriers;
-  for (const BorderRun& run : yard.borders) barriers.push_back(border_line(steps, run));
+  for (const BorderRun& run : yard.borders) barriers.push_back(border_line(segments, run));
   const Planter planter{yard.polygon, barriers, obstacles};
   const bool has_tree = planter.has_mapped_tree();
   std::vector<bool> standing;

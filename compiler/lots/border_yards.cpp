@@ -83,21 +83,21 @@ struct BorderPlanner {
     return frame.local(middle).y <= lot.setback_m ? BorderPlace::kFrontSide : BorderPlace::kElsewhere;
   }
 
-  // For each step the place of its barrier; kCount where none stands.
-  std::vector<BorderPlace> places_of(const std::vector<BorderStep>& steps) const {
+  // For each segment the place of its barrier; kCount where none stands.
+  std::vector<BorderPlace> places_of(const std::vector<BorderSegment>& segments) const {
     const Ring& ring = lot.parcel.polygon.outer;
     const bool has_mapped = axis_enters(obstacles.mapped.barriers, lot.parcel.polygon);
     std::vector<EdgeKind> edges_of_ring;
     for (std::size_t i = 0; i < ring.size(); ++i)
       edges_of_ring.push_back(kind_of_edge(ring[i], ring[(i + 1) % ring.size()]));
     std::vector<BorderPlace> places;
-    for (const BorderStep& step : steps) {
-      const EdgeKind edge = edges_of_ring[step.edge];
-      const Vec2 middle = (step.from + step.to) * 0.5;
+    for (const BorderSegment& segment : segments) {
+      const EdgeKind edge = edges_of_ring[segment.edge];
+      const Vec2 middle = (segment.from + segment.to) * 0.5;
       const BorderPlace place = place_at(edge, middle);
       const bool is_at_front = place != BorderPlace::kElsewhere;
       const bool stands = edge != EdgeKind::kOthers && border_at(rule, place).kind && !(is_at_front && has_mapped) &&
-                          is_free(middle + left_of(unit(step.to - step.from)) * inset_m(place), is_at_front);
+                          is_free(middle + left_of(unit(segment.to - segment.from)) * inset_m(place), is_at_front);
       places.push_back(stands ? place : BorderPlace::kCount);
     }
     return places;
@@ -140,16 +140,17 @@ std::vector<BorderRun> borders_of(std::uint32_t lot, std::span<const Lot> lots,
   std::vector<BorderRun> runs;
   const Ring& ring = lots[lot].parcel.polygon.outer;
   if (!rules[lot] || ring.empty()) return runs;
-  const std::vector<BorderStep> steps = border_steps(ring);
-  const std::vector<BorderPlace> places = BorderPlanner{lot, lots, rules, edges, obstacles}.places_of(steps);
+  const std::vector<BorderSegment> segments = border_segments(ring);
+  const std::vector<BorderPlace> places = BorderPlanner{lot, lots, rules, edges, obstacles}.places_of(segments);
   // begin at a change, so that no run is cut at the ring's first point
   const auto change = std::ranges::adjacent_find(places, std::not_equal_to{});
   const auto start = change == places.end() ? 0 : static_cast<std::uint32_t>(change - places.begin()) + 1;
-  const auto count = static_cast<std::uint32_t>(steps.size());
+  const auto count = static_cast<std::uint32_t>(segments.size());
   for (std::uint32_t i = 0, end = 0; i < count; i = end) {
     BorderRun run{(start + i) % count, 0, places[(start + i) % count]};
     for (end = i; end < count && places[(start + end) % count] == run.place; ++end) ++run.count;
-    if (run.place != BorderPlace::kCount && length_m(border_line(steps, run)) >= kShortestBorder_m) runs.push_back(run);
+    if (run.place != BorderPlace::kCount && length_m(border_line(segments, run)) >= kShortestBorder_m)
+      runs.push_back(run);
   }
   std::ranges::sort(runs, {}, &BorderRun::first);
   return runs;

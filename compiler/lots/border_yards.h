@@ -26,24 +26,27 @@ struct SharedEdges {
 /// Returns the edges of the outer rings. O(n log n).
 SharedEdges index_edges(std::span<const Lot> lots);
 
-/// The things that borders keep clear of.
+/// The things that borders keep clear of. Refers to `mapped`, which must outlive it.
 struct BorderObstacles {
   const MappedThings& mapped;
   Capsules openings;       ///< Paths and drives of all yards.
-  Capsules street_fronts;  ///< Strips of streets. A place with clearance 0 lies on the edge of one.
+  Capsules street_fronts;  ///< Strips of streets: their edges are the borders of lots to them.
 };
 
-/// Returns the barriers of one lot as runs of steps of its outer ring (border_steps() of draw_yard.h); none if
-/// rules[lot] is empty.
+/// Returns the barriers of one lot as runs of segments of its outer ring (border_segments() of draw_yard.h), sorted by
+/// their first; none if rules[lot] is empty.
 ///
-/// The common edge of two neighbours with rules
-/// belongs to the one whose parcel has the lower id. No barrier stands
+/// The common edge of two neighbours with rules belongs to the lot whose parcel has the lower id. No barrier stands
 ///
-/// - at paths, drives, roads, trees and walls of buildings, or within 1.5 m of a mapped barrier;
-/// - along streets and beside the front yard, at junctions (MappedThings::junction_zones), or if a barrier is mapped in
-/// the lot.
-/// @param lot    An index of lots.
+/// - within 0.5 m of walls and trees, 0.375 m of paths, drives and openings, 0.25 m of roads, or 1.5 m of a mapped
+///   barrier;
+/// - along a street or at a side of the front: in a zone about a junction (MappedThings::junction_zones), or anywhere
+/// in
+///   a lot with a mapped barrier.
+///
+/// @param lot    Index into lots.
 /// @param rules  One for each lot.
+/// O(length of the ring · things near).
 std::vector<BorderRun> borders_of(std::uint32_t lot, std::span<const Lot> lots,
                                   std::span<const std::optional<YardRule>> rules, const SharedEdges& edges,
                                   const BorderObstacles& obstacles);

@@ -21,7 +21,7 @@ using map::BarrierKind;
 constexpr double kBehindFront_m = 0.25;
 // Pieces of a front yard that are smaller are left out.
 constexpr double kLeastFront_m2 = 1;
-constexpr double kBorderStep_m = 0.5;
+constexpr double kLongestSegment_m = 0.5;
 // The largest ratio of a mitre to the inset.
 constexpr double kLeastMitreCosine = 0.5;
 // Plants: the squares of their grid, and their distance from the border.
@@ -92,13 +92,14 @@ struct Drawer {
   }
 
   void add_barriers() {
-    const std::vector<BorderStep> steps = border_steps(yard.polygon.outer);
+    const std::vector<BorderSegment> segments = border_segments(yard.polygon.outer);
     std::uint32_t part = 0;
     for (const BorderRun& run : yard.borders) {
       const BorderRule& border = border_at(rule, run.place);
-      if (!border.kind || run.first >= steps.size() || run.count - 1 >= steps.size() || part >= kPartsOfYard) continue;
+      if (!border.kind || run.first >= segments.size() || run.count - 1 >= segments.size() || part >= kPartsOfYard)
+        continue;
       drawn.barriers.push_back({.id = id_of(part),
-                                .axis = border_line(steps, run),
+                                .axis = border_line(segments, run),
                                 .kind = *border.kind,
                                 .height_m = border.height_m,
                                 .width_m = width_of(*border.kind)});
@@ -158,20 +159,20 @@ std::vector<Capsule> openings_of(const Yard& yard) {
   return openings;
 }
 
-std::vector<BorderStep> border_steps(const Ring& ring) {
-  std::vector<BorderStep> steps;
+std::vector<BorderSegment> border_segments(const Ring& ring) {
+  std::vector<BorderSegment> segments;
   for (std::uint32_t i = 0; i < ring.size(); ++i) {
     const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-    const int count = std::max(1, static_cast<int>(std::ceil(distance(a, b) / kBorderStep_m)));
+    const int count = std::max(1, static_cast<int>(std::ceil(distance(a, b) / kLongestSegment_m)));
     const auto at = [&](int k) { return a + (b - a) * (static_cast<double>(k) / count); };
-    for (int k = 0; k < count; ++k) steps.push_back({at(k), at(k + 1), i});
+    for (int k = 0; k < count; ++k) segments.push_back({at(k), at(k + 1), i});
   }
-  return steps;
+  return segments;
 }
 
 double inset_m(BorderPlace place) { return place == BorderPlace::kStreet ? kUnderPavement_m + kInsidePavement_m : 0; }
 
-Polyline border_line(std::span<const BorderStep> steps, const BorderRun& run) {
+Polyline border_line(std::span<const BorderSegment> segments, const BorderRun& run) {
   const double inset = inset_m(run.place);
   Polyline line;
   const auto add = [&](Vec2 p, Vec2 before, Vec2 after) {
@@ -179,12 +180,12 @@ Polyline border_line(std::span<const BorderStep> steps, const BorderRun& run) {
     const Vec2 moved = on_map(p + left_of(middle) * (inset / std::max(kLeastMitreCosine, dot(middle, after))));
     if (line.empty() || line.back() != moved) line.push_back(moved);
   };
-  const auto step = [&](std::uint32_t i) { return steps[(run.first + i) % steps.size()]; };
-  const auto along = [](const BorderStep& s) { return unit(s.to - s.from); };
-  add(step(0).from, along(step(0)), along(step(0)));
+  const auto segment = [&](std::uint32_t i) { return segments[(run.first + i) % segments.size()]; };
+  const auto along = [](const BorderSegment& s) { return unit(s.to - s.from); };
+  add(segment(0).from, along(segment(0)), along(segment(0)));
   for (std::uint32_t i = 1; i < run.count; ++i)
-    if (step(i).edge != step(i - 1).edge) add(step(i).from, along(step(i - 1)), along(step(i)));
-  const BorderStep last = step(run.count - 1);
+    if (segment(i).edge != segment(i - 1).edge) add(segment(i).from, along(segment(i - 1)), along(segment(i)));
+  const BorderSegment last = segment(run.count - 1);
   add(last.to, along(last), along(last));
   return line;
 }

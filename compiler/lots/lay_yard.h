@@ -15,13 +15,18 @@ struct YardLayout {
   bool has_bays = false;
 };
 
-/// Returns the path and the drive of a lot's yard, and whether its front has bays.
+/// Returns the path and the drive of a lot's yard, the path first, and whether its front has bays.
 ///
-/// In front of shops and works there are bays for cars, if there is room for a row and its lane.
-/// A path goes from the door square to its wall, then to the street. A drive leads to a garage, else past the house at
-/// the side with room, else in front of it if a car has room. Neither is laid where it would leave the lot, meet a
-/// wall or a mapped barrier, tree or pool; nor a path where a path is mapped in the lot; nor a drive where a drive or
-/// a car park is mapped in or beside the lot.
+/// - bays: in front of shops and works, if there is room for a row and its lane (11 m), and no car park is mapped in or
+///   beside the lot;
+/// - a path: from the door at a right angle to its wall, then to the street; none without a door, with a mapped path in
+///   the lot, or if the front is less than 0.75 m deep;
+/// - a drive, if the rule has one: to a garage, else past the house at the side with more room, else in front of it if
+/// a
+///   car has room; none if a drive or a car park is mapped in the lot or within 1 m of it.
+///
+/// Neither path nor drive is laid where it would leave the lot or meet a wall or a mapped barrier, tree or pool.
+/// O(things near).
 YardLayout lay_yard(const map::FeatureView& features, const Lot& lot, const YardRule& rule, const MappedThings& mapped);
 
 }  // namespace citykiln::lots

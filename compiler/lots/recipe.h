@@ -1,12 +1,16 @@
-// The recipe of a yard: what its rule and the seed cannot draw. draw_yard.h makes areas, barriers and plants of it.
+// The recipe of a yard, Yard: what cannot be computed again from the yard's rule and the seed. draw_yard.h generates
+// areas, barriers and plants from it.
 //
-//        rear            y ▲      x runs along the street, y away from it
-//     ┌─────────┐          │
-//     │  ┌───┐  │          │
-//     │  │   │  │ setback_m ┤
-//     │  └─D─┘  │          │      D the door
-//     │  front  │          └────► x
-//    ═╧═════════╧═ street
+//         rear            The frame of a yard: x runs along the street, y away from it. Its origin lies on the lot's
+//     ┌──────────┐        border to the street, kUnderPavement_m (land_of.h) inside the pavement. The setback is the
+//     │  ┌────┐  │        distance from there to the building.
+//     │  │    │  │
+//     │  └──D─┘  │ ┐      D the door
+//   y ▲   front  │ │ setback_m
+//    ═╧═►════════╧═╧═ street
+//       x
+//
+// Coordinates are plane metres (compiler/map/plane/plane.h) or those of the frame, as stated.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +35,8 @@ enum class LotKind : std::uint8_t {
   kCount
 };
 
-/// The frame of a lot: see the picture above. It is right-handed for yards.
+/// The frame of a lot: see the picture above. Right-handed if it is made by frame_at(); that of a street's right side
+/// (frame_of(), plan_lots.h) is left-handed.
 struct Frame {
   Vec2 origin;         ///< In metres of the plane.
   Vec2 along, inward;  ///< The directions of x and y, unit vectors.
@@ -39,68 +44,73 @@ struct Frame {
   Vec2 plane(Vec2 p) const { return origin + along * p.x + inward * p.y; }
 };
 
-/// The step of the corners of yards; that of places and lengths in the frame of a yard, of its origin and of its
-/// plants; and the number of headings in a full turn. A heading is off by 0.18 degrees at most: 5 cm at 16 m.
-inline constexpr double kOutlineStep_m = 0.25, kYardStep_m = 0.125;
+/// The grid spacing of the corners of lots, in metres.
+inline constexpr double kOutlineStep_m = 0.25;
+/// The grid spacing of frames' origins and of plants in the plane, and of places and lengths in a frame, in metres.
+inline constexpr double kYardStep_m = 0.125;
+/// The number of headings in a full turn. A heading is off by 0.18 degrees at most: 5 cm at 16 m.
 inline constexpr int kHeadings = 1024;
-/// The number of parts that the ids of a yard's features of one kind have (contract/derived_id.h).
+/// The most features of one kind that a yard has; more are not drawn. Also the distance between ids of yards
+/// (contract/derived_id.h).
 inline constexpr std::uint32_t kPartsOfYard = 256;
 
-/// The place of a yard's frame: `origin` is a multiple of kYardStep_m on the frontage, and y has this heading in
-/// kHeadings-ths of a full turn counter-clockwise of east.
+/// The origin and heading of a yard's frame, on the grids of recipes.
 struct FramePlace {
-  Vec2 origin;
-  std::uint16_t heading = 0;
+  Vec2 origin;                ///< In the plane, a multiple of kYardStep_m.
+  std::uint16_t heading = 0;  ///< The direction of y, in kHeadings-ths of a full turn counter-clockwise of east.
   bool operator==(const FramePlace&) const = default;
 };
 
-/// Returns the frame at a place. Every machine gives the same bits.
+/// Returns the frame at a place, right-handed. Bit-identical on all machines.
 Frame frame_at(const FramePlace& place);
-/// Returns the place whose frame is nearest to a frame; x changes its direction if the frame is left-handed.
+/// Returns the place whose frame is nearest to a frame: its origin is off by at most 0.71 · kYardStep_m, its heading by
+/// 0.18 degrees. A left-handed frame has its x axis turned round. Bit-identical on all machines.
 FramePlace place_of(const Frame& frame);
 
-/// Returns the y of a building's point that is nearest to the street, rounded down: 0 or a multiple of kYardStep_m.
+/// Returns the least y of a building's points in a frame, rounded down to a multiple of kYardStep_m, and at least 0.
+/// 0 for an empty ring.
 double setback_of(const Ring& building, const FramePlace& place);
 
-/// A piece of the path to the door or of the drive: the ends of its middle line in the frame, multiples of kYardStep_m.
+/// A piece of the path to the door or of the drive.
 struct YardStrip {
   bool is_drive = false;
-  Vec2 from, to;
+  Vec2 from, to;  ///< The ends of its middle line in the yard's frame, multiples of kYardStep_m.
   bool operator==(const YardStrip&) const = default;
 };
 
-/// Where a barrier stands. The first two have the rule of the border to the street.
+/// The part of a lot's border on which a barrier stands.
 enum class BorderPlace : std::uint8_t {
-  kStreet,     ///< Along a street, a little inside the lot.
-  kFrontSide,  ///< At a side of the front yard.
-  kElsewhere,  ///< At the sides and the rear.
+  kStreet,     ///< Along a street, a little inside the lot. The barrier is YardRule::street.
+  kFrontSide,  ///< At a side of the front yard, on the border. The barrier is YardRule::street.
+  kElsewhere,  ///< At the other sides and the rear, on the border. The barrier is YardRule::sides.
   kCount
 };
 
-/// A barrier along the border of a yard: this many steps from a step on (border_steps() of draw_yard.h). It goes on at
-/// the first step behind the last one.
+/// A barrier along the border of a lot: consecutive segments of its outer ring (border_segments() of draw_yard.h).
 struct BorderRun {
-  std::uint32_t first = 0, count = 0;
+  std::uint32_t first = 0, count = 0;  ///< The first segment, and how many. A run wraps at the end of the ring.
   BorderPlace place{};
   bool operator==(const BorderRun&) const = default;
 };
 
-/// A lot whose box is wider or higher has no yard.
+/// A lot whose bounding box is larger in x or y, in metres, has no yard.
 inline constexpr double kLargestYard_m = 2048;
 
-/// The recipe of a yard. With the seed it decides everything that the yard has.
+/// The recipe of a yard.
 struct Yard {
-  ObjectId building;  ///< The main building. With the seed it decides the rule and the plants.
+  ObjectId building;  ///< The main building. Its id and the seed pick among the rules for the next three.
   map::CountryGroup country{};
   LotKind kind{};
   bool is_arid = false;  ///< True in deserts and steppes.
-  Polygon polygon{};     ///< The lot. Points are multiples of kOutlineStep_m; its rings may touch and cross.
+  /// The lot in the plane: the outer ring counter-clockwise, holes clockwise, corners multiples of kOutlineStep_m.
+  /// Rings may touch and cross.
+  Polygon polygon{};
   FramePlace frame{};
   double setback_m = 0;   ///< The setback_of() the main building.
   bool has_bays = false;  ///< True if the front has bays for cars.
   std::vector<YardStrip> strips{};
   std::vector<BorderRun> borders{};
-  std::vector<bool> plants{};  ///< For each plant that the seed draws (plants_drawn()) whether it stands; else not.
+  std::vector<bool> plants{};  ///< Which of plants_drawn() stand. Missing values at the end are false.
   bool operator==(const Yard&) const = default;
 };
 

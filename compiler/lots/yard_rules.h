@@ -21,7 +21,7 @@ struct YardRule {
   map::LandCoverClass front{}, rear{}, path{}, drive{};
   bool has_drive = false;
   BorderRule street, sides;
-  double trees = 0, shrubs = 0;  ///< On 100 m2 of soft ground.
+  double trees = 0, shrubs = 0;  ///< The mean number on 100 m2 of soft ground (is_planted()).
 };
 
 /// Returns the rule of a barrier at a place.
@@ -29,7 +29,7 @@ inline const BorderRule& border_at(const YardRule& rule, BorderPlace place) {
   return place == BorderPlace::kElsewhere ? rule.sides : rule.street;
 }
 
-/// Returns the random numbers of a yard; indices 0 to 3 are those of its rule.
+/// Returns the random numbers of a yard. rule_of() uses indices 0 to 3, plants those from 16 on.
 RandomSequence draws_of(const Yard& yard, std::uint64_t seed);
 
 /// Returns a rule drawn among the variants of the yard's country group and kind, changed by its climate. In deserts and

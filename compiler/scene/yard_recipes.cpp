@@ -11,7 +11,7 @@
 namespace citykiln::scene {
 namespace {
 
-// The recipes that a yard draws: its features, as the later stages take them over.
+// The recipes that a yard generates: its features, as later stages take them over.
 struct YardObjects {
   std::vector<ground::LandCoverPolygon> surfaces;
   std::vector<props::Barrier> barriers;
@@ -28,32 +28,32 @@ YardObjects objects_of(const lots::Yard& yard, std::uint64_t seed) {
   return objects;
 }
 
-// Moves the objects that are in `all` to `drawn`, and adds for each whether it was not there.
+// Marks the objects of a yard among `all`, and adds for each whether it is not there.
 template <typename Object>
-void find_drawn(const std::vector<Object>& objects, const std::vector<Object>& all, std::vector<bool>& is_drawn,
-                std::vector<bool>& left_out) {
+void find_generated(const std::vector<Object>& objects, const std::vector<Object>& all, std::vector<bool>& is_generated,
+                    std::vector<bool>& suppressed) {
   for (const Object& object : objects) {
     const auto found = std::ranges::lower_bound(all, object.id, {}, &Object::id);
     const bool is_there = found != all.end() && *found == object;
-    left_out.push_back(!is_there);
-    if (is_there) is_drawn[static_cast<std::size_t>(found - all.begin())] = true;
+    suppressed.push_back(!is_there);
+    if (is_there) is_generated[static_cast<std::size_t>(found - all.begin())] = true;
   }
 }
 
 template <typename Object>
-std::vector<Object> without(const std::vector<Object>& all, const std::vector<bool>& is_drawn) {
+std::vector<Object> without(const std::vector<Object>& all, const std::vector<bool>& is_generated) {
   std::vector<Object> rest;
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (!is_drawn[i]) rest.push_back(all[i]);
+    if (!is_generated[i]) rest.push_back(all[i]);
   return rest;
 }
 
-// Adds those objects of a yard that are not left out; `number` counts them.
+// Adds those objects of a yard that are not suppressed; `number` counts them.
 template <typename Object>
-void add_drawn(std::vector<Object>& objects, const std::vector<bool>& left_out, std::size_t& number,
-               std::vector<Object>& all) {
+void add_generated(std::vector<Object>& objects, const std::vector<bool>& suppressed, std::size_t& number,
+                   std::vector<Object>& all) {
   for (Object& object : objects)
-    if (const std::size_t i = number++; i >= left_out.size() || !left_out[i]) all.push_back(std::move(object));
+    if (const std::size_t i = number++; i >= suppressed.size() || !suppressed[i]) all.push_back(std::move(object));
 }
 
 template <typename Object>
@@ -65,36 +65,36 @@ void merge_from(std::vector<Object>& all, std::size_t middle) {
 
 }  // namespace
 
-LeanChunk lean(const Chunk& chunk, std::uint64_t seed) {
-  LeanChunk lean{.chunk = chunk};
+StrippedChunk strip_yards(const Chunk& chunk, std::uint64_t seed) {
+  StrippedChunk stripped{.chunk = chunk};
   std::vector<bool> surfaces(chunk.surfaces.size()), barriers(chunk.barriers.size()), trees(chunk.trees.size());
   for (const lots::Yard& yard : chunk.yards) {
     const YardObjects objects = objects_of(yard, seed);
-    std::vector<bool>& left_out = lean.left_out.emplace_back();
-    find_drawn(objects.surfaces, chunk.surfaces, surfaces, left_out);
-    find_drawn(objects.barriers, chunk.barriers, barriers, left_out);
-    find_drawn(objects.trees, chunk.trees, trees, left_out);
+    std::vector<bool>& suppressed = stripped.suppressed.emplace_back();
+    find_generated(objects.surfaces, chunk.surfaces, surfaces, suppressed);
+    find_generated(objects.barriers, chunk.barriers, barriers, suppressed);
+    find_generated(objects.trees, chunk.trees, trees, suppressed);
   }
-  lean.chunk.surfaces = without(chunk.surfaces, surfaces);
-  lean.chunk.barriers = without(chunk.barriers, barriers);
-  lean.chunk.trees = without(chunk.trees, trees);
-  if (chunk.yards.empty() || drawn(LeanChunk(lean), seed) == chunk) return lean;
-  // lists that are not sorted, or ids that are not unique: nothing is drawn
-  for (std::vector<bool>& left_out : lean.left_out) left_out.assign(left_out.size(), true);
-  return {chunk, std::move(lean.left_out)};
+  stripped.chunk.surfaces = without(chunk.surfaces, surfaces);
+  stripped.chunk.barriers = without(chunk.barriers, barriers);
+  stripped.chunk.trees = without(chunk.trees, trees);
+  if (chunk.yards.empty() || restore_yards(StrippedChunk(stripped), seed) == chunk) return stripped;
+  // lists that are not sorted, or ids that are not unique: nothing is stripped
+  for (std::vector<bool>& suppressed : stripped.suppressed) suppressed.assign(suppressed.size(), true);
+  return {chunk, std::move(stripped.suppressed)};
 }
 
-Chunk drawn(LeanChunk&& lean, std::uint64_t seed) {
-  Chunk chunk = std::move(lean.chunk);
+Chunk restore_yards(StrippedChunk&& stripped, std::uint64_t seed) {
+  Chunk chunk = std::move(stripped.chunk);
   const std::size_t surfaces = chunk.surfaces.size(), barriers = chunk.barriers.size(), trees = chunk.trees.size();
   for (std::size_t i = 0; i < chunk.yards.size(); ++i) {
     static const std::vector<bool> kNone;
-    const std::vector<bool>& left_out = i < lean.left_out.size() ? lean.left_out[i] : kNone;
+    const std::vector<bool>& suppressed = i < stripped.suppressed.size() ? stripped.suppressed[i] : kNone;
     YardObjects objects = objects_of(chunk.yards[i], seed);
     std::size_t number = 0;
-    add_drawn(objects.surfaces, left_out, number, chunk.surfaces);
-    add_drawn(objects.barriers, left_out, number, chunk.barriers);
-    add_drawn(objects.trees, left_out, number, chunk.trees);
+    add_generated(objects.surfaces, suppressed, number, chunk.surfaces);
+    add_generated(objects.barriers, suppressed, number, chunk.barriers);
+    add_generated(objects.trees, suppressed, number, chunk.trees);
   }
   if (chunk.yards.empty()) return chunk;
   merge_from(chunk.surfaces, surfaces), merge_from(chunk.barriers, barriers), merge_from(chunk.trees, trees);

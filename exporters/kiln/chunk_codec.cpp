@@ -260,17 +260,17 @@ void heights(Io& io, map::Heightfield& h) {
   }
 }
 
-// The yards, and for each the gaps: what it draws but the chunk does not have.
-void yards(auto& io, scene::LeanChunk& lean) {
-  YardContext context{lean.chunk.buildings};
-  list(io, "yards", lean.chunk.yards, 0, [&](lots::Yard& yard) { serialise(io, yard, context); });
-  lean.left_out.resize(lean.chunk.yards.size());
-  for (std::vector<bool>& left_out : lean.left_out) bits(io, "yard gaps", "yard gap bits", left_out);
+// The yards, and for each the gaps: what it generates but the chunk does not have.
+void yards(auto& io, scene::StrippedChunk& stripped) {
+  YardContext context{stripped.chunk.buildings};
+  list(io, "yards", stripped.chunk.yards, 0, [&](lots::Yard& yard) { serialise(io, yard, context); });
+  stripped.suppressed.resize(stripped.chunk.yards.size());
+  for (std::vector<bool>& suppressed : stripped.suppressed) bits(io, "yard gaps", "yard gap bits", suppressed);
 }
 
 template <typename Io>
-void serialise(Io& io, scene::LeanChunk& lean) {
-  Chunk& c = lean.chunk;
+void serialise(Io& io, scene::StrippedChunk& stripped) {
+  Chunk& c = stripped.chunk;
   std::uint64_t is_coarse = io.point_step_m == kMapStep_m ? 1 : 0;
   io.number("point step", is_coarse);
   if constexpr (Io::kReads)
@@ -297,10 +297,10 @@ void serialise(Io& io, scene::LeanChunk& lean) {
   things(io, c.things);
   list(io, "wire spans", c.wire_spans, 0, [&](auto& o) { serialise(io, o); });
   texts(io, c.texts);
-  yards(io, lean);
+  yards(io, stripped);
 }
 
-double step_of(scene::LeanChunk& chunk) {
+double step_of(scene::StrippedChunk& chunk) {
   PointStepProbe finder;
   serialise(finder, chunk);
   return finder.point_step_m;
@@ -313,9 +313,9 @@ std::span<const char* const> stream_names() { return kStreamNames; }
 Streams encode_chunk(const Chunk& chunk, std::uint64_t seed) {
   Writer writer;
   // codecs take their objects by reference, since readers change them
-  scene::LeanChunk lean = scene::lean(chunk, seed);
-  writer.point_step_m = step_of(lean);
-  serialise(writer, lean);
+  scene::StrippedChunk stripped = scene::strip_yards(chunk, seed);
+  writer.point_step_m = step_of(stripped);
+  serialise(writer, stripped);
   Streams streams;
   for (std::size_t i = 0; i < kStreamNames.size(); ++i)
     if (!writer.streams[i].bytes().empty()) streams[kStreamNames[i]] = writer.streams[i].bytes();
@@ -330,14 +330,14 @@ std::optional<Chunk> decode_chunk(const Streams& streams, scene::TileKey tile, s
     reader.streams[static_cast<std::size_t>(known - kStreamNames.begin())].emplace(bytes);
     reader.total_bytes += bytes.size();
   }
-  scene::LeanChunk lean;
-  lean.chunk.tile = tile;
-  serialise(reader, lean);
+  scene::StrippedChunk stripped;
+  stripped.chunk.tile = tile;
+  serialise(reader, stripped);
   for (std::size_t i = 0; i < kStreamNames.size(); ++i)
     if (reader.wrong.empty() && reader.streams[i] && !reader.streams[i]->is_finished()) reader.wrong = kStreamNames[i];
   wrong = reader.wrong;
   if (!wrong.empty()) return std::nullopt;
-  return scene::drawn(std::move(lean), seed);
+  return scene::restore_yards(std::move(stripped), seed);
 }
 
 }  // namespace citykiln::exporters

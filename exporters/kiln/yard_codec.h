@@ -1,5 +1,6 @@
-// Reads and writes the recipes of yards of a chunk (the recipes of one tile). `io` is a Writer, a Reader or a probe
-// (chunk_io.h). Surfaces, barriers and trees of yards are drawn from them (compiler/scene/yard_recipes.h).
+// Reads and writes the yards of one tile. `io` is a Writer, a Reader or a probe (chunk_io.h); io.fail() notes the first
+// wrong stream, and reading goes on. Surfaces, barriers and trees of yards are generated from them
+// (compiler/scene/yard_recipes.h).
 #pragma once
 
 #include <algorithm>
@@ -26,7 +27,8 @@ void steps(auto& io, Stream name, double& value, double step_m) {
   }
 }
 
-/// Bits, seven in a number, the first one least; false ones at the end are not written.
+/// Bits, seven in a number, the first one in the least significant bit. Trailing false ones are removed from `all`, and
+/// not written.
 void bits(auto& io, Stream size, Stream name, std::vector<bool>& all) {
   while (!all.empty() && !all.back()) all.pop_back();
   const std::size_t count = io.count(size, (all.size() + 6) / 7);
@@ -44,11 +46,12 @@ void bits(auto& io, Stream size, Stream name, std::vector<bool>& all) {
     while (!all.empty() && !all.back()) all.pop_back();
 }
 
-/// The points of outlines, each once, in the order in which they appear. Codes are those of PointCode.
+/// The points of outlines, each once, in the order in which they appear. Codes are those of PointCode
+/// (chunk_io.h).
 struct OutlinePoints {
   std::map<Vec2, std::size_t> numbers;
   std::vector<Vec2> all;
-  std::size_t last = 0;  ///< The number of the last point that was used.
+  std::size_t last = 0;  ///< The number of the previous point.
 
   void add(Vec2 p) { numbers.emplace(p, all.size()), last = all.size(), all.push_back(p); }
   std::uint64_t code_of(Vec2 p) const {
@@ -58,7 +61,7 @@ struct OutlinePoints {
   }
 };
 
-/// A point of an outline: a new one as the difference to the last one, in steps of kOutlineStep_m.
+/// A point of an outline: a new one as the difference to the previous one, or to (0, 0), in steps of kOutlineStep_m.
 void outline_point(auto& io, OutlinePoints& known, Vec2& p) {
   std::uint64_t code = known.code_of(p);
   io.number("yard points", code);
@@ -99,11 +102,18 @@ struct YardContext {
   std::uint16_t heading = 0;
 };
 
-/// The building: its distance in the list of buildings from the one behind the last yard's, plus 1; or 0, then its id.
+/// The building's place in the list of buildings, sorted by id; as many as buildings if it is not in it.
+inline std::size_t place_in(const std::vector<buildings::Building>& buildings, ObjectId building) {
+  const auto found = std::ranges::lower_bound(buildings, building, {}, &buildings::Building::id);
+  const bool is_there = found != buildings.end() && found->id == building;
+  return is_there ? static_cast<std::size_t>(found - buildings.begin()) : buildings.size();
+}
+
+/// The building, which is read before: 1 plus the number of buildings skipped since that of the previous yard; or 0,
+/// then its id.
 void building_of(auto& io, ObjectId& building, YardContext& context) {
-  const auto found = std::ranges::find(context.buildings, building, &buildings::Building::id);
-  const auto index = static_cast<std::size_t>(found - context.buildings.begin());
-  const bool is_listed = index >= context.next_building && found != context.buildings.end();
+  const std::size_t index = place_in(context.buildings, building);
+  const bool is_listed = index >= context.next_building && index < context.buildings.size();
   std::size_t number = is_listed ? index - context.next_building + 1 : 0;
   io.number("yard building", number);
   if (number == 0) return id(io, building);
@@ -114,9 +124,10 @@ void building_of(auto& io, ObjectId& building, YardContext& context) {
 }
 
 /// The setback of the building; 0 if it is not in the chunk.
-inline double usual_setback(const lots::Yard& yard, const YardContext& context) {
-  const auto found = std::ranges::find(context.buildings, yard.building, &buildings::Building::id);
-  return found == context.buildings.end() ? 0 : lots::setback_of(found->footprint.outer, yard.frame);
+inline double computed_setback(const lots::Yard& yard, const YardContext& context) {
+  const std::size_t index = place_in(context.buildings, yard.building);
+  if (index == context.buildings.size()) return 0;
+  return lots::setback_of(context.buildings[index].footprint.outer, yard.frame);
 }
 
 void serialise(auto& io, lots::YardStrip& strip) {
@@ -129,7 +140,7 @@ void serialise(auto& io, lots::YardStrip& strip) {
   steps(io, "yard strip end", strip.to.y, lots::kYardStep_m);
 }
 
-/// @param end  The first step behind the last run; set to that of this one.
+/// @param end  The end of the previous run, modulo 2^32; set to that of this one. Runs may be in any order.
 void serialise(auto& io, lots::BorderRun& run, std::uint32_t& end) {
   enumerator(io, "border place", run.place, lots::BorderPlace::kCount);
   std::uint32_t gap = run.first - end;
@@ -150,7 +161,7 @@ void serialise(auto& io, lots::Yard& yard, YardContext& context) {
   auto turn = static_cast<std::uint16_t>((yard.frame.heading - context.heading) & (lots::kHeadings - 1));
   io.number("yard heading", turn);
   yard.frame.heading = context.heading = static_cast<std::uint16_t>((context.heading + turn) & (lots::kHeadings - 1));
-  const double usual_m = usual_setback(yard, context);
+  const double usual_m = computed_setback(yard, context);
   double more_m = yard.setback_m - usual_m;
   steps(io, "yard setback", more_m, lots::kYardStep_m);
   yard.setback_m = usual_m + more_m;

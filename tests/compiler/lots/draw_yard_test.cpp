@@ -42,12 +42,13 @@ TEST(FramePlace, SetbackIsRoundedDown) {
 
 TEST(BorderLine, FollowsTheRingAndStandsInsideAlongStreets) {
   const Ring ring = made_yard().polygon.outer;
-  const std::vector<BorderStep> steps = border_steps(ring);
-  EXPECT_EQ(steps.size(), 200u);
+  const std::vector<BorderSegment> segments = border_segments(ring);
+  EXPECT_EQ(segments.size(), 200u);
   // from the middle of the east side around two corners
-  EXPECT_EQ(border_line(steps, {70, 60, BorderPlace::kElsewhere}), (Polyline{{20, 15}, {20, 30}, {5, 30}}));
+  EXPECT_EQ(border_line(segments, {70, 60, BorderPlace::kElsewhere}), (Polyline{{20, 15}, {20, 30}, {5, 30}}));
   const double inset = inset_m(BorderPlace::kStreet);
-  EXPECT_EQ(border_line(steps, {190, 30, BorderPlace::kStreet}), (Polyline{{inset, 5}, {inset, inset}, {10, inset}}));
+  EXPECT_EQ(border_line(segments, {190, 30, BorderPlace::kStreet}),
+            (Polyline{{inset, 5}, {inset, inset}, {10, inset}}));
 }
 
 TEST(DrawYard, DrawsWhatTheRecipeSays) {

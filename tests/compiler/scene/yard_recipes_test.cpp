@@ -13,7 +13,7 @@ constexpr std::uint64_t kSeed = 4;
 
 // Yards side by side, of which all plants stand.
 Chunk made_chunk() {
-  LeanChunk lean;
+  StrippedChunk stripped;
   for (int i = 0; i < 12; ++i) {
     const double x = 20.0 * i;
     lots::Yard yard{.building = {{OsmType::kWay, 1000 - 7 * i}, 0},
@@ -25,22 +25,22 @@ Chunk made_chunk() {
     yard.strips = {{false, {2, 8.25}, {2, -0.25}}};
     yard.borders = {{40, 60, lots::BorderPlace::kElsewhere}};
     yard.plants.assign(lots::plants_drawn(yard, *lots::rule_of(yard, kSeed), kSeed).size(), true);
-    lean.chunk.yards.push_back(yard);
+    stripped.chunk.yards.push_back(yard);
   }
-  return drawn(std::move(lean), kSeed);
+  return restore_yards(std::move(stripped), kSeed);
 }
 
-TEST(YardRecipes, LeaveOutAllThatYardsDraw) {
+TEST(YardRecipes, StripsAllThatYardsGenerate) {
   const Chunk chunk = made_chunk();
   EXPECT_GE(chunk.surfaces.size(), 24u);
   EXPECT_EQ(chunk.barriers.size(), 12u);
   EXPECT_GT(chunk.trees.size(), 12u);
-  const LeanChunk made = lean(chunk, kSeed);
+  const StrippedChunk made = strip_yards(chunk, kSeed);
   EXPECT_TRUE(made.chunk.surfaces.empty() && made.chunk.barriers.empty() && made.chunk.trees.empty());
-  EXPECT_EQ(drawn(LeanChunk(made), kSeed), chunk);
+  EXPECT_EQ(restore_yards(StrippedChunk(made), kSeed), chunk);
 }
 
-TEST(YardRecipes, KeepWhatYardsDoNotDraw) {
+TEST(YardRecipes, KeepsWhatYardsDoNotGenerate) {
   Chunk chunk = made_chunk();
   chunk.surfaces[3].rings[0].pop_back();
   chunk.trees[2].height_m = 77;
@@ -49,33 +49,33 @@ TEST(YardRecipes, KeepWhatYardsDoNotDraw) {
   chunk.trees.insert(chunk.trees.begin(), {{{OsmType::kNode, 1}, 0}, {3, 3}, 9, {}});
   chunk.trees.erase(chunk.trees.begin() + 6);
   chunk.surfaces.erase(chunk.surfaces.begin() + 7);
-  const LeanChunk made = lean(chunk, kSeed);
+  const StrippedChunk made = strip_yards(chunk, kSeed);
   EXPECT_EQ(made.chunk.surfaces.size(), 1u);
   EXPECT_EQ(made.chunk.barriers.size(), 1u);
   EXPECT_EQ(made.chunk.trees.size(), 2u);
-  std::size_t left_out = 0;
-  for (const std::vector<bool>& each : made.left_out)
-    left_out += static_cast<std::size_t>(std::ranges::count(each, true));
-  EXPECT_EQ(left_out, 5u);
-  EXPECT_EQ(drawn(LeanChunk(made), kSeed), chunk);
+  std::size_t suppressed = 0;
+  for (const std::vector<bool>& each : made.suppressed)
+    suppressed += static_cast<std::size_t>(std::ranges::count(each, true));
+  EXPECT_EQ(suppressed, 5u);
+  EXPECT_EQ(restore_yards(StrippedChunk(made), kSeed), chunk);
   EXPECT_EQ(chunk.trees.size(), trees);
 }
 
 TEST(YardRecipes, ListsThatAreNotSortedStayAsTheyAre) {
   Chunk chunk = made_chunk();
   std::ranges::reverse(chunk.trees);
-  EXPECT_EQ(drawn(lean(chunk, kSeed), kSeed), chunk);
+  EXPECT_EQ(restore_yards(strip_yards(chunk, kSeed), kSeed), chunk);
 }
 
 TEST(YardRecipes, TwoYardsOfOneBuildingLoseNothing) {
   Chunk chunk = made_chunk();
   chunk.yards.push_back(chunk.yards.front());
-  EXPECT_EQ(drawn(lean(chunk, kSeed), kSeed), chunk);
+  EXPECT_EQ(restore_yards(strip_yards(chunk, kSeed), kSeed), chunk);
 }
 
-TEST(YardRecipes, AnotherSeedDrawsNothingOfTheChunkAway) {
+TEST(YardRecipes, AnotherSeedLosesNothing) {
   const Chunk chunk = made_chunk();
-  EXPECT_EQ(drawn(lean(chunk, kSeed + 1), kSeed + 1), chunk);
+  EXPECT_EQ(restore_yards(strip_yards(chunk, kSeed + 1), kSeed + 1), chunk);
 }
 
 }  // namespace
