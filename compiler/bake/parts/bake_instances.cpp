@@ -51,14 +51,15 @@ plants::PlacedPlants merged_variants(const plants::PlacedPlants& placed, double 
 // Adds each stand as one instance.
 void bake_stands(Baking& baking, const Stands& stands, const PrototypeCache& prototypes) {
   for (const auto& [key, placements] : stands) {
-    const auto& [element, prototype] = key;
+    const plants::Prototype prototype = key.prototype;
     const double height_m = prototype_height_m(tallest(placements));
     const BakedPrototype& baked = prototypes.prototype(
-        prototype, height_m, stand_tolerance_m(prototypes.species()[prototype.species], baking.tolerance_m));
+        prototype, height_m,
+        stand_tolerance_m(prototypes.species()[prototype.species], baking.tolerance_m, key.is_inner));
     if (baked.primitives.empty()) continue;
     baking.tile.plant_error_m = std::max(baking.tile.plant_error_m, baked.error_per_m * tallest(placements));
     InstancedMesh stand =
-        stand_mesh(baked, height_m, placements, baking.tile.origin, feature_index(baking.tile, element));
+        stand_mesh(baked, height_m, placements, baking.tile.origin, feature_index(baking.tile, key.element));
     stand.name = fmt::format("stand_of_{}", name_of(prototypes.species(), prototype));
     baking.tile.instanced.push_back(std::move(stand));
   }
@@ -148,10 +149,10 @@ void bake_trees(Baking& baking, const Placed& placed, const PrototypeCache& prot
   plants::PlacedPlants trees = placed.trees;
   baking.tile.plant_error_m = std::max(baking.tile.plant_error_m, placed.left_out_m);
   const std::size_t others = placed.lamps.standing.size() + placed.things.size();
-  bake_stands(
-      baking,
-      take_stands(trees, baking.tolerance_m, most_instances - std::min(others, most_instances), prototypes.species()),
-      prototypes);
+  bake_stands(baking,
+              take_stands(trees, scene::box_of(baking.header, baking.chunk.tile), baking.tolerance_m,
+                          most_instances - std::min(others, most_instances), prototypes.species()),
+              prototypes);
   for (const auto& [prototype, placements] : merged_variants(trees, baking.tolerance_m)) {
     if (placements.empty()) continue;
     const double tallest_m = baking.cell ? baking.cell->tallest_plants_m.at(prototype) : tallest(placements);

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <cstdint>
 #include <functional>
 #include <set>
+#include <utility>
 
 #include "compiler/bake/merge.h"
 #include "compiler/bake/parts/bake_instances.h"
@@ -29,6 +32,35 @@ std::set<OsmId> elements_to_take(const plants::PlacedPlants& placed, std::size_t
   return taken;
 }
 
+// The squares with plants of stands.
+struct WoodSquares {
+  Box2 tile;
+  std::set<std::pair<std::int64_t, std::int64_t>> filled;
+};
+
+std::pair<std::int64_t, std::int64_t> square_at(Vec2 p) {
+  return {static_cast<std::int64_t>(std::floor(p.x / kWoodSquare_m)),
+          static_cast<std::int64_t>(std::floor(p.y / kWoodSquare_m))};
+}
+
+WoodSquares squares_of(const plants::PlacedPlants& placed, const std::set<OsmId>& taken, const Box2& tile) {
+  WoodSquares squares{tile, {}};
+  for (const auto& [prototype, placements] : placed)
+    for (const Placement& p : placements)
+      if (taken.contains(p.feature)) squares.filled.insert(square_at(in_plan(p.at)));
+  return squares;
+}
+
+bool is_inside(const WoodSquares& squares, Vec2 p) {
+  constexpr int kRings = 2;
+  for (int i = -kRings; i <= kRings; ++i)
+    for (int j = -kRings; j <= kRings; ++j) {
+      const Vec2 other = p + Vec2{i * kWoodSquare_m, j * kWoodSquare_m};
+      if (squares.tile.contains(other) && !squares.filled.contains(square_at(other))) return false;
+    }
+  return true;
+}
+
 Vec3 turned_by_yaw(const Placement& p, Vec3 v) {
   return {p.cos_yaw * v.x - p.sin_yaw * v.y, p.sin_yaw * v.x + p.cos_yaw * v.y, v.z};
 }
@@ -49,19 +81,26 @@ void add_plant(Primitive& to, const Primitive& from, double height_m, const Plac
 
 }  // namespace
 
-double stand_tolerance_m(const plants::SpeciesValues& species, double tolerance_m) {
-  return std::max(tolerance_m, kStandTolerance * species.tallest_m);
+double stand_tolerance_m(const plants::SpeciesValues& species, double tolerance_m, bool is_inner) {
+  return std::max(tolerance_m, (is_inner ? kInnerTolerance : kEdgeTolerance) * species.tallest_m);
 }
 
-Stands take_stands(plants::PlacedPlants& placed, double tolerance_m, std::size_t most,
+Stands take_stands(plants::PlacedPlants& placed, const Box2& tile, double tolerance_m, std::size_t most,
                    const plants::SpeciesTable& table) {
   const std::set<OsmId> taken = elements_to_take(placed, most);
+  const WoodSquares squares = squares_of(placed, taken, tile);
   Stands stands;
   for (auto& [prototype, placements] : placed) {
     const auto is_kept = [&](const Placement& p) { return !taken.contains(p.feature); };
     const auto rest = std::stable_partition(placements.begin(), placements.end(), is_kept);
-    const plants::Prototype alike = merged_variant(prototype, stand_tolerance_m(table[prototype.species], tolerance_m));
-    for (auto p = rest; p != placements.end(); ++p) stands[{p->feature, alike}].push_back(*p);
+    const auto alike = [&](bool is_inner) {
+      return merged_variant(prototype, stand_tolerance_m(table[prototype.species], tolerance_m, is_inner));
+    };
+    const plants::Prototype at_edge = alike(false), inside = alike(true);
+    for (auto p = rest; p != placements.end(); ++p) {
+      const bool is_inner = is_inside(squares, in_plan(p->at));
+      stands[{p->feature, is_inner ? inside : at_edge, is_inner}].push_back(*p);
+    }
     placements.erase(rest, placements.end());
   }
   return stands;

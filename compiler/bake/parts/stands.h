@@ -5,13 +5,14 @@
 // species is its variant. At coarse tolerances several variants share one mesh.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <map>
-#include <utility>
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
 #include "compiler/bake/prototype_cache.h"
+#include "compiler/geometry/box.h"
 #include "compiler/plants/generate.h"
 
 namespace citykiln::bake {
@@ -19,24 +20,35 @@ namespace citykiln::bake {
 /// Elements with up to this many plants do not become stands. Mapped single trees are elements of one plant and never
 /// do.
 inline constexpr std::size_t kMostLoosePlants = 16;
-/// The smallest tolerance of plants in stands, as a share of the tallest height of their species. A crown then consists
-/// of a few leaf cards (textured rectangles).
-inline constexpr double kStandTolerance = 1.0 / 16;
+/// The smallest tolerance of plants in stands, as a share of the tallest height of their species: at the edge of woods,
+/// where they are seen from the ground, and inside, where they are seen from above. A crown then consists of some 170
+/// or 40 leaf cards (textured rectangles).
+inline constexpr double kEdgeTolerance = 1.0 / 16, kInnerTolerance = 1.0 / 8;
+/// A plant is inside of a wood if plants of stands are in all squares of this size, in metres, within two of its own.
+inline constexpr double kWoodSquare_m = 12;
 
-/// The stands of a tile. The key is the map element and the prototype whose mesh all plants of the stand use, so an
-/// element with several species or variants has several stands.
-using Stands = std::map<std::pair<OsmId, plants::Prototype>, std::vector<Placement>>;
+/// The plants of one stand have these in common. An element with several species or variants has several stands.
+struct StandKey {
+  OsmId element;
+  plants::Prototype prototype;  ///< The mesh that they use.
+  bool is_inner = false;        ///< True inside of a wood.
+  auto operator<=>(const StandKey&) const = default;
+};
 
-/// Returns the tolerance for the plants of a stand: the tile's tolerance, at least kStandTolerance of the species'
-/// tallest height.
+/// The stands of a tile.
+using Stands = std::map<StandKey, std::vector<Placement>>;
+
+/// Returns the tolerance for the plants of a stand: the tile's tolerance, at least kEdgeTolerance or kInnerTolerance of
+/// the species' tallest height.
 /// @param tolerance_m  The tile's tolerance.
-double stand_tolerance_m(const plants::SpeciesValues& species, double tolerance_m);
+double stand_tolerance_m(const plants::SpeciesValues& species, double tolerance_m, bool is_inner);
 
 /// Moves plants out of `placed` into stands, all plants of one element at a time, the elements with the most plants
 /// first. Stops when at most `most` plants are left in `placed`, or no element with more than kMostLoosePlants.
 /// @param placed       The plants of a tile by prototype.
 /// @param tolerance_m  The tile's tolerance. Variants that share a mesh at stand_tolerance_m() are in one stand.
-Stands take_stands(plants::PlacedPlants& placed, double tolerance_m, std::size_t most,
+/// @param tile         Its box. Woods are taken to go on beyond it.
+Stands take_stands(plants::PlacedPlants& placed, const Box2& tile, double tolerance_m, std::size_t most,
                    const plants::SpeciesTable& table = plants::shipped_table());
 
 /// Returns a stand as a mesh with a single instance, whose origin is the stand's first plant. The mesh has no

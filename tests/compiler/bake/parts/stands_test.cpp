@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace citykiln::bake {
 namespace {
 
 constexpr OsmId kWood{OsmType::kWay, 7};
+const Box2 kTile{{-512, -512}, {512, 512}};
 
 // A wood of 20 trees of two variants, and three mapped trees.
 plants::PlacedPlants made_plants() {
@@ -25,20 +29,43 @@ std::size_t count_of(const plants::PlacedPlants& placed) {
 
 TEST(Stands, TakeNothingWhereThereAreFewPlants) {
   plants::PlacedPlants placed = made_plants();
-  EXPECT_TRUE(take_stands(placed, 0.5, 23).empty());
+  EXPECT_TRUE(take_stands(placed, kTile, 0.5, 23).empty());
   EXPECT_EQ(count_of(placed), 23u);
 }
 
 TEST(Stands, TakeWoodsAndLeaveMappedTrees) {
   plants::PlacedPlants placed = made_plants();
-  const Stands stands = take_stands(placed, 0.5, 22);
+  const Stands stands = take_stands(placed, kTile, 0.5, 22);
   EXPECT_EQ(count_of(placed), 3u);
   std::size_t taken = 0;
   for (const auto& [key, placements] : stands) {
-    EXPECT_EQ(key.first, kWood);
+    EXPECT_EQ(key.element, kWood);
+    EXPECT_FALSE(key.is_inner);
     taken += placements.size();
   }
   EXPECT_EQ(taken, 20u);
+}
+
+// A wood of 200 by 200 m in the corner of a tile, with a glade of 20 m: the inside begins 20 to 45 m behind its edges,
+// but at the tile's border, beyond which it goes on.
+TEST(Stands, PlantsAreInsideWhereTheWoodGoesOnAllAround) {
+  plants::PlacedPlants placed;
+  const Box2 glade{{-390, -390}, {-370, -370}};
+  for (double x = -510; x < -312; x += 5)
+    for (double y = -510; y < -312; y += 5)
+      if (!glade.contains({x, y})) placed[{plants::Species{}, 0}].push_back({{x, y, 0}, 1, 0, 12, kWood});
+  std::size_t inner = 0, all = 0;
+  for (const auto& [key, placements] : take_stands(placed, kTile, 0.1, 0))
+    for (const Placement& p : placements) {
+      const Vec2 at = in_plan(p.at);
+      const double to_edge =
+          std::min({-312 - at.x, -312 - at.y, std::max(std::abs(at.x + 380), std::abs(at.y + 380)) - 10});
+      ++all, inner += key.is_inner;
+      if (key.is_inner) EXPECT_GE(to_edge, 20) << at.x << ' ' << at.y;
+      if (to_edge > 45) EXPECT_TRUE(key.is_inner) << at.x << ' ' << at.y;
+    }
+  EXPECT_EQ(all, 1575u);
+  EXPECT_GT(inner, 500u);
 }
 
 TEST(Stands, ShowEachPlantWhereItsInstanceWouldBe) {
