@@ -150,8 +150,8 @@ void bake_trees(Baking& baking, const Placed& placed, const PrototypeCache& prot
   baking.tile.plant_error_m = std::max(baking.tile.plant_error_m, placed.left_out_m);
   const std::size_t others = placed.lamps.standing.size() + placed.things.size();
   bake_stands(baking,
-              take_stands(trees, scene::box_of(baking.header, baking.chunk.tile), baking.tolerance_m,
-                          most_instances - std::min(others, most_instances), prototypes.species()),
+              take_stands(trees, {scene::box_of(baking.header, baking.chunk.tile), baking.chunk.roads},
+                          baking.tolerance_m, most_instances - std::min(others, most_instances), prototypes.species()),
               prototypes);
   for (const auto& [prototype, placements] : merged_variants(trees, baking.tolerance_m)) {
     if (placements.empty()) continue;

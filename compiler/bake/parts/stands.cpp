@@ -32,7 +32,7 @@ std::set<OsmId> elements_to_take(const plants::PlacedPlants& placed, std::size_t
   return taken;
 }
 
-// The squares with plants of stands.
+// Squares of a tile.
 struct WoodSquares {
   Box2 tile;
   std::set<std::pair<std::int64_t, std::int64_t>> filled;
@@ -43,16 +43,24 @@ std::pair<std::int64_t, std::int64_t> square_at(Vec2 p) {
           static_cast<std::int64_t>(std::floor(p.y / kWoodSquare_m))};
 }
 
-WoodSquares squares_of(const plants::PlacedPlants& placed, const std::set<OsmId>& taken, const Box2& tile) {
-  WoodSquares squares{tile, {}};
+// The squares with plants through which no road leads.
+WoodSquares squares_of(const plants::PlacedPlants& placed, const std::set<OsmId>& taken,
+                       const StandSurroundings& around) {
+  WoodSquares squares{around.tile, {}};
   for (const auto& [prototype, placements] : placed)
     for (const Placement& p : placements)
       if (taken.contains(p.feature)) squares.filled.insert(square_at(in_plan(p.at)));
+  for (const roads::Road& road : around.roads)
+    for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
+      const int steps = 1 + static_cast<int>(distance(road.axis[i], road.axis[i + 1]) / (kWoodSquare_m / 4));
+      for (int k = 0; k <= steps; ++k)
+        squares.filled.erase(square_at(road.axis[i] + (road.axis[i + 1] - road.axis[i]) * (1.0 * k / steps)));
+    }
   return squares;
 }
 
 bool is_inside(const WoodSquares& squares, Vec2 p) {
-  constexpr int kRings = 2;
+  constexpr int kRings = 1;
   for (int i = -kRings; i <= kRings; ++i)
     for (int j = -kRings; j <= kRings; ++j) {
       const Vec2 other = p + Vec2{i * kWoodSquare_m, j * kWoodSquare_m};
@@ -85,10 +93,10 @@ double stand_tolerance_m(const plants::SpeciesValues& species, double tolerance_
   return std::max(tolerance_m, (is_inner ? kInnerTolerance : kEdgeTolerance) * species.tallest_m);
 }
 
-Stands take_stands(plants::PlacedPlants& placed, const Box2& tile, double tolerance_m, std::size_t most,
+Stands take_stands(plants::PlacedPlants& placed, const StandSurroundings& around, double tolerance_m, std::size_t most,
                    const plants::SpeciesTable& table) {
   const std::set<OsmId> taken = elements_to_take(placed, most);
-  const WoodSquares squares = squares_of(placed, taken, tile);
+  const WoodSquares squares = squares_of(placed, taken, around);
   Stands stands;
   for (auto& [prototype, placements] : placed) {
     const auto is_kept = [&](const Placement& p) { return !taken.contains(p.feature); };

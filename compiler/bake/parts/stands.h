@@ -8,12 +8,14 @@
 #include <compare>
 #include <cstddef>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
 #include "compiler/bake/prototype_cache.h"
 #include "compiler/geometry/box.h"
 #include "compiler/plants/generate.h"
+#include "compiler/roads/recipe.h"
 
 namespace citykiln::bake {
 
@@ -24,8 +26,14 @@ inline constexpr std::size_t kMostLoosePlants = 16;
 /// where they are seen from the ground, and inside, where they are seen from above. A crown then consists of some 170
 /// or 40 leaf cards (textured rectangles).
 inline constexpr double kEdgeTolerance = 1.0 / 16, kInnerTolerance = 1.0 / 8;
-/// A plant is inside of a wood if plants of stands are in all squares of this size, in metres, within two of its own.
-inline constexpr double kWoodSquare_m = 12;
+/// A plant is inside of a wood if all squares of this size, in metres, about its own have plants of stands and no road.
+inline constexpr double kWoodSquare_m = 16;
+
+/// The tile, beyond whose box woods are taken to go on, and its roads: people see woods from them.
+struct StandSurroundings {
+  Box2 tile;
+  std::span<const roads::Road> roads;
+};
 
 /// The plants of one stand have these in common. An element with several species or variants has several stands.
 struct StandKey {
@@ -47,8 +55,7 @@ double stand_tolerance_m(const plants::SpeciesValues& species, double tolerance_
 /// first. Stops when at most `most` plants are left in `placed`, or no element with more than kMostLoosePlants.
 /// @param placed       The plants of a tile by prototype.
 /// @param tolerance_m  The tile's tolerance. Variants that share a mesh at stand_tolerance_m() are in one stand.
-/// @param tile         Its box. Woods are taken to go on beyond it.
-Stands take_stands(plants::PlacedPlants& placed, const Box2& tile, double tolerance_m, std::size_t most,
+Stands take_stands(plants::PlacedPlants& placed, const StandSurroundings& around, double tolerance_m, std::size_t most,
                    const plants::SpeciesTable& table = plants::shipped_table());
 
 /// Returns a stand as a mesh with a single instance, whose origin is the stand's first plant. The mesh has no
