@@ -49,11 +49,11 @@ TEST(Stands, TakeWoodsAndLeaveMappedTrees) {
   EXPECT_EQ(taken, 20u);
 }
 
-// A wood of 200 by 200 m in the corner of a tile, with a glade of 28 m and a path: the inside begins 12 to 45 m behind
+// A wood of 200 by 200 m in the corner of a tile, with a glade of 40 m and a path: the inside begins 12 to 45 m behind
 // its edges, but at the tile's border, beyond which it goes on.
 TEST(Stands, PlantsAreInsideWhereTheWoodGoesOnAllAround) {
   plants::PlacedPlants placed;
-  const Box2 glade{{-398, -398}, {-370, -370}};
+  const Box2 glade{{-400, -400}, {-360, -360}};
   roads::Road path;
   path.axis = {{-512, -450}, {-400, -450}};
   for (double x = -510; x < -312; x += 5)
@@ -64,7 +64,7 @@ TEST(Stands, PlantsAreInsideWhereTheWoodGoesOnAllAround) {
     for (const Placement& p : placements) {
       const Vec2 at = in_plan(p.at);
       const double to_edge =
-          std::min({-312 - at.x, -312 - at.y, std::max(std::abs(at.x + 384), std::abs(at.y + 384)) - 14,
+          std::min({-312 - at.x, -312 - at.y, std::max(std::abs(at.x + 380), std::abs(at.y + 380)) - 20,
                     distance_to_polyline(path.axis, at)});
       ++all, inner += key.is_inner;
       if (key.is_inner) EXPECT_GE(to_edge, 12) << at.x << ' ' << at.y;
