@@ -49,7 +49,7 @@ TEST(Stands, TakeWoodsAndLeaveMappedTrees) {
   EXPECT_EQ(taken, 20u);
 }
 
-// A wood of 200 by 200 m in the corner of a tile, with a glade of 40 m and a path: the inside begins 12 to 45 m behind
+// A wood of 200 by 200 m in the corner of a tile, with a glade of 40 m and a path: the inside begins 8 to 45 m behind
 // its edges, but at the tile's border, beyond which it goes on.
 TEST(Stands, PlantsAreInsideWhereTheWoodGoesOnAllAround) {
   plants::PlacedPlants placed;
@@ -67,7 +67,7 @@ TEST(Stands, PlantsAreInsideWhereTheWoodGoesOnAllAround) {
           std::min({-312 - at.x, -312 - at.y, std::max(std::abs(at.x + 380), std::abs(at.y + 380)) - 20,
                     distance_to_polyline(path.axis, at)});
       ++all, inner += key.is_inner;
-      if (key.is_inner) EXPECT_GE(to_edge, 12) << at.x << ' ' << at.y;
+      if (key.is_inner) EXPECT_GE(to_edge, 8) << at.x << ' ' << at.y;
       if (to_edge > 45) EXPECT_TRUE(key.is_inner) << at.x << ' ' << at.y;
     }
   EXPECT_GT(all, 1500u);
