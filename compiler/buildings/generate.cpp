@@ -209,7 +209,7 @@ impostor::Model detailed_model(Level level) {
   Report repeated;
   const MassModel mass = mass_model(level, kDetailedModel_m, repeated);
   return impostor::model_of(
-      terminal_meshes(derive(level, mass, kDetailedModel_m - mass.roof.error_m), level.building.id.osm, 0));
+      unjoined_meshes(derive(level, mass, kDetailedModel_m - mass.roof.error_m), level.building.id.osm));
 }
 
 void add_ruled(const Level& level, const RuledMass& ruled, GeneratedBuilding& generated, Report& report) {

@@ -25,6 +25,11 @@ constexpr double kFinestBorders = 8;
 // border is off by b, leaves an edge between them that is off by at most a + b: two halves are the tolerance.
 constexpr double kCellBorderShare = 0.5;
 
+// Where a wall meets the cell's border, the ground rises by up to 6 cm with each grid step, and edges of the reference
+// end 16 steps before a vertex that the border does not have. Below this tolerance that uses up what the border leaves,
+// so the border is split at a smaller share. Coarser levels would get 0.5 % more triangles.
+constexpr double kWallsMatter_m = 0.25, kShareWithWalls = 0.25;
+
 // The shares of the tolerance that borders may move in plan and that merged faces may be thick: together 0.7, so that
 // √(1 - 0.7²) ≈ 0.7 is left for heights.
 constexpr double kBorderShare = 0.5, kSliverShare = 0.2;
@@ -62,9 +67,10 @@ std::vector<FaceHeight> face_heights(std::span<const std::uint32_t> face_cover, 
   return of_faces;
 }
 
+double cell_border_m(double side_m) { return side_m * (side_m < kWallsMatter_m ? kShareWithWalls : kCellBorderShare); }
+
 SideTolerances cell_border_m(const SideTolerances& s) {
-  constexpr double kShare = kCellBorderShare;
-  return {kShare * s.west_m, kShare * s.east_m, kShare * s.south_m, kShare * s.north_m};
+  return {cell_border_m(s.west_m), cell_border_m(s.east_m), cell_border_m(s.south_m), cell_border_m(s.north_m)};
 }
 
 // Borders after thin faces are merged and the rest simplified; none moved by more than the error.

@@ -20,6 +20,7 @@ using grammars::Face;
 using materials::Material;
 using materials::MaterialMesh;
 using materials::SurfaceMaterial;
+using FacesBySurface = std::map<SurfaceMaterial, std::vector<DerivedFace>>;
 
 // Smaller faces and turns are rounding errors.
 constexpr double kMinFaceArea_m2 = 1e-9;
@@ -141,6 +142,19 @@ void add_bars(std::span<const DerivedFace> railings, MaterialMesh& mesh) {
     for (const Face& part : parts_of_railing(railing.face)) add_face(part, mesh.mesh);
 }
 
+std::vector<MaterialMesh> meshes_of(const FacesBySurface& faces_of, OsmId feature, double tolerance_m) {
+  std::vector<MaterialMesh> meshes;
+  for (const auto& [surface, faces] : faces_of) {
+    MaterialMesh mesh{{}, surface.material, surface.tint, feature};
+    if (surface.material == Material::kRailing && has_detail(Detail::kRailingBars, tolerance_m))
+      add_bars(faces, mesh);
+    else
+      add_faces(faces, mesh);
+    if (!mesh.mesh.triangles.empty()) meshes.push_back(std::move(mesh));
+  }
+  return meshes;
+}
+
 }  // namespace
 
 void add_face(const Face& face, Mesh& mesh) {
@@ -162,29 +176,25 @@ SurfaceMaterial surface_material_of(const grammars::Appearance& appearance) {
   return {chosen, tint_towards(chosen, paint)};
 }
 
-std::map<SurfaceMaterial, std::vector<DerivedFace>> faces_by_surface(const grammars::Derivation& derivation) {
-  std::map<SurfaceMaterial, std::vector<DerivedFace>> faces_of;
+FacesBySurface faces_by_surface(const grammars::Derivation& derivation) {
+  FacesBySurface faces_of;
   std::vector<std::vector<DerivedFace>*> of_appearance;
   for (const grammars::Appearance& appearance : derivation.appearances)
     of_appearance.push_back(&faces_of[surface_material_of(appearance)]);
   for (const grammars::Terminal& terminal : derivation.terminals)
     for (const Face& face : terminal.faces)
       of_appearance[terminal.appearance]->push_back({face, terminal.detail_distance_m});
-  for (auto& [surface, faces] : faces_of) faces = join_rectangles(std::move(faces));
   return faces_of;
 }
 
 std::vector<MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature, double tolerance_m) {
-  std::vector<MaterialMesh> meshes;
-  for (const auto& [surface, faces] : faces_by_surface(derivation)) {
-    MaterialMesh mesh{{}, surface.material, surface.tint, feature};
-    if (surface.material == Material::kRailing && has_detail(Detail::kRailingBars, tolerance_m))
-      add_bars(faces, mesh);
-    else
-      add_faces(faces, mesh);
-    if (!mesh.mesh.triangles.empty()) meshes.push_back(std::move(mesh));
-  }
-  return meshes;
+  FacesBySurface faces_of = faces_by_surface(derivation);
+  for (auto& [surface, faces] : faces_of) faces = join_rectangles(std::move(faces));
+  return meshes_of(faces_of, feature, tolerance_m);
+}
+
+std::vector<MaterialMesh> unjoined_meshes(const grammars::Derivation& derivation, OsmId feature) {
+  return meshes_of(faces_by_surface(derivation), feature, 0);
 }
 
 }  // namespace citykiln::buildings

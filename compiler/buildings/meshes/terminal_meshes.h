@@ -26,11 +26,11 @@ void add_face(const grammars::Face& face, Mesh& mesh);
 /// must be added by this overload, so that each position has coordinates.
 void add_face(const grammars::Face& face, materials::MaterialMesh& mesh);
 
-/// Returns the terminals' faces by material and tint, with rectangles joined (join_rectangles.h). Terminals without
-/// faces, such as assets, add nothing. O(n log n).
+/// Returns the terminals' faces by material and tint. Terminals without faces, such as assets, add nothing. O(n log n).
 std::map<materials::SurfaceMaterial, std::vector<DerivedFace>> faces_by_surface(const grammars::Derivation& derivation);
 
-/// Returns the terminals' faces as one mesh per material and tint, sorted by material and tint.
+/// Returns the terminals' faces as one mesh per material and tint, sorted by material and tint, with rectangles joined
+/// (join_rectangles.h).
 ///
 /// At tolerances with Detail::kRailingBars, the faces of Material::kRailing are replaced by their bars (railings.h).
 ///
@@ -40,5 +40,9 @@ std::map<materials::SurfaceMaterial, std::vector<DerivedFace>> faces_by_surface(
 /// Deterministic. Ignores faces without area, assets, and the terminals' own texture frames. O(n log n).
 std::vector<materials::MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature,
                                                      double tolerance_m);
+
+/// Like terminal_meshes at tolerance 0, without joining rectangles: for meshes that are only rendered, where joining
+/// takes more time than it saves.
+std::vector<materials::MaterialMesh> unjoined_meshes(const grammars::Derivation& derivation, OsmId feature);
 
 }  // namespace citykiln::buildings

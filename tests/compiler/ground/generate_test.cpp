@@ -7,6 +7,7 @@
 
 #include "compiler/contract/random_sequence.h"
 #include "compiler/contract/tolerance.h"
+#include "compiler/ground/landforms/landform_index.h"
 #include "compiler/ground/plan.h"
 #include "tests/compiler/roads/made_road.h"
 
@@ -353,6 +354,39 @@ TEST(Ground, ADamOneGridStepWideKeepsItsTolerance) {
   Report report;
   const GroundMesh g = generate_cell(waters, graded, kNorth, 0.02, report);
   EXPECT_LE(length(Vec2{g.error_m, g.border_error_m}), 0.02);
+}
+
+// A wall from west to east near y = 0 that rises by up to 12 m within 0.375 m.
+Landform wall_beside_the_border(const RandomSequence& draw, std::uint32_t index) {
+  const auto between = [&](std::uint32_t i, double low, double high) {
+    return std::floor(draw.between(low, high, index * 8 + i) / kQuantum_m) * kQuantum_m;
+  };
+  Landform wall;
+  wall.id = {{OsmType::kWay, index}, 0}, wall.kind = LandformKind::kStep;
+  wall.axis = {{between(0, 0, 128), between(1, -0.5, 0.5)}, {between(2, 0, 128), between(3, -0.5, 0.5)}};
+  wall.left_m = wall.right_m = 0.1875;
+  const double middle_m = between(4, 95, 105), tilt = between(5, 4, 32);
+  wall.profile = {{0, middle_m, tilt}, {distance(wall.axis[0], wall.axis[1]), middle_m, tilt}};
+  return wall;
+}
+
+// Three walls along the cell's border that cross it and each other. The seeds are those of 400 that were off by up to
+// 0.19 m while the border was split at half the tolerance.
+TEST(Ground, KeepsItsToleranceWhereWallsCrossTheCellsBorder) {
+  for (const std::uint64_t seed : {163, 184, 251, 267}) {
+    Heightfield field{{-128, -128}, {32, 32}, 13, 9, {}, 0};
+    const RandomSequence draw(seed, StableId{5}, "walls");
+    for (std::uint32_t i = 0; i < 13 * 9; ++i)
+      field.heights.push_back(static_cast<std::int32_t>(draw.between(95, 105, 1000 + i) / map::kHeightQuantum_m));
+    std::vector<Landform> walls;
+    for (std::uint32_t i = 1; i <= 3; ++i) walls.push_back(wall_beside_the_border(draw, i));
+    GradedTerrain graded(std::move(field));
+    graded.landforms = index_landforms(walls);
+    Report report;
+    const GroundMesh g = generate_cell({}, graded, kGeneratedCell, 0.05, report);
+    EXPECT_LE(length(Vec2{g.error_m, g.border_error_m}), 0.05) << "seed " << seed;
+    EXPECT_TRUE(report.counts().empty()) << "seed " << seed;
+  }
 }
 
 TEST(Ground, TerrainLinesLeaveNoVertexOnTheBorderThatHeightsDoNotAskFor) {
