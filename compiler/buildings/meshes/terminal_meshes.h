@@ -41,8 +41,8 @@ std::map<materials::SurfaceMaterial, std::vector<DerivedFace>> faces_by_surface(
 std::vector<materials::MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature,
                                                      double tolerance_m);
 
-/// Like terminal_meshes at tolerance 0, without joining rectangles: for meshes that are only rendered, where joining
-/// takes more time than it saves.
+/// Returns the meshes of terminal_meshes at tolerance 0, but without joined rectangles: for meshes that are only
+/// rendered, where joining takes more time than it saves.
 std::vector<materials::MaterialMesh> unjoined_meshes(const grammars::Derivation& derivation, OsmId feature);
 
 }  // namespace citykiln::buildings
