@@ -29,6 +29,7 @@ struct TargetValues {
   bool reads_texture_transform = false;
   bool reads_webp = false;
   bool reads_lights = false;
+  bool culls_backs = false;      ///< Leaves out faces seen from behind, so that leaves need faces for both sides.
   bool shades_flat = false;      ///< Shades faces flat, and loads faster, if a mesh has no normals.
   std::string_view tested_with;  ///< "Blender 3.4"; empty for an untested preset.
 };

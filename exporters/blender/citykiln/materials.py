@@ -44,7 +44,8 @@ class Materials:
     def _make(self, glb, values):
         material = bpy.data.materials.new(values.get("name", "material"))
         material.use_nodes = True
-        material.use_backface_culling = not values.get("doubleSided", False)
+        # a mask shows leaves or railings, whose backs are left out (mesh_arrays.without_backs)
+        material.use_backface_culling = not values.get("doubleSided", False) and values.get("alphaMode") != "MASK"
         Nodes(self, glb, material, values).build()
         for name, value in values.get("extras", {}).items():
             material[name] = value

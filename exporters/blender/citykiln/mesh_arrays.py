@@ -30,7 +30,7 @@ class MeshArrays:
         features = numpy.zeros(n, numpy.int32) if has("_FEATURE_ID_0") else None
         triangles, slots, smooth, first = [], [], [], 0
         for primitive, count in zip(primitives, counts):
-            corners = indices_of(glb, primitive, count)
+            corners = without_backs(indices_of(glb, primitive, count))
             rows = slice(first, first + count)
             self._fill(glb, primitive["attributes"], rows, features)
             smooth.append(numpy.full(len(corners), self._keeps_normals(primitive, rows, corners)))
@@ -74,6 +74,13 @@ def indices_of(glb, primitive, count):
     if len(indices) % 3 != 0 or indices.max() >= count:
         raise GlbError(f"{glb.path}: has a triangle whose corners are not vertices")
     return indices.reshape(-1, 3)
+
+
+def without_backs(triangles):
+    """Leaves have a face for each side, of the same vertices. Blender shows both sides of a face, so that the second is left out."""
+    half = len(triangles) // 2
+    are_backs = 2 * half == len(triangles) and numpy.array_equal(triangles[half:], triangles[:half][:, [0, 2, 1]])
+    return triangles[:half] if are_backs else triangles
 
 
 def are_flat(positions, triangles, normals):
