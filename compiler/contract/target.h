@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "compiler/contract/layout.h"
+
 namespace citykiln {
 
 /// The rows of targets.inc.
@@ -25,6 +27,7 @@ struct TargetValues {
   std::string_view name;  ///< The value of --target, such as "generic".
   Instancing instancing{};
   std::size_t most_nodes = 0;  ///< The number of instances above which a tile is slow; 0: no limit.
+  Layout layout{};             ///< The default of --layout.
   bool reads_quantised = false, reads_draco = false, reads_meshopt = false;
   bool reads_texture_transform = false;
   bool reads_webp = false;
