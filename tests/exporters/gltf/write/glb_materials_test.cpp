@@ -147,7 +147,8 @@ TEST(GlbLeaves, AreOnePrimitiveWithNormals) {
         for (const std::uint32_t v : {a, b, c}) p.normals[v] = {0, 0, 1};
         p.triangles = {{a, b, c}};
       }
-  for (const auto& leaves : leaves_in(gltf_of(tile, {.target = Target::kBlender})))
+  const auto gltf = gltf_of(tile, {.target = Target::kBlender});
+  for (const auto& leaves : leaves_in(gltf))
     EXPECT_TRUE(leaves["attributes"].contains("NORMAL"));
 }
 

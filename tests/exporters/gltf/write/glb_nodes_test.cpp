@@ -81,8 +81,9 @@ TEST(GlbPropertyTable, IsAlsoInTheExtrasOfNodes) {
 TEST(GlbNodes, OfInstancesHaveTheTagsOfTheirFeatureOnce) {
   BakedTile tile = made_tile(1);
   for (bake::InstancedMesh& mesh : tile.instanced) std::ranges::fill(mesh.features, 2u);
+  const auto gltf = gltf_of(tile, kNodes);
   std::size_t nodes = 0, with_tags = 0;
-  for (const auto& node : gltf_of(tile, kNodes)["nodes"]) {
+  for (const auto& node : gltf["nodes"]) {
     if (node.value("extras", nlohmann::json::object()).value("feature", 0) != 2) continue;
     EXPECT_EQ(node["extras"]["osm_id"], -12);
     ++nodes, with_tags += node["extras"].contains("tags");
