@@ -78,7 +78,7 @@ def indices_of(glb, primitive, count):
 
 
 def texture_scale(glb, primitive):
-    """What KHR_texture_transform multiplies uvs by; the same for all textures of a material of citykiln."""
+    """The factors of uvs by KHR_texture_transform, which are the same for all textures of a material of citykiln."""
     def scales(values):
         if isinstance(values, dict):
             if "KHR_texture_transform" in values:

@@ -65,8 +65,8 @@ Json in_few_digits(const std::array<float, kSize>& values) {
   return numbers;
 }
 
-// The extras of an instance. What may be long is with the first one of a feature alone: the plants of a garden would
-// repeat the tags of its house.
+// The extras of an instance. Only the first one of a feature has its tags: the plants of a garden would repeat those
+// of its house.
 Json extras_of_instance(GlbBuilder& f, std::uint32_t feature) {
   Json extras = extras_of(f.tile, feature);
   if (!f.instanced_features.insert(feature).second) extras.erase("tags"), extras.erase("assumed");

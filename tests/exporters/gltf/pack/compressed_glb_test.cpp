@@ -49,8 +49,8 @@ AttributesOfCorner corner_of(const Primitive& p, std::uint32_t v) {
   return {at[0], at[1], at[2], feature, uv[0], uv[1], float(r), float(g), float(b), float(a)};
 }
 
-// Sorted triangles, each from its smallest corner on, with the normals of their corners. Those of leaves are seen from
-// both sides, and either may be read as the front.
+// Sorted triangles, each from its smallest corner on, with the normals of their corners. Either side of a
+// leaf may be read as its front.
 std::multimap<AttributesOfCorners, std::array<Float3, 3>> triangles_of(const Primitive& p) {
   std::multimap<AttributesOfCorners, std::array<Float3, 3>> triangles;
   for (auto t : p.triangles) {
