@@ -190,7 +190,10 @@ Result<Done> set_compression(CompileSpec& spec, std::string_view text) {
 }
 
 Result<Done> set_layout(CompileSpec& spec, std::string_view text) {
-  return put_named(layout_named(text), "embedded or shared", text, spec.outputs.layout);
+  Layout layout{};
+  const Result<Done> done = put_named(layout_named(text), "embedded or shared", text, layout);
+  if (done) spec.outputs.layout = layout;
+  return done;
 }
 
 Result<Done> set_drive_on(CompileSpec& spec, std::string_view text) {
@@ -326,8 +329,9 @@ constexpr Setting kSettings[] = {
     {"compress", "none|lean|quantize|draco|meshopt",
      "compression of meshes in .glb files (default: lean where the target reads it)", false, set_compression},
     {"layout", "embedded|shared",
-     "shared: plants, lamps and images of all tiles are files in glb/shared (default: {} in each .glb)", false,
-     set_layout, [](const CompileSpec& spec) { return std::string(name_of(spec.outputs.layout)); }},
+     "shared: plants, lamps and images of all tiles are files in glb/shared; embedded: each .glb stands alone "
+     "(default: that of the target, embedded for generic)",
+     false, set_layout},
     {"max-bytes", "N",
      "instead of levels: each .glb is as fine as this many bytes allow, such as 5000000, as target and compression are",
      false, [](CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 1), spec.outputs.max_bytes); }},

@@ -152,6 +152,10 @@ Compression compression_of(const Outputs& outputs, Target target) {
   return outputs.compress.value_or(values_of(target).reads_quantised ? Compression::kLean : Compression::kNone);
 }
 
+Layout layout_of(const Outputs& outputs) {
+  return outputs.layout.value_or(outputs.max_bytes ? Layout::kEmbedded : values_of(outputs.target).layout);
+}
+
 Result<Done> check_target(const Outputs& outputs) {
   // contents of 3D Tiles are written for CesiumJS, which reads all
   if (!outputs.glb || !outputs.compress) return Done{};

@@ -49,7 +49,7 @@ struct Outputs {
   Target target = Target::kGeneric;
   NodeSplit split = NodeSplit::kLayer;
   std::optional<Compression> compress;  ///< Empty: kLean where the target's reader takes it, else kNone.
-  Layout layout = Layout::kEmbedded;
+  std::optional<Layout> layout;         ///< Empty: that of the target (layout_of).
   std::size_t lights = 0;  ///< The number of street lamps per tile, brightest first, that are lights in .glb and USD.
   /// If one is set, each tile has one level: the finest of a fixed sequence of tolerances that is within these limits.
   std::optional<std::uint64_t> max_bytes, max_triangles;
@@ -59,6 +59,10 @@ struct Outputs {
 
 /// Returns the compression of the meshes in .glb files for a target.
 Compression compression_of(const Outputs& outputs, Target target);
+
+/// Returns the place of meshes and images that tiles share: that of the target unless one is given. With max_bytes they
+/// are embedded, since the limit is one of lone files.
+Layout layout_of(const Outputs& outputs);
 
 /// Decides whether a run ends with exit code 2.
 struct Strictness {

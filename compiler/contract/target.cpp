@@ -7,8 +7,15 @@ namespace citykiln {
 namespace {
 
 constexpr TargetValues kTargets[] = {
-#define TARGET(name, option, instancing, nodes, quantised, draco, meshopt, transform, webp, lights, flat, tested) \
-  {option, Instancing::instancing, nodes, quantised, draco, meshopt, transform, webp, lights, flat, tested},
+#define TARGET(name, option, instancing, nodes, layout, quantised, draco, meshopt, transform, webp, lights, culls, \
+               flat, tested)                                                                                       \
+  {option,    Instancing::instancing,                                                                              \
+   nodes,     Layout::layout,                                                                                      \
+   quantised, draco,                                                                                               \
+   meshopt,   transform,                                                                                           \
+   webp,      lights,                                                                                              \
+   culls,     flat,                                                                                                \
+   tested},
 #include "compiler/contract/targets.inc"
 #undef TARGET
 };

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "compiler/contract/layout.h"
+
 namespace citykiln {
 
 /// The rows of targets.inc.
@@ -25,10 +27,12 @@ struct TargetValues {
   std::string_view name;  ///< The value of --target, such as "generic".
   Instancing instancing{};
   std::size_t most_nodes = 0;  ///< The number of instances above which a tile is slow; 0: no limit.
+  Layout layout{};             ///< The default of --layout.
   bool reads_quantised = false, reads_draco = false, reads_meshopt = false;
   bool reads_texture_transform = false;
   bool reads_webp = false;
   bool reads_lights = false;
+  bool culls_backs = false;      ///< Leaves out faces seen from behind, so that leaves need faces for both sides.
   bool shades_flat = false;      ///< Shades faces flat, and loads faster, if a mesh has no normals.
   std::string_view tested_with;  ///< "Blender 3.4"; empty for an untested preset.
 };

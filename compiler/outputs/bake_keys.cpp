@@ -22,9 +22,9 @@ std::string settings_of(const Outputs& outputs) {
   static_cast<void>(max_bytes), static_cast<void>(max_triangles);  // tiles that are solved for have no keys
   static_cast<void>(folder), static_cast<void>(manifest), static_cast<void>(glb), static_cast<void>(usd);
   static_cast<void>(tiles3d), static_cast<void>(page);  // written without keys
-  static_cast<void>(geoid), static_cast<void>(surroundings), static_cast<void>(compress);
+  static_cast<void>(geoid), static_cast<void>(surroundings), static_cast<void>(compress), static_cast<void>(layout);
   return fmt::format("target {} split {} compress {} layout {} lights {} ladder {}", values_of(target).name,
-                     name_of(split), name_of(compression_of(outputs, target)), name_of(layout), lights,
+                     name_of(split), name_of(compression_of(outputs, target)), name_of(layout_of(outputs)), lights,
                      fmt::join(tolerances_m, ","));
 }
 

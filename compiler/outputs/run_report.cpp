@@ -214,7 +214,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["target"] = values_of(outputs.target).name;
   json["split"] = name_of(outputs.split);
   json["compress"] = name_of(compression_of(outputs, outputs.target));
-  json["layout"] = name_of(outputs.layout);
+  json["layout"] = name_of(layout_of(outputs));
   if (outputs.lights > 0) json["lights"] = outputs.lights;
   json["counts"] = counts_of(scene);
   if (outputs.max_bytes) json["solved_for"]["max_bytes"] = *outputs.max_bytes;

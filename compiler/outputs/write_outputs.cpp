@@ -140,7 +140,8 @@ ReadyTile ready_glb(bake::BakedTile&& tile, std::size_t level, const Lights& lig
   ReadyTile ready;
   ready.record.tile = tile.tile, ready.record.level = level, ready.record.tolerance_m = tile.tolerance_m;
   ready.record.instances = exporters::instances_of(tile);
-  exporters::EncodedTile encoded = exporters::encode_tile(std::move(tile), header, options, threads, outputs.layout);
+  exporters::EncodedTile encoded =
+      exporters::encode_tile(std::move(tile), header, options, threads, layout_of(outputs));
   ready.record.file = {exporters::glb_name(ready.record.tile, level), encoded.glb.size()};
   ready.record.error_m = encoded.error_m, ready.record.triangles = encoded.triangles;
   ready.glb = std::move(encoded.glb), ready.shared = std::move(encoded.shared);
@@ -199,7 +200,8 @@ class TileWriter {
     keys_ = bake_keys(scene_, outputs_, threads_);
     // tiles with shared files are baked again: their journal lines do not name these
     whole_.resize(keys_.size());
-    if (outputs_.layout == Layout::kEmbedded && !outputs_.usd) whole_ = whole_tiles(scene_, keys_, threads_, folder_);
+    if (layout_of(outputs_) == Layout::kEmbedded && !outputs_.usd)
+      whole_ = whole_tiles(scene_, keys_, threads_, folder_);
     ready_.resize(keys_.size());
     return bake_scene(scene_, outputs_.tolerances_m, threads_, report_, on_progress,
                       {.exists = [&](ChunkLevel at) { return whole_[index(at)].has_value(); },

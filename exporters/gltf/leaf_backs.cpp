@@ -1,61 +1,53 @@
 #include "exporters/gltf/leaf_backs.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <set>
+#include <utility>
 
 namespace citykiln::exporters {
 namespace {
 
 using bake::Primitive;
+using Triangle = std::array<std::uint32_t, 3>;
+using Corner = std::array<float, 5>;
 
-// The opacity in COLOR_0 of vertices of back sides.
-constexpr std::uint8_t kBackOpacity = 254;
+Triangle reversed(const Triangle& t) { return {t[0], t[2], t[1]}; }
 
-bool is_back(const materials::Tint& tint) { return tint[3] == kBackOpacity; }
-
-template <typename T>
-void append_self(std::vector<T>& values) {
-  const std::size_t count = values.size();
-  values.resize(2 * count);
-  std::copy_n(values.begin(), count, values.begin() + static_cast<std::ptrdiff_t>(count));
+// The corners, the smallest first, in the order of the winding.
+std::array<Corner, 3> corners_of(const Primitive& p, const Triangle& t) {
+  std::array<Corner, 3> corners{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bake::Float3& at = p.positions[t[i]];
+    const bake::Float2 uv = p.uvs.empty() ? bake::Float2{} : p.uvs[t[i]];
+    corners[i] = {at[0], at[1], at[2], uv[0], uv[1]};
+  }
+  std::ranges::rotate(corners, std::ranges::min_element(corners));
+  return corners;
 }
 
 }  // namespace
 
 bool has_backs(const Primitive& p) {
-  return p.colour_source == materials::ColourSource::kByCutout && p.triangles.size() <= kMostTrianglesWithBacks &&
-         std::ranges::none_of(p.colours, is_back);
+  return p.colour_source == materials::ColourSource::kByCutout && p.triangles.size() <= kMostTrianglesWithBacks;
 }
 
 Primitive with_backs(Primitive p) {
-  const auto count = static_cast<std::uint32_t>(p.positions.size());
-  append_self(p.positions), append_self(p.normals), append_self(p.colours), append_self(p.uvs);
-  append_self(p.features);
-  for (std::size_t v = count; v < p.colours.size(); ++v) p.colours[v][3] = kBackOpacity;
-  const std::size_t triangles = p.triangles.size();
-  for (std::size_t i = 0; i < triangles; ++i) {
-    const auto [a, b, c] = p.triangles[i];
-    p.triangles.push_back({a + count, c + count, b + count});
-  }
+  const std::size_t count = p.triangles.size();
+  p.triangles.reserve(2 * count);
+  for (std::size_t i = 0; i < count; ++i) p.triangles.push_back(reversed(p.triangles[i]));
   return p;
 }
 
-Primitive without_backs(const Primitive& p) {
-  Primitive front;
-  front.material = p.material, front.colour_source = p.colour_source, front.layer = p.layer;
-  std::vector<std::uint32_t> number(p.positions.size());
-  for (std::size_t v = 0; v < p.positions.size(); ++v) {
-    if (is_back(p.colours[v])) continue;
-    number[v] = static_cast<std::uint32_t>(front.positions.size());
-    front.positions.push_back(p.positions[v]), front.normals.push_back(p.normals[v]);
-    front.colours.push_back(p.colours[v]);
-    if (!p.uvs.empty()) front.uvs.push_back(p.uvs[v]);
-    if (!p.features.empty()) front.features.push_back(p.features[v]);
-  }
-  for (const auto& t : p.triangles)
-    if (std::ranges::none_of(t, [&](std::uint32_t v) { return is_back(p.colours[v]); }))
-      front.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
-  return front;
+Primitive without_backs(Primitive p) {
+  std::set<std::array<Corner, 3>> fronts;
+  std::erase_if(p.triangles, [&](const Triangle& t) {
+    if (fronts.contains(corners_of(p, reversed(t)))) return true;
+    fronts.insert(corners_of(p, t));
+    return false;
+  });
+  return p;
 }
 
 }  // namespace citykiln::exporters

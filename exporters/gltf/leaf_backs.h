@@ -1,8 +1,8 @@
 // Back sides of leaves: cards on cutouts are seen from both sides, and have one normal for both.
 //
 // A doubleSided material flips the normal of a face that is seen from behind. Normals of leaves point out of the crown,
-// so flipped ones would point into it, and the leaf would be black. A second face with reversed winding and the same
-// normals is right in all programs.
+// so flipped ones would point into it, and the leaf would be black. A second face of the same vertices with reversed
+// winding is right in all programs that leave out faces seen from behind.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,20 @@
 
 namespace citykiln::exporters {
 
-/// The number of triangles above which a primitive has no back sides and is doubleSided instead: it is for near views,
-/// and twice as many triangles would be slow.
-inline constexpr std::size_t kMostTrianglesWithBacks = 2000;
+/// The number of triangles above which a primitive has no back sides and is doubleSided instead: trees at tolerances
+/// below 0.1 m, of which twice as many triangles would be slow.
+inline constexpr std::size_t kMostTrianglesWithBacks = 8000;
 
-/// True if a primitive is written with back sides: cards on a cutout, at most kMostTrianglesWithBacks.
+/// True if a primitive is written with back sides, for programs that leave out faces seen from behind: cards on a
+/// cutout, at most kMostTrianglesWithBacks.
 bool has_backs(const bake::Primitive& p);
 
-/// Appends back sides: a copy of each vertex, and each triangle with reversed winding. An opacity of 254 in COLOR_0
-/// marks vertices of back sides.
+/// Appends back sides: each triangle with reversed winding, of the same vertices.
 bake::Primitive with_backs(bake::Primitive p);
 
-/// Removes back sides, in any order of vertices and triangles. without_backs(with_backs(p)) == p.
-bake::Primitive without_backs(const bake::Primitive& p);
+/// Removes back sides: of two triangles with the same corners and opposite windings, the first stays, which in packed
+/// files can be either. Corners are the same if they have the same place and uv, since codecs may divide vertices.
+/// without_backs(with_backs(p)) == p for a primitive without back sides. O(n log n).
+bake::Primitive without_backs(bake::Primitive p);
 
 }  // namespace citykiln::exporters

@@ -42,6 +42,22 @@ TEST(Spec, HasTheDefaultTolerances) {
   EXPECT_EQ(spec.tile_m, 1024);
 }
 
+TEST(Layout, IsThatOfTheTargetUnlessOneIsGiven) {
+  Outputs outputs;
+  EXPECT_EQ(layout_of(outputs), Layout::kEmbedded);
+  outputs.target = Target::kThree;
+  EXPECT_EQ(layout_of(outputs), Layout::kShared);
+  outputs.layout = Layout::kEmbedded;
+  EXPECT_EQ(layout_of(outputs), Layout::kEmbedded);
+}
+
+// A limit of bytes is one of lone files.
+TEST(Layout, IsEmbeddedWhereEachFileHasALimit) {
+  Outputs outputs;
+  outputs.target = Target::kThree, outputs.max_bytes = 1000;
+  EXPECT_EQ(layout_of(outputs), Layout::kEmbedded);
+}
+
 TEST(Spec, ParsesEverySetting) {
   const std::pair<const char*, const char*> rows[] = {{"map", "a.osm"},
                                                       {"dem", "a.png,bounds=1/2/3/4"},

@@ -2,7 +2,7 @@
 // job is in readers.py.
 import { createServer } from "node:http";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
-import { dirname, extname, join } from "node:path";
+import { basename, dirname, extname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 
@@ -10,10 +10,11 @@ const here = dirname(fileURLToPath(import.meta.url));
 const job = JSON.parse(readFileSync(process.argv[2]));
 const types = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm", ".glb": "model/gltf-binary" };
 
-// serves the page, three.js, and the job's files by their number
+// serves the page, three.js, and the folders of the job's files by their number
 const server = createServer((request, response) => {
-  const match = /^\/file\/(\d+)\//.exec(request.url);
-  const path = match ? job.files[Number(match[1])] : join(here, request.url);
+  const match = /^\/file\/(\d+)\/(.+)$/.exec(request.url);
+  // files beside a tile that it refers to (compile --layout shared)
+  const path = match ? join(dirname(job.files[Number(match[1])]), decodeURIComponent(match[2])) : join(here, request.url);
   if (!existsSync(path)) {
     response.writeHead(404).end();
     return;
@@ -33,11 +34,13 @@ await page.goto(`http://127.0.0.1:${server.address().port}/import_three.html`);
 await page.waitForFunction("window.ready");
 
 const facts = [];
-for (let i = 0; i < job.files.length; ++i) facts.push(await page.evaluate((url) => window.load(url), `/file/${i}/tile.glb`));
+for (let i = 0; i < job.files.length; ++i) facts.push(await page.evaluate((url) => window.load(url), `/file/${i}/${basename(job.files[i])}`));
 for (const picture of job.pictures) {
   const url = await page.evaluate(([picture, sun]) => window.draw(picture, sun), [picture, job.sun]);
   writeFileSync(picture.out, Buffer.from(url.split(",")[1], "base64"));
 }
+// the draw calls and triangles of the last picture
+for (const each of facts.slice(-1)) each.drawn = await page.evaluate("window.drawn()");
 writeFileSync(job.facts, JSON.stringify(facts));
 await browser.close();
 server.close();

@@ -12,9 +12,8 @@ WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 HEADER_BYTES, CHUNK_HEADER_BYTES = 12, 8
 JSON_CHUNK, BINARY_CHUNK = 0x4E4F534A, 0x004E4942
 
-PACKED = {"KHR_draco_mesh_compression": "Draco", "EXT_meshopt_compression": "meshopt",
-          "KHR_mesh_quantization": "quantisation"}
-READ_EXTENSIONS = {"EXT_texture_webp"}
+PACKED = {"KHR_draco_mesh_compression": "Draco", "EXT_meshopt_compression": "meshopt"}
+READ_EXTENSIONS = {"EXT_texture_webp", "KHR_mesh_quantization", "KHR_texture_transform"}
 
 
 class GlbError(Exception):
@@ -31,7 +30,7 @@ class GlbFile:
         self.buffers = [self._buffer(buffer, binary) for buffer in self.gltf.get("buffers", [])]
 
     def array(self, number):
-        """An accessor's values: (count, width), or (count,) for scalars. Integers of normalized accessors stay integers."""
+        """An accessor's values: (count, width), or (count,) for scalars. Integers stay integers, but for normals: see directions."""
         accessor = self._item("accessors", number)
         dtype, width = numpy.dtype(DTYPES[accessor["componentType"]]), WIDTHS[accessor["type"]]
         view, count = self._item("bufferViews", accessor["bufferView"]), accessor["count"]
@@ -43,6 +42,14 @@ class GlbFile:
         values = numpy.ndarray((count, width), dtype, data, start, (stride, dtype.itemsize))
         return values[:, 0] if width == 1 else values
 
+    def directions(self, number):
+        """An accessor's vectors of unit length, which may be stored in bytes."""
+        values = self.array(number)
+        if values.dtype == numpy.float32:
+            return values
+        wide = values.astype(numpy.float32)
+        return wide / numpy.maximum(numpy.linalg.norm(wide, axis=1, keepdims=True), 1e-6)
+
     def view(self, number):
         """The bytes of a buffer view."""
         view = self._item("bufferViews", number)
@@ -50,6 +57,10 @@ class GlbFile:
         if start + view["byteLength"] > len(buffer):
             self._fail(f"buffer view {number} ends behind its buffer")
         return buffer[start:start + view["byteLength"]]
+
+    def picture(self, image):
+        """The bytes of an image, which may be a file beside this one."""
+        return mapped(self.path.parent / image["uri"]) if "uri" in image else self.view(image["bufferView"])
 
     def _chunks(self, data):
         """The JSON as an object, and the binary chunk."""
@@ -74,7 +85,7 @@ class GlbFile:
         used = self.gltf.get("extensionsUsed", [])
         packed = [PACKED[name] for name in used if name in PACKED]
         if packed:
-            self._fail(f"is packed ({', '.join(packed)}), which this add-on does not read: compile with --compress none")
+            self._fail(f"is packed ({', '.join(packed)}), which this add-on does not read: compile without --compress")
         unknown = set(self.gltf.get("extensionsRequired", [])) - READ_EXTENSIONS
         if unknown:
             self._fail(f"needs {', '.join(sorted(unknown))}, which this add-on does not read")

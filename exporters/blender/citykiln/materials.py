@@ -16,7 +16,7 @@ class Materials:
 
     def keys_of(self, glb):
         """A key of each material of a file, equal where materials are."""
-        digests = [digest_of(glb.view(image["bufferView"])) for image in glb.gltf.get("images", [])]
+        digests = [digest_of(glb.picture(image)) for image in glb.gltf.get("images", [])]
         return [key_of(glb, material, digests) for material in glb.gltf.get("materials", [])]
 
     def material(self, glb, number, key):
@@ -30,7 +30,7 @@ class Materials:
         """The image of a texture, whose bytes become part of the .blend file."""
         source = source_of(glb.gltf["textures"][texture])
         image = glb.gltf["images"][source]
-        data = bytes(glb.view(image["bufferView"]))
+        data = bytes(glb.picture(image))
         key = digest_of(data)
         if key not in self.pictures:
             made = bpy.data.images.new(image.get("name", "image"), 8, 8)
@@ -44,7 +44,8 @@ class Materials:
     def _make(self, glb, values):
         material = bpy.data.materials.new(values.get("name", "material"))
         material.use_nodes = True
-        material.use_backface_culling = not values.get("doubleSided", False)
+        # a mask shows leaves or railings, whose backs are left out (mesh_arrays.without_backs)
+        material.use_backface_culling = not values.get("doubleSided", False) and values.get("alphaMode") != "MASK"
         Nodes(self, glb, material, values).build()
         for name, value in values.get("extras", {}).items():
             material[name] = value

@@ -30,9 +30,9 @@ class MeshArrays:
         features = numpy.zeros(n, numpy.int32) if has("_FEATURE_ID_0") else None
         triangles, slots, smooth, first = [], [], [], 0
         for primitive, count in zip(primitives, counts):
-            corners = indices_of(glb, primitive, count)
+            corners = without_backs(indices_of(glb, primitive, count))
             rows = slice(first, first + count)
-            self._fill(glb, primitive["attributes"], rows, features)
+            self._fill(glb, primitive, rows, features)
             smooth.append(numpy.full(len(corners), self._keeps_normals(primitive, rows, corners)))
             triangles.append(corners.astype(numpy.int32) + first)
             slots.append(numpy.full(len(corners), self.materials.index(primitive.get("material")), numpy.int32))
@@ -52,14 +52,15 @@ class MeshArrays:
         self.normals[rows] = 0
         return False
 
-    def _fill(self, glb, attributes, rows, features):
+    def _fill(self, glb, primitive, rows, features):
+        attributes = primitive["attributes"]
         turn_into(self.positions[rows], glb.array(attributes["POSITION"]))
         if "NORMAL" in attributes:
-            turn_into(self.normals[rows], glb.array(attributes["NORMAL"]))
+            turn_into(self.normals[rows], glb.directions(attributes["NORMAL"]))
         if "COLOR_0" in attributes:
             self.colours[rows] = stored_colours(glb.array(attributes["COLOR_0"]))
         if "TEXCOORD_0" in attributes:
-            uvs = glb.array(attributes["TEXCOORD_0"])
+            uvs = glb.array(attributes["TEXCOORD_0"]) * texture_scale(glb, primitive)
             self.uvs[rows, 0] = uvs[:, 0]
             numpy.subtract(1, uvs[:, 1], out=self.uvs[rows, 1])
         if "_FEATURE_ID_0" in attributes:
@@ -74,6 +75,25 @@ def indices_of(glb, primitive, count):
     if len(indices) % 3 != 0 or indices.max() >= count:
         raise GlbError(f"{glb.path}: has a triangle whose corners are not vertices")
     return indices.reshape(-1, 3)
+
+
+def texture_scale(glb, primitive):
+    """The factors of uvs by KHR_texture_transform, which are the same for all textures of a material of citykiln."""
+    def scales(values):
+        if isinstance(values, dict):
+            if "KHR_texture_transform" in values:
+                yield values["KHR_texture_transform"].get("scale", [1, 1])
+            for value in values.values():
+                yield from scales(value)
+    material = glb.gltf["materials"][primitive["material"]] if "material" in primitive else {}
+    return numpy.array(next(scales(material), [1, 1]), numpy.float32)
+
+
+def without_backs(triangles):
+    """Leaves have a face for each side, of the same vertices. Blender shows both sides of a face, so that the second is left out."""
+    half = len(triangles) // 2
+    are_backs = 2 * half == len(triangles) and numpy.array_equal(triangles[half:], triangles[:half][:, [0, 2, 1]])
+    return triangles[:half] if are_backs else triangles
 
 
 def are_flat(positions, triangles, normals):

@@ -61,6 +61,9 @@ bool is_of_tile(const Json& image) {
   return name == kMarkingAtlasImage || name.starts_with(kFacadeAtlasImage);
 }
 
+// Stands (bake/parts/stands.h) hold the plants of one place, which no other tile has.
+bool is_stand(const Json& mesh) { return mesh.value("name", "").starts_with("stand_of_"); }
+
 // A .glb while its views are divided among files.
 struct Sharing {
   GlbParts from, to{};
@@ -206,7 +209,8 @@ SharedGlb share_prototypes(GlbParts glb) {
   Sharing sharing{std::move(glb)};
   sharing.to.gltf = sharing.from.gltf;
   Json& gltf = sharing.to.gltf;
-  for (const std::size_t mesh : instanced_meshes(gltf)) sharing.move_mesh(sharing.from.gltf["meshes"].at(mesh));
+  for (const std::size_t mesh : instanced_meshes(gltf))
+    if (const Json& moved = sharing.from.gltf["meshes"].at(mesh); !is_stand(moved)) sharing.move_mesh(moved);
   if (gltf.contains("images"))
     for (Json& image : gltf["images"])
       if (!is_of_tile(image)) sharing.move_image(image);

@@ -31,7 +31,8 @@ struct SharedGlb {
   std::vector<SharedFile> files;  ///< In the order of their first use, each once. Equal names mean equal bytes.
 };
 
-/// Splits a .glb: the meshes of instanced nodes, and all images but the tile's own atlases, become shared files.
+/// Splits a .glb: the meshes of instanced nodes but stands, and all images but the tile's own atlases, become shared
+/// files.
 /// Returns the files as bytes; the caller writes them.
 /// @param glb  The output of build_glb(), with or without compression of its meshes.
 SharedGlb share_prototypes(GlbParts glb);

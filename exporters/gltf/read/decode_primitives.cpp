@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "exporters/gltf/flat_shading.h"
 #include "exporters/gltf/glb_names.h"
@@ -109,7 +110,9 @@ std::vector<Primitive> primitives_of(GltfReader& reader, int mesh_number, std::s
   for (const tinygltf::Primitive& p : mesh.primitives) {
     Primitive primitive = read_primitive(reader, p, features);
     primitive.layer = layer_in(p.extras, mesh.extras);
-    if (primitive.colour_source == ColourSource::kByCutout) primitive = without_backs(primitive);
+    const bool is_double = item(reader.model.materials, p.material, "a material that exists").doubleSided;
+    if (primitive.colour_source == ColourSource::kByCutout && !is_double)
+      primitive = without_backs(std::move(primitive));
     // large primitives are written in parts, which follow each other
     if (!primitives.empty() && key_of(primitives.back()) == key_of(primitive))
       append_primitive(primitives.back(), primitive);

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <charconv>
 #include <utility>
 
 #include "compiler/bake/far/bake_surroundings.h"
@@ -47,12 +49,37 @@ void add_extended_node(GlbBuilder& f, const InstancedMesh& instanced, Json node,
   add_child(f, std::move(node), parent);
 }
 
+// Returns the number with the fewest digits that reads as the same float: half of the digits of the float itself.
+double in_few_digits(float value) {
+  std::array<char, 32> text{};
+  const char* end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  double number = 0;
+  std::from_chars(text.data(), end, number);
+  return number;
+}
+
+template <std::size_t kSize>
+Json in_few_digits(const std::array<float, kSize>& values) {
+  Json numbers = Json::array();
+  for (const float value : values) numbers.push_back(in_few_digits(value));
+  return numbers;
+}
+
+// The extras of an instance. Only the first one of a feature has its tags: the plants of a garden would repeat those
+// of its house.
+Json extras_of_instance(GlbBuilder& f, std::uint32_t feature) {
+  Json extras = extras_of(f.tile, feature);
+  if (!f.instanced_features.insert(feature).second) extras.erase("tags"), extras.erase("assumed");
+  return extras;
+}
+
 // Adds one node per instance, all with one mesh.
 void add_single_nodes(GlbBuilder& f, const InstancedMesh& instanced, Json node, Json& parent) {
   for (std::size_t i = 0; i < instanced.translations.size(); ++i) {
-    node["translation"] = to_gltf(instanced.translations[i]), node["rotation"] = to_gltf(instanced.rotations[i]);
-    node["scale"] = Json(3, instanced.scales[i]);
-    node["extras"] = extras_of(f.tile, instanced.features[i]);
+    node["translation"] = in_few_digits(to_gltf(instanced.translations[i]));
+    node["rotation"] = in_few_digits(to_gltf(instanced.rotations[i]));
+    node["scale"] = Json(3, in_few_digits(instanced.scales[i]));
+    node["extras"] = extras_of_instance(f, instanced.features[i]);
     add_child(f, node, parent);
   }
 }

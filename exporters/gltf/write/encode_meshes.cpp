@@ -111,11 +111,16 @@ std::string material_name_in_file(GlbBuilder& f, const MaterialKey& key) {
   return fmt::format("{}_{}", name, number);
 }
 
+// True if the primitive is written with faces for both sides.
+bool writes_backs(const GlbBuilder& f, const Primitive& p) {
+  return values_of(f.options.target).culls_backs && has_backs(p);
+}
+
 // Returns the key of a primitive's material.
 // @param cutout  The result of cutout_like() for an instanced mesh; else null.
 MaterialKey material_key_of(const GlbBuilder& f, const Primitive& p, const impostor::Cutout* cutout) {
   MaterialKey key{.primitive = {{}, p.material, !p.uvs.empty(), p.colour_source}, .tint = largest_tint(p)};
-  if (p.colour_source == ColourSource::kByCutout) key.cutout = cutout, key.has_backs = has_backs(p);
+  if (p.colour_source == ColourSource::kByCutout) key.cutout = cutout, key.has_backs = writes_backs(f, p);
   if (p.colour_source != ColourSource::kByMaterial) return key;
   const auto found = std::ranges::find(f.tile.textures, p.material, &materials::Texture::material);
   key.primitive.has_uvs = key.primitive.has_uvs && found != f.tile.textures.end();
@@ -181,14 +186,6 @@ bool has_shares(const Primitive& p, const materials::Tint& largest) {
   return std::ranges::any_of(p.colours, [&](const materials::Tint& tint) { return tint != largest; });
 }
 
-std::size_t add_tangents(GlbBuilder& f, const Primitive& front, bool has_backs) {
-  std::vector<bake::Float4> tangents = tangents_of(front);
-  const std::size_t count = tangents.size();
-  // back sides have the tangents and normals of their fronts
-  for (std::size_t i = 0; has_backs && i < count; ++i) tangents.push_back(bake::Float4{tangents[i]});
-  return f.add_turned(tangents, ViewUse::kVertices);
-}
-
 Json encoded_primitive(GlbBuilder& f, const Primitive& front, const impostor::Cutout* cutout) {
   const MaterialKey key = material_key_of(f, front, cutout);
   Json out = {{"mode", kTrianglesMode}, {"material", material_number(f, key)}};
@@ -199,7 +196,7 @@ Json encoded_primitive(GlbBuilder& f, const Primitive& front, const impostor::Cu
   if (!p.normals.empty()) attributes["NORMAL"] = f.add_turned(p.normals, ViewUse::kVertices);
   if (has_shares(p, key.tint)) attributes["COLOR_0"] = add_colours(f, p, key.tint);
   if (!p.uvs.empty()) attributes["TEXCOORD_0"] = add_uvs(f, p, key);
-  if (normals_of(f, key) != nullptr) attributes["TANGENT"] = add_tangents(f, front, key.has_backs);
+  if (normals_of(f, key) != nullptr) attributes["TANGENT"] = f.add_turned(tangents_of(front), ViewUse::kVertices);
   if (!p.features.empty()) {
     attributes["_FEATURE_ID_0"] = f.add_as_floats(p.features, ViewUse::kVertices);
     out["extensions"]["EXT_mesh_features"] = feature_ids(f, "EXT_mesh_features");
@@ -208,11 +205,11 @@ Json encoded_primitive(GlbBuilder& f, const Primitive& front, const impostor::Cu
   return out;
 }
 
-// True if the target's reader may shade the primitive's faces. Codecs round positions again, so that faces lean.
+// True if the target's reader may shade the primitive's faces. Codecs round positions again, so that faces lean. Leaves
+// keep their normals: a few flat ones would be a material and a call of their own.
 bool may_lack_normals(const GlbBuilder& f, const Primitive& p, const impostor::Cutout* cutout) {
   if (!values_of(f.options.target).shades_flat || f.options.compression > Compression::kQuantize) return false;
-  const MaterialKey key = material_key_of(f, p, cutout);
-  return !key.has_backs && normals_of(f, key) == nullptr;
+  return p.colour_source != ColourSource::kByCutout && normals_of(f, material_key_of(f, p, cutout)) == nullptr;
 }
 
 // Calls add(part) for parts with at most kMostVertices each, where objects allow.

@@ -44,6 +44,7 @@ struct GlbBuilder {
   std::set<std::string> extensions{};
   std::vector<MaterialKey> material_keys{};        ///< One per glTF material.
   std::vector<const impostor::Cutout*> cutouts{};  ///< Distinct cutouts.
+  std::set<std::uint32_t> instanced_features{};    ///< Features of the nodes of instances so far.
 
   /// Appends to a list of the file, such as "nodes", and returns the item's index.
   std::size_t add(const char* list, nlohmann::json item) {

@@ -49,11 +49,13 @@ AttributesOfCorner corner_of(const Primitive& p, std::uint32_t v) {
   return {at[0], at[1], at[2], feature, uv[0], uv[1], float(r), float(g), float(b), float(a)};
 }
 
-// Sorted triangles, each from its smallest corner on, with the normals of their corners.
+// Sorted triangles, each from its smallest corner on, with the normals of their corners. Either side of a
+// leaf may be read as its front.
 std::multimap<AttributesOfCorners, std::array<Float3, 3>> triangles_of(const Primitive& p) {
   std::multimap<AttributesOfCorners, std::array<Float3, 3>> triangles;
   for (auto t : p.triangles) {
     const auto less = [&](std::uint32_t a, std::uint32_t b) { return corner_of(p, a) < corner_of(p, b); };
+    if (p.colour_source == materials::ColourSource::kByCutout) std::ranges::sort(t, less);
     std::ranges::rotate(t, std::ranges::min_element(t, less));
     triangles.insert({{corner_of(p, t[0]), corner_of(p, t[1]), corner_of(p, t[2])},
                       {p.normals[t[0]], p.normals[t[1]], p.normals[t[2]]}});

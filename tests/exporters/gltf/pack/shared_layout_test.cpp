@@ -61,6 +61,21 @@ TEST(SharedLayout, TilesWithOnePrototypeReferToOneFile) {
   for (std::size_t i = 0; i < a.shared.size(); ++i) EXPECT_EQ(a.shared[i].name, b.shared[i].name);
 }
 
+// The plants of one place are a mesh that no other tile has.
+TEST(SharedLayout, StandsStayInTheirTile) {
+  for (const Compression compression : kNoneAndCompressions) {
+    const Folder folder;
+    bake::BakedTile tile = made_tile(1);
+    const std::size_t files = tile_for_three(tile, compression).shared.size();
+    tile.instanced[0].name = "stand_of_oak_1";
+    const EncodedTile divided = tile_for_three(tile, compression);
+    EXPECT_EQ(divided.shared.size(), files - 1);
+    const auto back = read_glb(folder.write(divided));
+    ASSERT_TRUE(back) << to_string(back.error());
+    EXPECT_EQ(back->instanced[0].name, "stand_of_oak_1");
+  }
+}
+
 TEST(SharedLayout, OnlyPlainNamesInTheFolderAreRead) {
   EXPECT_TRUE(is_shared_uri("shared/0123456789abcdef_12.bin"));
   for (const char* uri :

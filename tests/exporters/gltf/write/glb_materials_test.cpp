@@ -107,6 +107,51 @@ TEST(GlbMaterials, OfPlantsHaveTheLargestTintSoThatReadersWithoutVertexColoursSh
   EXPECT_EQ(*back, tile);
 }
 
+// The primitives whose materials are of leaves.
+std::vector<nlohmann::json> leaves_in(const nlohmann::json& gltf) {
+  std::vector<nlohmann::json> leaves;
+  for (const auto& mesh : gltf["meshes"])
+    for (const auto& p : mesh["primitives"])
+      if (gltf["materials"][p["material"].get<std::size_t>()]["name"].get<std::string>().find("Cutout") !=
+          std::string::npos)
+        leaves.push_back(p);
+  return leaves;
+}
+
+TEST(GlbLeaves, HaveFacesForBothSidesOfTheSameVerticesWhereTheTargetCullsBacks) {
+  const BakedTile tile = made_facade_tile(1);
+  const auto culled = gltf_of(tile, {.target = Target::kGeneric}), shown = gltf_of(tile, {.target = Target::kBlender});
+  const auto with_backs = leaves_in(culled), fronts = leaves_in(shown);
+  ASSERT_GT(fronts.size(), 0u);
+  ASSERT_EQ(with_backs.size(), fronts.size());
+  const auto count = [](const auto& gltf, const nlohmann::json& accessor) {
+    return gltf["accessors"][accessor.get<std::size_t>()]["count"].template get<std::size_t>();
+  };
+  for (std::size_t i = 0; i < fronts.size(); ++i) {
+    EXPECT_EQ(count(culled, with_backs[i]["attributes"]["POSITION"]),
+              count(shown, fronts[i]["attributes"]["POSITION"]));
+    EXPECT_EQ(count(culled, with_backs[i]["indices"]), 2 * count(shown, fronts[i]["indices"]));
+    EXPECT_FALSE(culled["materials"][with_backs[i]["material"].get<std::size_t>()].value("doubleSided", false));
+    EXPECT_TRUE(shown["materials"][fronts[i]["material"].get<std::size_t>()].value("doubleSided", false));
+  }
+}
+
+// Even those that are flat: a second primitive would be drawn apart.
+TEST(GlbLeaves, AreOnePrimitiveWithNormals) {
+  BakedTile tile = made_facade_tile(1);
+  for (bake::InstancedMesh& tree : tile.instanced)
+    for (bake::Primitive& p : tree.primitives)
+      if (p.colour_source == materials::ColourSource::kByCutout) {
+        const auto [a, b, c] = p.triangles.front();
+        p.positions[a] = {0, 0, 1}, p.positions[b] = {4, 0, 1}, p.positions[c] = {0, 4, 1};
+        for (const std::uint32_t v : {a, b, c}) p.normals[v] = {0, 0, 1};
+        p.triangles = {{a, b, c}};
+      }
+  const auto gltf = gltf_of(tile, {.target = Target::kBlender});
+  for (const auto& leaves : leaves_in(gltf))
+    EXPECT_TRUE(leaves["attributes"].contains("NORMAL"));
+}
+
 TEST(GlbMaterials, ShineAsTheTableSays) {
   std::mt19937 dice(5);
   BakedTile tile = made_tile(1);

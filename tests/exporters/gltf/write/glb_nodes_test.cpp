@@ -77,6 +77,28 @@ TEST(GlbPropertyTable, IsAlsoInTheExtrasOfNodes) {
         << extras;
 }
 
+// The plants of a garden would repeat the tags of its house.
+TEST(GlbNodes, OfInstancesHaveTheTagsOfTheirFeatureOnce) {
+  BakedTile tile = made_tile(1);
+  for (bake::InstancedMesh& mesh : tile.instanced) std::ranges::fill(mesh.features, 2u);
+  const auto gltf = gltf_of(tile, kNodes);
+  std::size_t nodes = 0, with_tags = 0;
+  for (const auto& node : gltf["nodes"]) {
+    if (node.value("extras", nlohmann::json::object()).value("feature", 0) != 2) continue;
+    EXPECT_EQ(node["extras"]["osm_id"], -12);
+    ++nodes, with_tags += node["extras"].contains("tags");
+  }
+  EXPECT_GT(nodes, 1u);
+  EXPECT_EQ(with_tags, 1u);
+}
+
+TEST(GlbNodes, OfInstancesHaveNumbersOfAsFewDigitsAsAFloatNeeds) {
+  BakedTile tile = made_tile(1);
+  tile.instanced.front().scales.front() = 0.41066718f;
+  const std::string json = json_of(encoded(tile, kNodes));
+  EXPECT_NE(json.find("[0.41066718,0.41066718,0.41066718]"), std::string::npos);
+}
+
 TEST(GlbPropertyTableDamage, TextsOutsideTheirViewAndOtherEncodingsAreRefused) {
   for (const char* text : {R"("stringOffsetType":"UINT16")", R"("valueType":"UINT16")"})
     EXPECT_NE(json_of(encoded(made_tile(1), kExtension)).find(text), std::string::npos) << text;
