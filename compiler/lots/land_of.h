@@ -11,9 +11,9 @@
 
 namespace citykiln::lots {
 
-/// A lot begins this far inside the pavement, which lies on top of it: no gap is seen between the two, although
-/// outlines are coarse (coarse_outlines.h).
-inline constexpr double kUnderPavement_m = 0.5;
+/// A lot begins this far inside the pavement, which lies on top of it: no gap is seen between the two, but for up to
+/// 5 cm in bends, where outlines are coarse (coarse_outlines.h).
+inline constexpr double kUnderPavement_m = 0.25;
 
 /// The input of parcels::divide() for a map, and the elements that its footprints and lines come from.
 struct MapLand {

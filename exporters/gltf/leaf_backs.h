@@ -11,9 +11,9 @@
 
 namespace citykiln::exporters {
 
-/// The number of triangles above which a primitive has no back sides and is doubleSided instead: trees at tolerances
-/// below 0.1 m, of which twice as many triangles would be slow.
-inline constexpr std::size_t kMostTrianglesWithBacks = 8000;
+/// The number of triangles above which a primitive has no back sides and is doubleSided instead: trees in near views,
+/// of which twice as many triangles would be slow.
+inline constexpr std::size_t kMostTrianglesWithBacks = 2000;
 
 /// True if a primitive is written with back sides, for programs that leave out faces seen from behind: cards on a
 /// cutout, at most kMostTrianglesWithBacks.
