@@ -39,7 +39,8 @@ std::vector<std::uint64_t> bake_keys(const scene::Scene& scene, const Outputs& o
   const std::string common =
       fmt::format("{} {} {}", program_hash(), exporters::hash_of(scene.header), settings_of(outputs));
   const std::vector<std::uint64_t> chunks = for_each_slot<std::uint64_t>(
-      scene.chunks.size(), threads, [&](std::size_t i) { return exporters::hash_of(scene.chunks[i], scene.header.seed); });
+      scene.chunks.size(), threads,
+      [&](std::size_t i) { return exporters::hash_of(scene.chunks[i], scene.header.seed); });
   std::vector<std::uint64_t> keys;
   for (const std::uint64_t chunk : chunks)
     for (std::size_t level = 0; level < outputs.tolerances_m.size(); ++level)

@@ -148,8 +148,7 @@ TEST(GlbLeaves, AreOnePrimitiveWithNormals) {
         p.triangles = {{a, b, c}};
       }
   const auto gltf = gltf_of(tile, {.target = Target::kBlender});
-  for (const auto& leaves : leaves_in(gltf))
-    EXPECT_TRUE(leaves["attributes"].contains("NORMAL"));
+  for (const auto& leaves : leaves_in(gltf)) EXPECT_TRUE(leaves["attributes"].contains("NORMAL"));
 }
 
 TEST(GlbMaterials, ShineAsTheTableSays) {
