@@ -23,7 +23,7 @@ std::array<Corner, 3> corners_of(const Primitive& p, const Triangle& t) {
     const bake::Float2 uv = p.uvs.empty() ? bake::Float2{} : p.uvs[t[i]];
     corners[i] = {at[0], at[1], at[2], uv[0], uv[1]};
   }
-  std::ranges::rotate(corners, std::ranges::min_element(corners));
+  std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
   return corners;
 }
 

@@ -101,10 +101,9 @@ Stands take_stands(plants::PlacedPlants& placed, const StandSurroundings& around
   for (auto& [prototype, placements] : placed) {
     const auto is_kept = [&](const Placement& p) { return !taken.contains(p.feature); };
     const auto rest = std::stable_partition(placements.begin(), placements.end(), is_kept);
-    const auto alike = [&](bool is_inner) {
-      return merged_variant(prototype, stand_tolerance_m(table[prototype.species], tolerance_m, is_inner));
-    };
-    const plants::Prototype at_edge = alike(false), inside = alike(true);
+    const plants::SpeciesValues& species = table[prototype.species];
+    const plants::Prototype at_edge = merged_variant(prototype, stand_tolerance_m(species, tolerance_m, false)),
+                            inside = merged_variant(prototype, stand_tolerance_m(species, tolerance_m, true));
     for (auto p = rest; p != placements.end(); ++p) {
       const bool is_inner = is_inside(squares, in_plan(p->at));
       stands[{p->feature, is_inner ? inside : at_edge, is_inner}].push_back(*p);

@@ -67,8 +67,8 @@ TEST(Stands, PlantsAreInsideWhereTheWoodGoesOnAllAround) {
           std::min({-312 - at.x, -312 - at.y, std::max(std::abs(at.x + 380), std::abs(at.y + 380)) - 20,
                     distance_to_polyline(path.axis, at)});
       ++all, inner += key.is_inner;
-      if (key.is_inner) EXPECT_GE(to_edge, 8) << at.x << ' ' << at.y;
-      if (to_edge > 45) EXPECT_TRUE(key.is_inner) << at.x << ' ' << at.y;
+      EXPECT_TRUE(!key.is_inner || to_edge >= 8) << at.x << ' ' << at.y;
+      EXPECT_TRUE(key.is_inner || to_edge <= 45) << at.x << ' ' << at.y;
     }
   EXPECT_GT(all, 1500u);
   EXPECT_GT(inner, 300u);
