@@ -351,9 +351,10 @@ FinerLand finer_land(const scene::Chunk& chunk) {
   return land;
 }
 
-// True if a place lies in a polygon, and not on its border, where either side may be on top.
+// True if a place lies in a polygon, and not on its border, where either side may be on top: outlines of lots are off
+// by up to 0.3 m (lots/coarse_outlines.h).
 bool is_well_inside(const ground::LandCoverPolygon& surface, Vec2 p) {
-  constexpr double kBorder_m = 0.0625;
+  constexpr double kBorder_m = 0.3125;
   for (const Vec2 step : {Vec2{kBorder_m, 0}, Vec2{-kBorder_m, 0}, Vec2{0, kBorder_m}, Vec2{0, -kBorder_m}})
     if (ground::winding_number(surface, p + step) <= 0) return false;
   return true;
