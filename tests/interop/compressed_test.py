@@ -34,7 +34,7 @@ def features_of(path):
 
 class Compressed(ReaderTest):
     def tiles(self, compress):
-        out = self.town(compress, "--lods", ",".join(LODS), "--target", "three", "--compress", compress)
+        out = self.town(compress, "--lods", ",".join(LODS), "--target", "three", "--layout", "embedded", "--compress", compress)
         tiles = sorted((out / "glb").glob("*.glb"))
         self.assertGreater(len(tiles), len(LODS))
         return tiles
