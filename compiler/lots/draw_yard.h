@@ -50,9 +50,8 @@ struct YardPlant {
 
 /// Returns the plants that the seed picks for a yard, whatever else stands there:
 ///
-/// - at most one in each square of 4 m of a grid of the plane, moved by up to 1.2 m in x and y, so that two are at
-/// least
-///   1.4 m apart;
+/// - at most one in each square of 4 m of a grid of the plane, moved by up to 1.2 m in x and y; two are at least 1.4 m
+///   apart;
 /// - as many on average as the rule says, on soft ground (is_planted(), yard_rules.h);
 /// - 0.75 m or more inside the border.
 ///
