@@ -30,8 +30,7 @@ struct PreparedTile {
 namespace {
 
 std::shared_ptr<PreparedTile> with_buildings(PreparedTile&& prepared, int threads) {
-  generate_textured_buildings(prepared.header, prepared.chunk, prepared.prototypes->rulebook(), prepared.levels,
-                              threads);
+  generate_textured_buildings(prepared.header, prepared.chunk, *prepared.prototypes, prepared.levels, threads);
   return std::make_shared<PreparedTile>(std::move(prepared));
 }
 

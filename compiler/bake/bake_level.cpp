@@ -170,7 +170,7 @@ BakedTile bake_level(const LevelRequest& request, TileLevel& level, const Protot
   report.append(level.cell_report);
   bake_ground(baking, level, std::move(structures));
   bake_stairs(baking, shared.stairs);
-  bake_buildings(baking, level, prototypes.rulebook(), threads, report);
+  bake_buildings(baking, level, prototypes, threads, report);
   bake_each(
       baking, Layer::kProps, bands_of(baking), "barrier", report,
       [&](const auto& b) { return bounds_of(b, baking.chunk.heights); },

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "compiler/bake/baked_tile.h"
+#include "compiler/buildings/facade_elements.h"
 #include "compiler/buildings/styles/rulebook.h"
 #include "compiler/materials/texture_cache.h"
 #include "compiler/plants/prototypes/grown_plant_cache.h"
@@ -76,6 +77,9 @@ class PrototypeCache {
 
   const materials::TextureCache& textures() const { return textures_; }
 
+  /// The pictures of windows, doors and shop fronts.
+  const buildings::ElementPictures& element_pictures() const { return element_pictures_; }
+
   /// The memory of all meshes made up to now. None is freed before the cache.
   std::size_t bytes() const { return bytes_; }
 
@@ -111,6 +115,7 @@ class PrototypeCache {
   mutable Leaves leaves_;
   materials::TextureCache textures_;
   buildings::Rulebook rulebook_;
+  buildings::ElementPictures element_pictures_;
   std::uint64_t seed_;
   bool is_night_;
   things::Kinds kinds_;

@@ -118,7 +118,7 @@ std::uint64_t distinct_texels(std::span<const TexturedFace> faces) {
   std::set<const impostor::Picture*, decltype(is_less)> pictures(is_less);
   std::uint64_t texels = 0;
   for (const TexturedFace& face : faces)
-    if (pictures.insert(&face.picture).second) texels += face.picture.texels.size();
+    if (pictures.insert(face.picture.get()).second) texels += face.picture->texels.size();
   return texels;
 }
 
@@ -142,11 +142,10 @@ struct FacadeBuilder {
   TexturedFace textured_face(const Face& face, impostor::Picture&& picture) const {
     const View view = view_of(face, texel_m);
     fill_gaps(picture);
-    TexturedFace made{std::move(picture), {{}, kUnderTextures, materials::kNoTint, feature}};
+    TexturedFace made = textured_by(std::make_shared<const impostor::Picture>(std::move(picture)), feature);
     add_face(face, made.mesh.mesh);
     for (const Vec3 p : made.mesh.mesh.positions)
       made.mesh.uvs.push_back({dot(p - view.corner, view.u), dot(p - view.corner, view.v)});
-    made.mesh.colour_source = materials::ColourSource::kByAtlas;
     return made;
   }
 
@@ -221,6 +220,12 @@ struct FacadeBuilder {
 };
 
 }  // namespace
+
+TexturedFace textured_by(std::shared_ptr<const impostor::Picture> picture, OsmId feature) {
+  TexturedFace face{std::move(picture), {{}, kUnderTextures, materials::kNoTint, feature}};
+  face.mesh.colour_source = materials::ColourSource::kByAtlas;
+  return face;
+}
 
 std::uint32_t halvings_for(const View& view) {
   constexpr double kMaxSampleSpacing_m = 0.4;

@@ -1,6 +1,7 @@
 // Baked facade textures: details that a coarse level omits are rendered onto the faces that it keeps.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "compiler/impostor/impostor.h"
@@ -11,9 +12,12 @@ namespace citykiln::buildings {
 
 /// A face with its texture. Texture coordinates of the mesh are metres from the corner of the first texel.
 struct TexturedFace {
-  impostor::Picture picture;
+  std::shared_ptr<const impostor::Picture> picture;
   materials::MaterialMesh mesh;
 };
+
+/// Returns a face with a picture and without triangles.
+TexturedFace textured_by(std::shared_ptr<const impostor::Picture> picture, OsmId feature);
 
 /// The faces of a building at a level, with baked textures where they need one.
 struct FacadeMeshes {

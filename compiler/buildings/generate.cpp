@@ -164,6 +164,8 @@ grammars::DeriveOptions options_of(const Level& level, const MassModel& mass, do
   options.keep_start = true, options.ids = false;
   // facade textures show what a level omits; without them the faces it keeps have to have its mean colours
   options.keep_appearances = level.detailed == nullptr, options.prune_early = true;
+  options.draw_elements =
+      level.context.pictures && !level.context.is_for_blocks && has_detail(Detail::kFacadeElements, level.tolerance_m);
   // roofs made by rules have all planes at every tolerance: the derivation certifies what it omits of them
   options.roofs = grammars::form_roofs(kQuantum_m);
   options.limits.shapes = kMaxShapes, options.limits.steps = kMaxSteps;
@@ -228,6 +230,7 @@ void add_ruled(const Level& level, const RuledMass& ruled, GeneratedBuilding& ge
     faces = texture_facades(derivation, *level.detailed, level.tolerance_m, tolerance_m, feature);
   else
     faces.meshes = terminal_meshes(derivation, feature, level.tolerance_m);
+  if (!derivation.elements.empty()) add_elements(derivation, *level.context.pictures, feature, faces);
   generated.error_m += std::max({derivation.error_m, ruled.omitted_m, faces.error_m});
   for (MaterialMesh& mesh : faces.meshes) generated.meshes.push_back(std::move(mesh));
   generated.textured_faces = std::move(faces.textured_faces);

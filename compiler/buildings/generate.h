@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "compiler/buildings/facade_elements.h"
 #include "compiler/buildings/facade_textures.h"
 #include "compiler/buildings/lit_windows.h"
 #include "compiler/buildings/recipe.h"
@@ -19,8 +20,8 @@ namespace citykiln::buildings {
 struct GeneratedBuilding {
   std::vector<materials::MaterialMesh> meshes;
   double error_m = 0;  ///< Hausdorff distance, both ways, between visible surfaces and the building at tolerance 0.
-  /// Walls that a baked texture shows; they are not in `meshes`. Empty at tolerances without kFacadeTextures
-  /// (detail_tolerances.inc), and with is_for_blocks.
+  /// Walls that a baked texture shows, and elements of facades; they are not in `meshes`. Empty at tolerances without
+  /// kFacadeTextures and kFacadeElements (detail_tolerances.inc), and with is_for_blocks.
   std::vector<TexturedFace> textured_faces{};
 };
 
@@ -32,6 +33,8 @@ struct SceneContext {
   /// The result is a source of blocks (blocks/certified_blocks.h): low buildings are generated too, and no building has
   /// facade textures.
   bool is_for_blocks = false;
+  /// Pictures of elements that were drawn before; null: levels show elements in plain colours.
+  const ElementPictures* pictures = nullptr;
 };
 
 /// Generates a building at one tolerance.

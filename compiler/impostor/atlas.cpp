@@ -26,33 +26,33 @@ struct Shelves {
 // The size of a frame: one texel on each side, and one more to make it even.
 std::uint32_t framed(std::uint32_t texels) { return (texels + 3) / 2 * 2; }
 
-std::uint64_t area_of(std::span<const Picture> pictures) {
+std::uint64_t area_of(std::span<const SharedPicture> pictures) {
   std::uint64_t area = 0;
-  for (const Picture& p : pictures) area += std::uint64_t{framed(p.columns)} * framed(p.rows);
+  for (const SharedPicture& p : pictures) area += std::uint64_t{framed(p->columns)} * framed(p->rows);
   return area;
 }
 
 // An even width of at least the widest frame, so that the atlas is approximately square.
-std::uint32_t width_of(std::span<const Picture> pictures) {
+std::uint32_t width_of(std::span<const SharedPicture> pictures) {
   std::uint32_t widest = 2;
-  for (const Picture& p : pictures) widest = std::max(widest, framed(p.columns));
+  for (const SharedPicture& p : pictures) widest = std::max(widest, framed(p->columns));
   const auto square = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(area_of(pictures))));
   return std::max(widest, (square + 3) / 4 * 4);
 }
 
 // Pictures of equal height stay in their order.
-Shelves shelve_pictures(std::span<const Picture> pictures) {
+Shelves shelve_pictures(std::span<const SharedPicture> pictures) {
   std::vector<std::size_t> order(pictures.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return pictures[i].rows; });
+  std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return pictures[i]->rows; });
   Shelves shelves{std::vector<Place>(pictures.size()), width_of(pictures), 0};
   std::uint32_t column = 0, row = 0;
   for (const std::size_t i : order) {
-    const std::uint32_t width = framed(pictures[i].columns);
+    const std::uint32_t width = framed(pictures[i]->columns);
     if (column + width > shelves.columns) column = 0, row = shelves.rows;
     shelves.places[i] = {column, row};
     column += width;
-    shelves.rows = std::max(shelves.rows, row + framed(pictures[i].rows));
+    shelves.rows = std::max(shelves.rows, row + framed(pictures[i]->rows));
   }
   return shelves;
 }
@@ -84,44 +84,50 @@ void draw_picture(const Picture& picture, Place place, Atlas& atlas) {
 
 // The distinct pictures, and the index among them of every picture.
 struct Unique {
-  std::vector<Picture> pictures;
+  std::vector<SharedPicture> pictures;
   std::vector<std::size_t> number;
 };
 
-Unique unique_of(std::span<const Picture> pictures) {
-  const auto is_less = [](const Picture* a, const Picture* b) { return *a < *b; };
+// Most pictures that are equal are one object, which are not compared texel by texel.
+Unique unique_of(std::span<const SharedPicture> pictures) {
+  const auto is_less = [](const Picture* a, const Picture* b) { return a != b && *a < *b; };
   std::map<const Picture*, std::size_t, decltype(is_less)> numbers(is_less);
+  std::map<const Picture*, std::size_t> seen;
   // numbered by first occurrence: the pictures of a building stay together
   Unique unique;
-  for (const Picture& picture : pictures) {
-    const auto [place, is_new] = numbers.try_emplace(&picture, unique.pictures.size());
-    if (is_new) unique.pictures.push_back(picture);
-    unique.number.push_back(place->second);
+  for (const SharedPicture& picture : pictures) {
+    const auto [known, is_unseen] = seen.try_emplace(picture.get(), 0);
+    if (is_unseen) {
+      const auto [place, is_new] = numbers.try_emplace(picture.get(), unique.pictures.size());
+      if (is_new) unique.pictures.push_back(picture);
+      known->second = place->second;
+    }
+    unique.number.push_back(known->second);
   }
   return unique;
 }
 
 template <typename Is>
-bool any_texel(std::span<const Picture> pictures, Is is) {
-  return std::ranges::any_of(pictures, [&](const Picture& p) { return std::ranges::any_of(p.texels, is); });
+bool any_texel(std::span<const SharedPicture> pictures, Is is) {
+  return std::ranges::any_of(pictures, [&](const SharedPicture& p) { return std::ranges::any_of(p->texels, is); });
 }
 
 bool has_slope(const Texel& texel) { return texel.slope != std::array<std::int16_t, 2>{}; }
 
-bool are_single(std::span<const Picture> pictures) {
-  return std::ranges::all_of(pictures, [](const Picture& p) { return p.columns == 1 && p.rows == 1; });
+bool are_single(std::span<const SharedPicture> pictures) {
+  return std::ranges::all_of(pictures, [](const SharedPicture& p) { return p->columns == 1 && p->rows == 1; });
 }
 
 }  // namespace
 
-AtlasLayout lay_out_atlas(std::span<const Picture> pictures, double texel_m, std::uint64_t budget) {
+AtlasLayout lay_out_atlas(std::span<const SharedPicture> pictures, double texel_m, std::uint64_t budget) {
   AtlasLayout layout;
-  assert(texel_m > 0 && std::ranges::none_of(pictures, [](const Picture& p) { return p.texels.empty(); }));
+  assert(texel_m > 0 && std::ranges::none_of(pictures, [](const SharedPicture& p) { return p->texels.empty(); }));
   if (pictures.empty()) return layout;
   Unique unique = unique_of(pictures);
   Shelves shelves = shelve_pictures(unique.pictures);
   while (!fits(shelves, budget) && !are_single(unique.pictures)) {
-    for (Picture& picture : unique.pictures) picture = halved(picture);
+    for (SharedPicture& picture : unique.pictures) picture = std::make_shared<const Picture>(halved(*picture));
     texel_m *= 2;
     shelves = shelve_pictures(unique.pictures);
   }
@@ -132,7 +138,7 @@ AtlasLayout lay_out_atlas(std::span<const Picture> pictures, double texel_m, std
   if (any_texel(unique.pictures, [](const Texel& texel) { return emits(texel); })) layout.atlas.emission = blank({});
   if (any_texel(unique.pictures, has_slope)) layout.atlas.normal = blank(normal_of({}));
   for (std::size_t i = 0; i < unique.pictures.size(); ++i)
-    draw_picture(unique.pictures[i], shelves.places[i], layout.atlas);
+    draw_picture(*unique.pictures[i], shelves.places[i], layout.atlas);
   for (const std::size_t number : unique.number) {
     const Place& place = shelves.places[number];
     layout.at_m.push_back({(place.column + 1) * texel_m, (place.row + 1) * texel_m});

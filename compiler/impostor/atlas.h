@@ -40,7 +40,7 @@ struct AtlasLayout {
 
 /// Packs pictures into an atlas.
 ///
-/// @param pictures  Each has at least one texel. Equal pictures share a position.
+/// @param pictures  Not null, and each has at least one texel. Equal pictures share a position.
 /// @param texel_m  The texel size of all pictures, > 0. It is doubled, and pictures are halved, until the budget holds.
 /// @param budget  The largest number of texels in the atlas.
 ///
@@ -48,6 +48,7 @@ struct AtlasLayout {
 /// Guarantees: frames do not overlap. The budget holds unless pictures of one texel each exceed it. At the requested
 /// texel size, every texel of a picture is in the images, rounded to 8 bits once, and is not mixed with another picture
 /// in the next mip level. Deterministic on every CPU. O(n log n + texels).
-AtlasLayout lay_out_atlas(std::span<const Picture> pictures, double texel_m, std::uint64_t budget = kMaxAtlasTexels);
+AtlasLayout lay_out_atlas(std::span<const SharedPicture> pictures, double texel_m,
+                          std::uint64_t budget = kMaxAtlasTexels);
 
 }  // namespace citykiln::impostor

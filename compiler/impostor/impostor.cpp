@@ -269,8 +269,20 @@ std::int16_t slope_of(std::int64_t twice_rise, double texel_m) {
   return static_cast<std::int16_t>(std::clamp(std::floor(std::abs(slope) + 0.5), 0.0, 32767.0) * (slope < 0 ? -1 : 1));
 }
 
+// True if all samples of a texel and those around it have one depth, as most have.
+bool is_level(const Canvas& canvas, std::int64_t left, std::int64_t top) {
+  const Sample first = canvas.at(left, top);
+  std::uint64_t differs = 0;
+  for (std::int64_t y = std::max<std::int64_t>(top - 1, 0); y <= std::min(top + kSamplesPerSide, canvas.rows - 1); ++y)
+    for (std::int64_t x = std::max<std::int64_t>(left - 1, 0);
+         x <= std::min<std::int64_t>(left + kSamplesPerSide, canvas.columns - 1); ++x)
+      differs |= canvas.at(x, y).key ^ first.key;
+  return differs >> 32 == 0;
+}
+
 std::array<std::int16_t, 2> slopes_of(const Canvas& canvas, std::int64_t column, std::int64_t row) {
   const std::int64_t left = column * kSamplesPerSide, top = row * kSamplesPerSide;
+  if (is_level(canvas, left, top)) return {};
   std::int64_t along = 0, down = 0;
   for (std::int64_t i = 0; i < kSamplesPerSide; ++i) {
     along += twice_rise(left, canvas.columns, [&](std::int64_t x) { return canvas.at(x, top + i); });

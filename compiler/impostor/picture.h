@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "compiler/materials/texture_image.h"
@@ -37,6 +38,9 @@ struct Picture {
   std::vector<Texel> texels;  ///< Row by row.
   auto operator<=>(const Picture&) const = default;
 };
+
+/// A picture that many faces show.
+using SharedPicture = std::shared_ptr<const Picture>;
 
 /// A sum of texels, weighted by their covered samples.
 class TexelSum {

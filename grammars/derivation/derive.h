@@ -50,6 +50,9 @@ struct DeriveOptions {
   /// keep_appearances, a node is simplified early only if no descendant may change the appearance; pieces of a split
   /// that are no wider than the tolerance are then merged into a neighbour (merge_pieces.h).
   bool prune_early = false;
+  /// Parts of walls such as windows and doors become elements: one rectangle each, with all detail beside it, to be
+  /// drawn on a picture (element.h). Only with a tolerance.
+  bool draw_elements = false;
   Limits limits;
   AnswerContextQuery answer_context_query;  ///< Null: there are no neighbours, entrances or lamps.
   FindFront find_front;                     ///< Null: there are no shop fronts.
@@ -61,6 +64,22 @@ struct PathNode {
   std::uint32_t parent = 0;
   std::string rule;
 };
+
+/// A face of an element: metres from the lower left corner of the element's rectangle, x along its lower edge, y up and
+/// z outwards.
+struct ElementFace {
+  Face face;
+  std::uint32_t appearance = 0;  ///< Index into Derivation::appearances.
+};
+
+/// All detail of a window, a door or another part of a wall that a level shows as one rectangle.
+struct Element {
+  double width_m = 0, height_m = 0;  ///< The rectangle's sides rounded to kElementStep_m, from 2 m on to twice and
+                                     ///< from 4 m on to four times that.
+  std::vector<ElementFace> faces;
+};
+/// The finest grid of the sizes of elements, so that windows of nearly the same size are the same element.
+inline constexpr double kElementStep_m = 0x1p-3;
 
 /// A shape without a rule, or the simplified result of a node: a part of the derived building.
 struct Terminal {
@@ -76,6 +95,7 @@ struct Terminal {
   /// An upper bound of the Hausdorff distance from the detailed surface, in which round bodies are exact; 0 if the
   /// terminal is neither simplified nor part of a round body.
   double error_m = 0;
+  std::uint32_t element = 0;     ///< 1 + index into Derivation::elements for the rectangle of an element; else 0.
   double detail_distance_m = 0;  ///< If simplified: no point of the detailed surface is farther than this from `faces`.
 };
 
@@ -109,6 +129,7 @@ struct Derivation {
   std::vector<Terminal> terminals;  ///< Depth first, in the order of the rules.
   std::vector<PathNode> paths;
   std::vector<Appearance> appearances;
+  std::vector<Element> elements;  ///< In the order of their first terminals; equal ones may occur several times.
   std::vector<Reported> reports;  ///< The reports of all detail, at any tolerance, except in nodes pruned early.
   /// The texts that the rules printed by CGA's print(), in order.
   std::vector<std::string> printed;

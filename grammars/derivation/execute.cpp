@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
+#include "grammars/derivation/element.h"
 #include "grammars/derivation/leave_out_details.h"
 #include "grammars/derivation/simplify.h"
 #include "grammars/language/operation_table.h"
@@ -248,10 +250,29 @@ NodeTrace prune(Execution& execution, Displacement moved) {
   return trace;
 }
 
+// Derives all detail of the node and puts its rectangle in the detail's place.
+NodeTrace draw_element(Execution& execution, const Body& body, const ElementPlace& place) {
+  Run& run = execution.run;
+  const std::size_t first = run.out.terminals.size();
+  Shape rectangle = std::exchange(execution.shape, place.shape);
+  run.is_in_element = true;
+  run_body(execution, body, true);
+  end_pending(execution);
+  run.is_in_element = false;
+  return replace_by_element(run, std::move(rectangle), place, first);
+}
+
 NodeTrace run_node(Execution& execution, const Body& body) {
-  if (const auto moved = bound_within_tolerance(execution, body)) return prune(execution, *moved);
+  const std::optional<ElementPlace> place = element_place(execution, body);
+  if (const auto moved = place ? std::nullopt : bound_within_tolerance(execution, body))
+    return prune(execution, *moved);
   const Recording recording = begin_recording(execution, body);
   if (recording.known) return repeat(execution, recording);
+  if (place) {
+    const NodeTrace trace = draw_element(execution, body, *place);
+    end_recording(execution.run, body, recording, trace);
+    return trace;
+  }
   const std::size_t first = execution.run.out.terminals.size();
   run_body(execution, body, true);
   end_pending(execution);

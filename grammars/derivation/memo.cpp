@@ -60,7 +60,8 @@ MemoKey memo_key(const Execution& execution, const Body& body) {
   const Scope& scope = shape.scope;
   MemoKey key;
   key.add(std::int64_t{body.number} << 32 | execution.path);
-  key.add(execution.depth <= 1);  // the start node, which keep_start excepts from simplification
+  // the start node, which keep_start excepts from simplification
+  key.add((execution.run.is_in_element << 1) | (execution.depth <= 1));
   add_face(key, shape.faces.front(), scope);
   if (body.depends_on_street) add_street(key, shape.faces.front());
   add(key, Vec3{scope.size_m[0], scope.size_m[1], scope.size_m[2]});

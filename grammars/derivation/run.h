@@ -72,6 +72,7 @@ struct Run {
   Memo memo = {};
   std::vector<RandomDraw> draws = {};  ///< Draws of shapes, recorded while a node may become a memo entry.
   BoundTable bounds = {};
+  bool is_in_element = false;  ///< All detail is derived, whatever the tolerance.
 
   /// Returns the id of a node, computed on first use, since most nodes never need theirs.
   StableId id_of(std::uint32_t node);
@@ -81,8 +82,8 @@ struct Run {
   void depends_on(std::uint32_t since_node);
   /// Records that the nodes being derived depend on a random number, but only on the interval in which it lies.
   void record_draw(const RandomDraw& draw);
-  /// True if displacements are measured, which only a tolerance requires.
-  bool measures() const { return options.tolerance_m > 0; }
+  /// True if displacements are measured, which only a tolerance requires, and no element.
+  bool measures() const { return options.tolerance_m > 0 && !is_in_element; }
   /// Adds a warning, or counts it again if its position and text are known.
   void warn(TextPosition position, const std::string& message);
   /// Adds to the number of steps. Returns false once the limit of steps is passed.

@@ -42,6 +42,21 @@ bool may(const Program& program, const Body& body, Property property, bool (*has
          std::ranges::any_of(body.branches, [&](const Branch& branch) { return branch.body.*property; });
 }
 
+// A successor that ends here, or that leads to a body with the property.
+bool keeps_surface(const Program& program, const Statement& statement) {
+  if (statement.kind == StatementKind::kSuccessor && statement.index == ~0u) return statement.name != "NIL";
+  return leads_to(program, statement, &Body::keeps_surface);
+}
+
+// Statements count up to the first that moves the surface or changes its appearance.
+bool keeps_surface(const Program& program, const Body& body) {
+  for (const Statement& statement : body.statements) {
+    if (keeps_surface(program, statement)) return true;
+    if (statement.kind == StatementKind::kOperation && !statement.has_selectors) return false;
+  }
+  return std::ranges::any_of(body.branches, [](const Branch& branch) { return branch.body.keeps_surface; });
+}
+
 bool divides(const Body& body) {
   return std::ranges::any_of(body.statements, &Statement::has_selectors) ||
          std::ranges::any_of(body.branches, [](const Branch& branch) { return branch.body.divides; });
@@ -115,6 +130,7 @@ bool update(const Program& program, Body& body) {
   body.divides = divides(body);
   set(body.changes_appearance, may(program, body, &Body::changes_appearance, changes_appearance));
   set(body.depends_on_street, may(program, body, &Body::depends_on_street, depends_on_street));
+  set(body.keeps_surface, keeps_surface(program, body));
   set(body.displacement_slots, displacement_slots(program, body));
   return changed;
 }

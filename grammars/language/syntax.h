@@ -90,6 +90,8 @@ struct Body {
   bool divides = false;
   bool changes_appearance = false;  ///< The rules that follow from the body may change the appearance.
   bool depends_on_street = false;   ///< The result may depend on which edges face a street.
+  /// A part of the surface may stay where it is and keep its appearance: the wall around a window, for example.
+  bool keeps_surface = false;
   /// Bit i: slot i (a parameter or local) may affect the displacement of the surface.
   std::uint64_t displacement_slots = 0;
 };

@@ -91,13 +91,27 @@ std::array<double, 3> apply_image(Hit& hit, const HitTriangle& t, const TextureF
   return image.colour(footprint);
 }
 
-// Sets roughness, metalness and normal by a picture on the facade atlas, and returns its colour and emission.
+// Reflectances at normal incidence for refractive indices 1.33 and 1.5; a window has two panes with two faces each,
+// half of whose light is seen.
+float f0_of(materials::Material material) {
+  using materials::Material;
+  if (material == Material::kWater || material == Material::kSea || material == Material::kPoolWater) return 0.02f;
+  return material == Material::kGlass || material == Material::kGlassFacade ? 0.08f : 0.04f;
+}
+
+// Panes on the atlas are smoother than all else there.
+constexpr float kRoughestPane = 0.08f;
+
+// Sets roughness, metalness and normal by a picture on the facade atlas, and returns its colour and emission. Where
+// the ray meets only glass, the material is glass.
 std::pair<std::array<double, 3>, std::array<double, 3>> apply_facade(Hit& hit, const HitTriangle& t,
                                                                      const TextureFootprint& footprint,
                                                                      const FacadeAtlasTexture& atlas,
                                                                      const TexelRectangle& picture) {
   if (atlas.has_normals() && !footprint.is_rough) apply_normal_map(hit, t, atlas.normal(footprint, picture), {});
   std::tie(hit.roughness, hit.metallic) = atlas.surface(footprint, picture);
+  if (hit.roughness < kRoughestPane && hit.metallic == 0)
+    hit.material = materials::Material::kGlass, hit.f0 = f0_of(hit.material);
   return {atlas.colour(footprint, picture), atlas.emission(footprint, picture)};
 }
 
@@ -105,14 +119,6 @@ std::pair<std::array<double, 3>, std::array<double, 3>> apply_facade(Hit& hit, c
 double translucency_of(materials::Material material) {
   using materials::Material;
   return material == Material::kBroadLeaf ? 0.8 : material == Material::kNeedleLeaf ? 0.4 : 0;
-}
-
-// Reflectances at normal incidence for refractive indices 1.33 and 1.5; a window has two panes with two faces each,
-// half of whose light is seen.
-float f0_of(materials::Material material) {
-  using materials::Material;
-  if (material == Material::kWater || material == Material::kSea || material == Material::kPoolWater) return 0.02f;
-  return material == Material::kGlass || material == Material::kGlassFacade ? 0.08f : 0.04f;
 }
 
 void set_material(Hit& hit, const MeshPart& part, const std::array<double, 3>& weights, const RTCHit& found,
@@ -255,6 +261,10 @@ Hit hit_on(const MeshPart& part, const RTCHit& found, const RayFootprint& footpr
   set_material(hit, part, weights, found, footprint);
   if (hit.material == materials::Material::kGlass && dot(across, footprint.direction) < 0)
     hit.pane = pane_of({p, p + edge1, p + edge2});
+  // the picture of a whole wall shows many rooms
+  constexpr double kWidestRoom_m = 6.5;
+  if (part.facade_atlas != nullptr && hit.pane && std::max(hit.pane->width_m, hit.pane->height_m) > kWidestRoom_m)
+    hit.pane.reset();
   return hit;
 }
 

@@ -128,17 +128,17 @@ void bake_blocks(Baking& baking, const TileLevel& level, const buildings::Rulebo
 // Generates buildings at several tolerances, in parallel; reports[i] gets the diagnoses of tolerance i in the order of
 // buildings. Buildings that `holds` denies get no meshes.
 std::vector<BuildingMeshes> generate_buildings(const scene::Header& header, const scene::Chunk& chunk,
-                                               const buildings::Rulebook& rulebook,
-                                               std::span<const double> tolerances_m, int threads,
-                                               std::span<Report> reports,
+                                               const PrototypeCache& shared, std::span<const double> tolerances_m,
+                                               int threads, std::span<Report> reports,
                                                const std::function<bool(const buildings::Building&)>& holds) {
   assert(reports.size() == tolerances_m.size());
   const std::vector<buildings::Building>& all = chunk.buildings;
-  const buildings::SceneContext context{header.seed, scene::night_of(header)};
+  const buildings::SceneContext context{
+      .seed = header.seed, .night = scene::night_of(header), .pictures = &shared.element_pictures()};
   std::vector<std::vector<Report>> diagnosed(all.size(), std::vector<Report>(tolerances_m.size()));
   std::vector<BuildingMeshes> by_building = for_each_slot<BuildingMeshes>(all.size(), threads, [&](std::size_t i) {
     if (!holds(all[i])) return BuildingMeshes(tolerances_m.size());
-    return buildings::generate(all[i], rulebook, context, tolerances_m, diagnosed[i]);
+    return buildings::generate(all[i], shared.rulebook(), context, tolerances_m, diagnosed[i]);
   });
   std::vector<BuildingMeshes> by_level(tolerances_m.size());
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -152,11 +152,13 @@ std::vector<BuildingMeshes> generate_buildings(const scene::Header& header, cons
 // Packs the facade textures into the tile's atlas, and adds the faces that show them to the buildings' meshes. Uvs are
 // put on the image's grid (image_uvs.h) before their picture is: where that lies then does not decide how they round.
 void put_on_atlas(Baking& baking, BuildingMeshes& buildings) {
-  std::vector<impostor::Picture> pictures;
+  std::vector<impostor::SharedPicture> pictures;
   for (buildings::GeneratedBuilding& building : buildings)
-    for (buildings::TexturedFace& face : building.textured_faces) pictures.push_back(std::move(face.picture));
+    for (const buildings::TexturedFace& face : building.textured_faces) pictures.push_back(face.picture);
   const std::uint64_t budget = baking.part ? impostor::kMaxViewAtlasTexels : impostor::kMaxAtlasTexels;
-  impostor::AtlasLayout layout = impostor::lay_out_atlas(pictures, baking.tolerance_m, budget);
+  const double texel_m =
+      has_detail(Detail::kFacadeElements, baking.tolerance_m) ? buildings::kElementTexel_m : baking.tolerance_m;
+  impostor::AtlasLayout layout = impostor::lay_out_atlas(pictures, texel_m, budget);
   std::size_t picture = 0;
   for (buildings::GeneratedBuilding& building : buildings)
     for (buildings::TexturedFace& face : building.textured_faces) {
@@ -169,8 +171,8 @@ void put_on_atlas(Baking& baking, BuildingMeshes& buildings) {
 
 }  // namespace
 
-void generate_textured_buildings(const scene::Header& header, const scene::Chunk& chunk,
-                                 const buildings::Rulebook& rulebook, std::span<TileLevel> levels, int threads) {
+void generate_textured_buildings(const scene::Header& header, const scene::Chunk& chunk, const PrototypeCache& shared,
+                                 std::span<TileLevel> levels, int threads) {
   std::vector<TileLevel*> textured;
   std::vector<double> tolerances_m;
   for (TileLevel& level : levels)
@@ -179,21 +181,20 @@ void generate_textured_buildings(const scene::Header& header, const scene::Chunk
   if (textured.empty()) return;
   std::vector<Report> reports(textured.size());
   std::vector<BuildingMeshes> meshes =
-      generate_buildings(header, chunk, rulebook, tolerances_m, threads, reports, [](const auto&) { return true; });
+      generate_buildings(header, chunk, shared, tolerances_m, threads, reports, [](const auto&) { return true; });
   for (std::size_t i = 0; i < textured.size(); ++i)
     textured[i]->buildings = std::move(meshes[i]), textured[i]->building_report = std::move(reports[i]);
 }
 
-void bake_buildings(Baking& baking, TileLevel& level, const buildings::Rulebook& rulebook, int threads,
-                    Report& report) {
+void bake_buildings(Baking& baking, TileLevel& level, const PrototypeCache& shared, int threads, Report& report) {
   if (!baking.part && has_detail(Detail::kBlocks, baking.tolerance_m)) {
-    bake_blocks(baking, level, rulebook, threads, report);
+    bake_blocks(baking, level, shared.rulebook(), threads, report);
     return;
   }
   const std::vector<buildings::Building>& all = baking.chunk.buildings;
   if (!level.buildings)
     level.buildings =
-        std::move(generate_buildings(baking.header, baking.chunk, rulebook, std::span(&baking.tolerance_m, 1), threads,
+        std::move(generate_buildings(baking.header, baking.chunk, shared, std::span(&baking.tolerance_m, 1), threads,
                                      std::span(&level.building_report, 1),
                                      [&](const auto& b) { return baking.holds(bounds_of(b)); })
                       .front());

@@ -142,19 +142,6 @@ void add_bars(std::span<const DerivedFace> railings, MaterialMesh& mesh) {
     for (const Face& part : parts_of_railing(railing.face)) add_face(part, mesh.mesh);
 }
 
-std::vector<MaterialMesh> meshes_of(const FacesBySurface& faces_of, OsmId feature, double tolerance_m) {
-  std::vector<MaterialMesh> meshes;
-  for (const auto& [surface, faces] : faces_of) {
-    MaterialMesh mesh{{}, surface.material, surface.tint, feature};
-    if (surface.material == Material::kRailing && has_detail(Detail::kRailingBars, tolerance_m))
-      add_bars(faces, mesh);
-    else
-      add_faces(faces, mesh);
-    if (!mesh.mesh.triangles.empty()) meshes.push_back(std::move(mesh));
-  }
-  return meshes;
-}
-
 }  // namespace
 
 void add_face(const Face& face, Mesh& mesh) {
@@ -176,13 +163,26 @@ SurfaceMaterial surface_material_of(const grammars::Appearance& appearance) {
   return {chosen, tint_towards(chosen, paint)};
 }
 
+std::vector<MaterialMesh> meshes_of(const FacesBySurface& faces_of, OsmId feature, double tolerance_m) {
+  std::vector<MaterialMesh> meshes;
+  for (const auto& [surface, faces] : faces_of) {
+    MaterialMesh mesh{{}, surface.material, surface.tint, feature};
+    if (surface.material == Material::kRailing && has_detail(Detail::kRailingBars, tolerance_m))
+      add_bars(faces, mesh);
+    else
+      add_faces(faces, mesh);
+    if (!mesh.mesh.triangles.empty()) meshes.push_back(std::move(mesh));
+  }
+  return meshes;
+}
+
 FacesBySurface faces_by_surface(const grammars::Derivation& derivation) {
   FacesBySurface faces_of;
   std::vector<std::vector<DerivedFace>*> of_appearance;
   for (const grammars::Appearance& appearance : derivation.appearances)
     of_appearance.push_back(&faces_of[surface_material_of(appearance)]);
   for (const grammars::Terminal& terminal : derivation.terminals)
-    for (const Face& face : terminal.faces)
+    for (const Face& face : terminal.element == 0 ? std::span(terminal.faces) : std::span<const Face>())
       of_appearance[terminal.appearance]->push_back({face, terminal.detail_distance_m});
   return faces_of;
 }

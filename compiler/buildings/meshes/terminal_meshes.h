@@ -26,8 +26,13 @@ void add_face(const grammars::Face& face, Mesh& mesh);
 /// must be added by this overload, so that each position has coordinates.
 void add_face(const grammars::Face& face, materials::MaterialMesh& mesh);
 
-/// Returns the terminals' faces by material and tint. Terminals without faces, such as assets, add nothing. O(n log n).
+/// Returns the terminals' faces by material and tint. Terminals without faces, such as assets, and elements
+/// (facade_elements.h) add nothing. O(n log n).
 std::map<materials::SurfaceMaterial, std::vector<DerivedFace>> faces_by_surface(const grammars::Derivation& derivation);
+
+/// Returns faces as one mesh per material and tint, as terminal_meshes() does, without joining any.
+std::vector<materials::MaterialMesh> meshes_of(
+    const std::map<materials::SurfaceMaterial, std::vector<DerivedFace>>& faces_of, OsmId feature, double tolerance_m);
 
 /// Returns the terminals' faces as one mesh per material and tint, sorted by material and tint, with rectangles joined
 /// (join_rectangles.h).

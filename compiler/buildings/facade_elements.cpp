@@ -1,0 +1,121 @@
+#include "compiler/buildings/facade_elements.h"
+
+#include <cmath>
+
+#include "compiler/buildings/meshes/terminal_meshes.h"
+#include "compiler/impostor/impostor.h"
+
+namespace citykiln::buildings {
+namespace {
+
+using grammars::Element;
+using materials::SurfaceMaterial;
+
+// Faces of equal elements differ by rounding errors.
+constexpr double kGrid_m = 0x1p-10;
+// Rooms behind panes are less deep, and sills stand out less.
+constexpr double kDepth_m = 2;
+
+Vec3 on_grid(Vec3 p) {
+  const auto rounded = [](double v) { return std::floor(v / kGrid_m + 0.5) * kGrid_m; };
+  return {rounded(p.x), rounded(p.y), rounded(p.z)};
+}
+
+// Faces of one surface as one mesh, in the order of surfaces.
+std::vector<materials::MaterialMesh> meshes_of_element(const Element& element,
+                                                       const std::vector<SurfaceMaterial>& surfaces) {
+  std::map<SurfaceMaterial, std::vector<DerivedFace>> faces_of;
+  for (const grammars::ElementFace& each : element.faces) {
+    grammars::Face face = each.face;
+    grammars::each_vertex(face, [](Vec3& p) { p = on_grid(p); });
+    faces_of[surfaces[each.appearance]].push_back({std::move(face), 0});
+  }
+  return meshes_of(faces_of, {}, 0);
+}
+
+DrawnElement draw(const Element& element, const std::vector<SurfaceMaterial>& surfaces) {
+  const impostor::View view{.corner = {0, element.height_m, 0},
+                            .u = {1, 0, 0},
+                            .v = {0, -1, 0},
+                            .texel_m = kElementTexel_m,
+                            .columns = static_cast<std::uint32_t>(element.width_m / kElementTexel_m + 0.5),
+                            .rows = static_cast<std::uint32_t>(element.height_m / kElementTexel_m + 0.5),
+                            .before_m = kDepth_m,
+                            .behind_m = kDepth_m,
+                            .has_slopes = true};
+  impostor::Impostor seen = impostor::render(impostor::model_of(meshes_of_element(element, surfaces)), view);
+  if (seen.dominant_share >= 1) return {nullptr, seen.dominant};
+  fill_gaps(seen.picture);
+  return {std::make_shared<const impostor::Picture>(std::move(seen.picture)), {}};
+}
+
+void add_surface(const SurfaceMaterial& surface, std::vector<std::int32_t>& key) {
+  key.push_back(static_cast<std::int32_t>(surface.material));
+  for (const std::uint8_t part : surface.tint) key.push_back(part);
+}
+
+// All that the picture depends on.
+std::vector<std::int32_t> key_of(const Element& element, const std::vector<SurfaceMaterial>& surfaces) {
+  const auto steps = [](double m) { return static_cast<std::int32_t>(std::floor(m / kGrid_m + 0.5)); };
+  std::vector<std::int32_t> key{steps(element.width_m), steps(element.height_m)};
+  for (const grammars::ElementFace& each : element.faces) {
+    add_surface(surfaces[each.appearance], key);
+    key.push_back(static_cast<std::int32_t>(each.face.outer.size()));
+    key.push_back(static_cast<std::int32_t>(each.face.holes.size()));
+    grammars::each_vertex(each.face, [&](Vec3 p) { key.insert(key.end(), {steps(p.x), steps(p.y), steps(p.z)}); });
+  }
+  return key;
+}
+
+// Adds a rectangle that shows a whole picture.
+void add_rectangle(const grammars::Face& face, TexturedFace& textured) {
+  const std::array<Vec3, 3> axis = grammars::axes_of(face);
+  const Vec3 first = face.outer.front();
+  Box2 box;
+  for (const Vec3 p : face.outer) box.grow({dot(p - first, axis[0]), dot(p - first, axis[1])});
+  const double wide_m = textured.picture->columns * kElementTexel_m, high_m = textured.picture->rows * kElementTexel_m;
+  add_face(face, textured.mesh.mesh);
+  std::vector<Vec2>& uvs = textured.mesh.uvs;
+  for (std::size_t i = uvs.size(); i < textured.mesh.mesh.positions.size(); ++i) {
+    const Vec3 v = textured.mesh.mesh.positions[i] - first;
+    uvs.push_back(
+        {(dot(v, axis[0]) - box.min.x) / box.width() * wide_m, (box.max.y - dot(v, axis[1])) / box.height() * high_m});
+  }
+}
+
+}  // namespace
+
+const DrawnElement& ElementPictures::drawn(const Element& element, const std::vector<SurfaceMaterial>& surfaces) const {
+  Slot* slot = nullptr;
+  {
+    const std::lock_guard lock(mutex_);
+    slot = &slots_[key_of(element, surfaces)];
+  }
+  std::call_once(slot->once, [&] { slot->drawn = draw(element, surfaces); });
+  return slot->drawn;
+}
+
+void add_elements(const grammars::Derivation& derivation, const ElementPictures& pictures, OsmId feature,
+                  FacadeMeshes& faces) {
+  std::vector<SurfaceMaterial> surfaces;
+  for (const grammars::Appearance& appearance : derivation.appearances)
+    surfaces.push_back(surface_material_of(appearance));
+  std::vector<const DrawnElement*> drawn;
+  for (const Element& element : derivation.elements) drawn.push_back(&pictures.drawn(element, surfaces));
+  std::map<const impostor::Picture*, std::size_t> textured;
+  std::map<SurfaceMaterial, std::vector<DerivedFace>> plain;
+  for (const grammars::Terminal& terminal : derivation.terminals) {
+    if (terminal.element == 0) continue;
+    const DrawnElement& element = *drawn[terminal.element - 1];
+    if (!element.picture) {
+      plain[element.surface].push_back({terminal.faces.front(), terminal.detail_distance_m});
+      continue;
+    }
+    const auto [at, is_new] = textured.try_emplace(element.picture.get(), faces.textured_faces.size());
+    if (is_new) faces.textured_faces.push_back(textured_by(element.picture, feature));
+    add_rectangle(terminal.faces.front(), faces.textured_faces[at->second]);
+  }
+  for (materials::MaterialMesh& mesh : meshes_of(plain, feature, 0)) faces.meshes.push_back(std::move(mesh));
+}
+
+}  // namespace citykiln::buildings
