@@ -90,7 +90,8 @@ Element element_of(const Run& run, const Shape& shape, std::size_t first) {
 std::optional<ElementPlace> element_place(Execution& execution, const Body& body) {
   const Run& run = execution.run;
   const Shape& shape = execution.shape;
-  if (!run.options.draw_elements || !run.measures()) return std::nullopt;
+  const bool is_kept_start = run.options.keep_start && execution.depth <= 1;
+  if (!run.options.draw_elements || !run.measures() || is_kept_start) return std::nullopt;
   if (!body.divides || !body.changes_appearance || body.keeps_surface) return std::nullopt;
   if (!is_flat(shape) || !is_rectangle_in_scope(shape)) return std::nullopt;
   const auto [x, y] = axes_in_face(shape);

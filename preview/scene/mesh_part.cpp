@@ -91,12 +91,17 @@ std::array<double, 3> apply_image(Hit& hit, const HitTriangle& t, const TextureF
   return image.colour(footprint);
 }
 
+bool is_pane(materials::Material material) {
+  using materials::Material;
+  return material == Material::kGlass || material == Material::kGlassFacade || material == Material::kBehindGlass;
+}
+
 // Reflectances at normal incidence for refractive indices 1.33 and 1.5; a window has two panes with two faces each,
 // half of whose light is seen.
 float f0_of(materials::Material material) {
   using materials::Material;
   if (material == Material::kWater || material == Material::kSea || material == Material::kPoolWater) return 0.02f;
-  return material == Material::kGlass || material == Material::kGlassFacade ? 0.08f : 0.04f;
+  return is_pane(material) ? 0.08f : 0.04f;
 }
 
 // Panes on the atlas are smoother than all else there.
@@ -259,6 +264,7 @@ Hit hit_on(const MeshPart& part, const RTCHit& found, const RayFootprint& footpr
   if (!part.emitters.empty()) hit.emitter = part.emitters[found.primID];
   if (part.features != nullptr) hit.feature = (*part.features)[part.primitive->features[corners[0]]];
   set_material(hit, part, weights, found, footprint);
+  if (is_pane(hit.material)) hit.shading_normal = out_of_plane(hit.shading_normal, hit.position);
   if (hit.material == materials::Material::kGlass && dot(across, footprint.direction) < 0)
     hit.pane = pane_of({p, p + edge1, p + edge2});
   // the picture of a whole wall shows many rooms

@@ -75,6 +75,20 @@ bool is_on_pane(const Pane& pane, const Spot& spot) {
 
 }  // namespace
 
+Vec3 out_of_plane(Vec3 normal, Vec3 at) {
+  constexpr double kWide_m = 1.5, kHigh_m = 1.8, kMost = 0.005;
+  if (std::abs(normal.z) > 0.7) return normal;
+  const Vec3 across = unit(Vec3{-normal.y, normal.x, 0}), up = cross(normal, across);
+  const double x = dot(at, across) / kWide_m, y = dot(at, up) / kHigh_m;
+  const double column = std::floor(x), row = std::floor(y);
+  Pane pane;
+  pane.corner = {column, row, std::floor(dot(at, normal))};
+  const auto off = [&](std::uint64_t salt, double part) {
+    return kMost * (2 * share_of(pane, {}, salt) - 1 + 2 * (part - 0.5));
+  };
+  return unit(normal + across * off(5, x - column) + up * off(6, y - row));
+}
+
 std::optional<Pane> pane_of(const Vec3 (&triangle)[3]) {
   constexpr double kLeast_m = 0.2, kUpright = 0.1, kOff_m = 0.02;
   const Vec3 normal = unit(cross(triangle[1] - triangle[0], triangle[2] - triangle[0]));

@@ -100,8 +100,8 @@ TEST(FacadeAtlas, ShineByNight) {
   EXPECT_EQ(atlas.emission.texels.size(), atlas.colour.texels.size());
 }
 
-TEST(FacadeAtlas, FineLevelsHaveNone) {
-  const BakedTile tile = std::move(baked(with_blocks(2), {0.1}).front());
+TEST(FacadeAtlas, LevelsWithAllFramesHaveNone) {
+  const BakedTile tile = std::move(baked(with_blocks(2), {0.02}).front());
   EXPECT_EQ(tile.facade_atlas, impostor::Atlas{});
   EXPECT_EQ(textured_faces(tile), nullptr);
 }

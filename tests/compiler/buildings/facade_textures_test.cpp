@@ -61,7 +61,7 @@ Shown shown_by(const GeneratedBuilding& house) {
               {base[0] * mesh.tint[0] / 255.0, base[1] * mesh.tint[1] / 255.0, base[2] * mesh.tint[2] / 255.0});
   }
   for (const TexturedFace& face : house.textured_faces) {
-    const auto light = mean(face.picture).light;
+    const auto light = mean(*face.picture).light;
     shown.add(face.mesh.mesh, {light[0] / 65535.0, light[1] / 65535.0, light[2] / 65535.0});
   }
   return shown;
@@ -84,7 +84,7 @@ TEST(FacadeTextures, ShowWindows) {
     const GeneratedBuilding block = expanded(building_of_style(style, 30, 18), 0.5);
     std::size_t with_windows = 0;
     for (const TexturedFace& face : block.textured_faces) {
-      const auto& texels = face.picture.texels;
+      const auto& texels = face.picture->texels;
       if (std::ranges::any_of(texels, is_glass) && !std::ranges::all_of(texels, is_glass)) ++with_windows;
     }
     EXPECT_GE(with_windows, 2u) << static_cast<int>(style);
@@ -146,7 +146,7 @@ TEST(FacadeTextures, HaveSlopesWhereGeometryIsOmitted) {
     std::size_t texels = 0;
     for (const TexturedFace& face : house.textured_faces)
       texels += static_cast<std::size_t>(std::ranges::count_if(
-          face.picture.texels, [](const impostor::Texel& t) { return t.slope != std::array<std::int16_t, 2>{}; }));
+          face.picture->texels, [](const impostor::Texel& t) { return t.slope != std::array<std::int16_t, 2>{}; }));
     return texels;
   };
   const Building old = building_of_style(Style::kOldTownHouse, 17.3, 16);
@@ -163,8 +163,8 @@ TEST(FacadeTextures, HaveCoordinatesInsideThePicture) {
       EXPECT_EQ(face.mesh.colour_source, materials::ColourSource::kByAtlas);
       ASSERT_EQ(face.mesh.uvs.size(), face.mesh.mesh.positions.size());
       for (const Vec2 uv : face.mesh.uvs) {
-        EXPECT_TRUE(uv.x > -1e-6 && uv.x < face.picture.columns * tolerance_m + 1e-6);
-        EXPECT_TRUE(uv.y > -1e-6 && uv.y < face.picture.rows * tolerance_m + 1e-6);
+        EXPECT_TRUE(uv.x > -1e-6 && uv.x < face.picture->columns * tolerance_m + 1e-6);
+        EXPECT_TRUE(uv.y > -1e-6 && uv.y < face.picture->rows * tolerance_m + 1e-6);
       }
     }
   EXPECT_GT(faces, 0u);
@@ -174,14 +174,14 @@ TEST(FacadeTextures, HaveNoGaps) {
   const GeneratedBuilding villa = expanded(building_of_style(Style::kVilla, 12, 7), 0.5);
   ASSERT_FALSE(villa.textured_faces.empty());
   for (const TexturedFace& face : villa.textured_faces)
-    for (const impostor::Texel& texel : face.picture.texels) EXPECT_GT(texel.shown, 0);
+    for (const impostor::Texel& texel : face.picture->texels) EXPECT_GT(texel.shown, 0);
 }
 
 TEST(FacadeTextures, HaveAtLeastTheLeastTexels) {
   for (const TexturedFace& face : expanded(building_of_style(Style::kPanelBlock, 40, 18), 12.5).textured_faces)
-    EXPECT_GE(face.picture.texels.size(), kMinTexels);
+    EXPECT_GE(face.picture->texels.size(), kMinTexels);
   EXPECT_TRUE(expanded(building_of_style(Style::kRowHouse, 8, 7), 2.5).textured_faces.empty() ||
-              expanded(building_of_style(Style::kRowHouse, 8, 7), 2.5).textured_faces.front().picture.texels.size() >=
+              expanded(building_of_style(Style::kRowHouse, 8, 7), 2.5).textured_faces.front().picture->texels.size() >=
                   kMinTexels);
 }
 
@@ -210,7 +210,7 @@ TEST(FacadeTextures, AreTheSameForLevelsTogetherAndAlone) {
     for (std::size_t i = 0; i < alone.meshes.size(); ++i)
       EXPECT_TRUE(are_same(together[l].meshes[i].mesh, alone.meshes[i].mesh));
     for (std::size_t i = 0; i < alone.textured_faces.size(); ++i) {
-      EXPECT_EQ(together[l].textured_faces[i].picture, alone.textured_faces[i].picture);
+      EXPECT_EQ(*together[l].textured_faces[i].picture, *alone.textured_faces[i].picture);
       EXPECT_TRUE(are_same(together[l].textured_faces[i].mesh.mesh, alone.textured_faces[i].mesh.mesh));
     }
   }
@@ -232,8 +232,8 @@ double emission_on(const TexturedFace& face, const Triangle& t, double texel_m) 
       const double a = (i + 1 / 3.0) / kSteps, b = (j + 1 / 3.0) / kSteps;
       const Vec2 uv = face.mesh.uvs[t[0]] * (1 - a - b) + face.mesh.uvs[t[1]] * a + face.mesh.uvs[t[2]] * b;
       const auto at = [&](double m, std::uint32_t most) { return std::clamp<int>(m / texel_m, 0, most - 1); };
-      const std::size_t row = at(uv.y, face.picture.rows), column = at(uv.x, face.picture.columns);
-      sum += face.picture.texels[row * face.picture.columns + column].emission[0] / 65535.0;
+      const std::size_t row = at(uv.y, face.picture->rows), column = at(uv.x, face.picture->columns);
+      sum += face.picture->texels[row * face.picture->columns + column].emission[0] / 65535.0;
       ++count;
     }
   return sum / count;
