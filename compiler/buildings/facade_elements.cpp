@@ -33,6 +33,15 @@ std::vector<materials::MaterialMesh> meshes_of_element(const Element& element,
   return meshes_of(faces_of, {}, 0);
 }
 
+// Normals show a reveal; the steps of frames are as wide as a texel.
+bool has_relief(const Element& element) {
+  constexpr double kLeast_m = 0.06;
+  Box2 depths;
+  for (const grammars::ElementFace& each : element.faces)
+    grammars::each_vertex(each.face, [&](Vec3 p) { depths.grow({p.z, 0}); });
+  return depths.width() >= kLeast_m;
+}
+
 DrawnElement draw(const Element& element, const std::vector<SurfaceMaterial>& surfaces) {
   const impostor::View view{.corner = {0, element.height_m, 0},
                             .u = {1, 0, 0},
@@ -42,7 +51,7 @@ DrawnElement draw(const Element& element, const std::vector<SurfaceMaterial>& su
                             .rows = static_cast<std::uint32_t>(element.height_m / kElementTexel_m + 0.5),
                             .before_m = kDepth_m,
                             .behind_m = kDepth_m,
-                            .has_slopes = true};
+                            .has_slopes = has_relief(element)};
   impostor::Impostor seen = impostor::render(impostor::model_of(meshes_of_element(element, surfaces)), view);
   if (seen.dominant_share >= 1) return {nullptr, seen.dominant};
   fill_gaps(seen.picture);
