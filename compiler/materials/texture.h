@@ -23,6 +23,8 @@ struct Texture {
   /// A square of the same side in metres, or empty. Texels are (n + 1) / 2 · 255 of the unit normal's components along
   /// u, against v (up in the image) and outwards.
   TextureImage normal{};
+  /// A square of the same side in metres, or empty: red is 255, green the roughness, blue the metalness, linear.
+  TextureImage surface{};
   /// One per texel of `colour`, 0 to 255, if the texture has holes: texels below 128. Else empty.
   std::vector<std::uint8_t> opacity{};
   bool operator==(const Texture&) const = default;
@@ -57,9 +59,9 @@ bool is_bark(Material material);
 /// Returns the texture of a material. Precondition: has_texture(material, tolerance_m).
 ///
 /// Guarantees: does not depend on the tolerance except by has_normals(), so that levels share it; the same bytes for
-/// the same arguments on every CPU; repeats without a seam; at most 16 colours, or 225 normals, so that PNGs are small
-/// (water has more, since steps would be visible in reflections); the mean colour times colour_factor() is the
-/// material's colour. O(texels): about 40 ms for 512 × 512.
+/// the same arguments on every CPU; repeats without a seam; at most 210 colours and 225 normals, so that palettes hold
+/// them (water has more normals, since steps would be visible in reflections); the mean colour times colour_factor() is
+/// the material's colour. O(texels): 20 to 110 ms for 512 × 512.
 Texture texture_of(Material material, double tolerance_m, std::uint64_t seed);
 
 /// Returns the factor by which the texture's colours are multiplied so that their mean, in linear light, is the
