@@ -42,7 +42,7 @@ double off_lines(double at, double count) {
 
 // Hair cracks: the zeros of a noise, where another one is high.
 double crack(double noise, double where, double width) {
-  return (1 - std::min(1.0, std::abs(noise) / width)) * step(where, 0.18, 0.15);
+  return (1 - std::min(1.0, std::abs(noise) / width)) * step(where, 0.10, 0.15);
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ PatternFields felt(std::uint32_t px, std::uint64_t key) {
                  weld = 1 - step(std::abs(part - 0.08), 0.012, 0.015);
     const double end = 1 - step(off_lines(v + rolls.at(roll, 1), 1) * 4, 0.010, 0.010);
     const double rim = 1 - std::min(1.0, std::abs(puddles.at(c, r) - 0.16) / 0.05),
-                 puddle = step(puddles.at(c, r), 0.2, 0.12);
+                 puddle = step(puddles.at(c, r), 0.24, 0.22);
     const double s = grit.at(c, r) - 0.5;
     return {0.8 * s + 0.5 * clouds.at(c, r) + 0.35 * (rolls.at(roll, 0) - 0.5) - 0.9 * edge - 0.5 * end + 0.3 * weld +
                 0.35 * rim - 0.15 * puddle,
@@ -140,7 +140,7 @@ namespace {
 
 // Stones of up to 11 mm (EN 13108-1, AC 11) in bitumen on 4 m, polished where wheels roll.
 SheetTexel asphalt_texel(double stone, double grit, double clouds, double hair, double repair, double rim) {
-  return {0.6 * stone + 0.55 * grit + 0.35 * clouds - 1.5 * hair - 0.5 * repair - 0.9 * rim,
+  return {0.6 * stone + 0.55 * grit + 0.35 * clouds - 2.2 * hair - 0.5 * repair - 0.9 * rim,
           0.8 * stone + 0.5 * grit - 3 * hair - rim, 0, 0.6 * grit - 0.6 * stone + 0.6 * clouds + 0.5 * hair - repair};
 }
 
@@ -161,7 +161,7 @@ PatternFields worn_asphalt(std::uint32_t px, std::uint64_t key) {
               clouds = layered_noise(px, {7, 7}, 4, 0.7, key + 2), net = layered_noise(px, {7, 7}, 5, 0.55, key + 3),
               tired = layered_noise(px, {5, 5}, 3, 0.6, key + 4);
   return by_texel(px, [&](auto c, auto r) {
-    const double stone = stones.at(c, r), hair = crack(net.at(c, r), tired.at(c, r), 0.016);
+    const double stone = stones.at(c, r), hair = crack(net.at(c, r), tired.at(c, r), 0.022);
     return asphalt_texel(stone * stone - 0.33, grit.at(c, r), clouds.at(c, r), hair, 0, 0);
   });
 }
@@ -171,7 +171,7 @@ PatternFields cast(std::uint32_t px, std::uint64_t key) {
   const Field brush = layered_noise(px, {12, px / 4}, 2, 0.8, key), grit = random_values(px, key + 1),
               clouds = layered_noise(px, {6, 6}, 5, 0.65, key + 2), stains = layered_noise(px, {7, 7}, 4, 0.6, key + 3);
   return by_texel(px, [&](auto c, auto r) -> SheetTexel {
-    const double s = grit.at(c, r) - 0.5, stain = step(stains.at(c, r), 0.3, 0.2);
+    const double s = grit.at(c, r) - 0.5, stain = step(stains.at(c, r), 0.3, 0.5);
     const double hair = crack(clouds.at(c, r), stains.at(c, r), 0.010);
     return {0.55 * s + 0.3 * brush.at(c, r) + 0.6 * clouds.at(c, r) - 0.35 * stain - hair,
             0.5 * s + brush.at(c, r) - 2 * hair, 0.5 * stain, s + brush.at(c, r) - 0.5 * stain};

@@ -94,8 +94,8 @@ PatternFields seen_from_above(const Pile& pile, const Field& ground, double grou
     const double high = pile.height.values[i];
     const bool is_bare = high <= 0;
     f.tone.values[i] =
-        static_cast<float>(is_bare ? -1.1 + 0.4 * ground.values[i]
-                                   : 0.9 * (high - 0.6) + 0.7 * pile.shade.values[i] + 0.35 * ground.values[i]);
+        static_cast<float>(is_bare ? -0.9 + 0.4 * ground.values[i]
+                                   : 0.6 * (high - 0.6) + 0.7 * pile.shade.values[i] + 0.35 * ground.values[i]);
     f.relief.values[i] = static_cast<float>(high + 0.1 * ground.values[i]);
     f.accent.values[i] = is_bare ? static_cast<float>(ground_accent) : pile.accent.values[i];
     f.rough.values[i] = static_cast<float>(-high);

@@ -19,7 +19,9 @@ constexpr int kColours = 42, kAccentSteps = 5;
 constexpr int kRoughnessSteps = 16;
 // Quantisation of slopes in each direction: 15 by 15 normals fit a palette of 256. Water needs finer steps.
 constexpr int kSlopeSteps = 7, kWaterSlopeSteps = 100;
-constexpr std::uint32_t kMaxNormalsSide_px = 256;
+constexpr std::uint32_t kMaxNormalsSide_px = 256, kMaxBarkNormalsSide_px = 128;
+
+
 
 struct Row {
   Material material;
@@ -177,6 +179,14 @@ bool has_normals(Material material, double tolerance_m) {
          (has_detail(Detail::kGroundNormals, tolerance_m) || row->pattern == TexturePattern::kWaves);
 }
 
+bool has_no_units(Material material) {
+  using enum TexturePattern;
+  constexpr TexturePattern kWithoutUnits[] = {kBlades, kTufts, kLitter, kMottled, kGrains, kStones, kCrags,
+                                              kRender, kCast,  kAsphalt, kWornAsphalt, kRipples};
+  const Row* row = row_of(material);
+  return row != nullptr && std::ranges::find(kWithoutUnits, row->pattern) != std::end(kWithoutUnits);
+}
+
 double texture_side_m(Material material) {
   const Row* row = row_of(material);
   return row == nullptr ? 0 : row->side_m;
@@ -187,16 +197,17 @@ bool is_bark(Material material) {
   return row != nullptr && is_bark(row->pattern);
 }
 
-Texture texture_of(Material material, double tolerance_m, std::uint64_t seed) {
+Texture texture_of(Material material, double tolerance_m, std::uint64_t seed, std::uint32_t scale) {
   assert(has_texture(material, tolerance_m));
-  const Row& row = *row_of(material);
+  Row row = *row_of(material);
+  if (!has_holes(material)) row.side_px *= scale;
   const PatternFields fields = generate_pattern(row.pattern, row.side_px, key_of(material, seed));
   Texture texture{material, {}, {}};
   for (const float opacity : fields.opacity.values)
     texture.opacity.push_back(static_cast<std::uint8_t>(opacity * 255 + 0.5f));
   if (row.contrast > 0) texture.colour = colour_image(row, fields);
   if (has_normals(material, tolerance_m))
-    texture.normal = normal_image(row, downsampled(fields.relief, std::min(row.side_px, kMaxNormalsSide_px)));
+    texture.normal = normal_image(row, downsampled(fields.relief, std::min(row.side_px, is_bark(row.pattern) ? kMaxBarkNormalsSide_px : kMaxNormalsSide_px)));
   if (row.roughness > 0 && has_normals(material, tolerance_m)) texture.surface = surface_image(row, fields);
   return texture;
 }

@@ -50,6 +50,10 @@ bool has_normals(Material material, double tolerance_m);
 /// True if the material's texture has holes. Faces are then seen from both sides.
 bool has_holes(Material material);
 
+/// True if the material's texture has no units that follow each other, such as bricks or waves: patches of it can be
+/// blended anywhere.
+bool has_no_units(Material material);
+
 /// Returns the side of the material's texture, metres; 0 if it has none.
 double texture_side_m(Material material);
 
@@ -62,7 +66,8 @@ bool is_bark(Material material);
 /// the same arguments on every CPU; repeats without a seam; at most 210 colours and 225 normals, so that palettes hold
 /// them (water has more normals, since steps would be visible in reflections); the mean colour times colour_factor() is
 /// the material's colour. O(texels): 20 to 110 ms for 512 × 512.
-Texture texture_of(Material material, double tolerance_m, std::uint64_t seed);
+/// @param scale  Multiplies the texels of a side: a power of two, 1 for the table's sizes.
+Texture texture_of(Material material, double tolerance_m, std::uint64_t seed, std::uint32_t scale = 1);
 
 /// Returns the factor by which the texture's colours are multiplied so that their mean, in linear light, is the
 /// material's colour: 0 … 1, near 1. For a texture without colours, returns the material's colour.

@@ -187,17 +187,19 @@ std::vector<std::optional<WholeTile>> whole_tiles(const scene::Scene& scene, std
 class TileWriter {
  public:
   TileWriter(const scene::Scene& scene, const Outputs& outputs, int threads, exporters::OutputFolder& folder,
-             Report& report)
+             Report& report, std::vector<MaterialSet> sets)
       : scene_(scene),
         outputs_(outputs),
         threads_(threads),
         folder_(folder),
         report_(report),
         lights_(lights_of_tiles(scene, outputs.lights, threads)),
+        textures_(outputs, scene.header.seed, std::move(sets)),
         usd_(scene.header, folder) {}
 
   Result<Done> write_all(const OnProgress& on_progress, WrittenOutputs& written) {
     keys_ = bake_keys(scene_, outputs_, threads_);
+    for (std::uint64_t& key : keys_) key = std::max<std::uint64_t>(1, key ^ textures_.hash());
     // tiles with shared files are baked again: their journal lines do not name these
     whole_.resize(keys_.size());
     if (layout_of(outputs_) == Layout::kEmbedded && !outputs_.usd)
@@ -207,6 +209,7 @@ class TileWriter {
                       {.exists = [&](ChunkLevel at) { return whole_[index(at)].has_value(); },
                        .process =
                            [&](ChunkLevel at, bake::BakedTile&& baked) {
+                             textures_.apply(baked);
                              ready_[index(at)] = ready_tile(bake::in_world(std::move(baked), scene_.header), at.level,
                                                             lights_[at.chunk], scene_.header, outputs_, threads_);
                            },
@@ -276,8 +279,9 @@ class TileWriter {
       SolvedTile out;
       const auto prepared = bake::prepare(scene_.header, scene_.chunks[chunk], std::span(&tolerance_m, 1), threads_,
                                           prototypes, most_instances_of(outputs_.target));
-      out.tile = ready_tile(bake::in_world(bake::bake_prepared(*prepared, 0, threads_, out.diagnosed), scene_.header),
-                            0, lights_[chunk], scene_.header, outputs_, threads_);
+      bake::BakedTile baked = bake::bake_prepared(*prepared, 0, threads_, out.diagnosed);
+      textures_.apply(baked);
+      out.tile = ready_tile(bake::in_world(std::move(baked), scene_.header), 0, lights_[chunk], scene_.header, outputs_, threads_);
       return out;
     };
     std::optional<SolvedTile> found;

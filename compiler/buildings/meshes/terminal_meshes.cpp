@@ -131,8 +131,8 @@ void reserve_points(std::span<const DerivedFace> faces, bool has_uvs, MaterialMe
   if (has_uvs) mesh.uvs.reserve(points);
 }
 
-void add_faces(std::span<const DerivedFace> faces, MaterialMesh& mesh) {
-  const bool has_uvs = materials::has_texture(mesh.material, 0);
+void add_faces(std::span<const DerivedFace> faces, double tolerance_m, MaterialMesh& mesh) {
+  const bool has_uvs = materials::has_texture(mesh.material, tolerance_m);
   reserve_points(faces, has_uvs, mesh);
   for (const DerivedFace& derived : faces) add_material_face(derived.face, has_uvs, mesh);
 }
@@ -149,7 +149,7 @@ std::vector<MaterialMesh> meshes_of(const FacesBySurface& faces_of, OsmId featur
     if (surface.material == Material::kRailing && has_detail(Detail::kRailingBars, tolerance_m))
       add_bars(faces, mesh);
     else
-      add_faces(faces, mesh);
+      add_faces(faces, tolerance_m, mesh);
     if (!mesh.mesh.triangles.empty()) meshes.push_back(std::move(mesh));
   }
   return meshes;
@@ -170,9 +170,11 @@ SurfaceMaterial surface_material_of(const grammars::Appearance& appearance) {
   const Material material = materials::material_named(appearance.name).value_or(Material::kPlaster);
   const auto [red, green, blue] = std::tuple(appearance.red, appearance.green, appearance.blue);
   if (red >= 1 && green >= 1 && blue >= 1) return {material, materials::kNoTint};
+  // plaster of all colours has one texture
+  const Material base = material == Material::kPlaster ? Material::kLightPlaster : material;
   const LinearRgb paint = paint_reflectance({byte_of(red), byte_of(green), byte_of(blue)});
   const LinearRgb darker = {kMinShownShare * paint[0], kMinShownShare * paint[1], kMinShownShare * paint[2]};
-  const Material chosen = tintable_material(darker, {material, Material::kPaint});
+  const Material chosen = tintable_material(darker, {base, materials::light_variant_of(material)});
   return {chosen, tint_towards(chosen, paint)};
 }
 
