@@ -33,13 +33,23 @@ struct MapWord {
   std::string_view word;
   MapKind kind;
 };
-constexpr MapWord kMapWords[] = {
-    {"color", MapKind::kColour},          {"colour", MapKind::kColour},     {"diff", MapKind::kColour},
-    {"diffuse", MapKind::kColour},        {"albedo", MapKind::kColour},     {"basecolor", MapKind::kColour},
-    {"normalgl", MapKind::kNormalGl},     {"nor_gl", MapKind::kNormalGl},   {"normaldx", MapKind::kNormalDx},
-    {"nor_dx", MapKind::kNormalDx},       {"roughness", MapKind::kRoughness}, {"rough", MapKind::kRoughness},
-    {"ao", MapKind::kOcclusion},          {"ambientocclusion", MapKind::kOcclusion},
-    {"displacement", MapKind::kDisplacement}, {"disp", MapKind::kDisplacement}, {"height", MapKind::kDisplacement}};
+constexpr MapWord kMapWords[] = {{"color", MapKind::kColour},
+                                 {"colour", MapKind::kColour},
+                                 {"diff", MapKind::kColour},
+                                 {"diffuse", MapKind::kColour},
+                                 {"albedo", MapKind::kColour},
+                                 {"basecolor", MapKind::kColour},
+                                 {"normalgl", MapKind::kNormalGl},
+                                 {"nor_gl", MapKind::kNormalGl},
+                                 {"normaldx", MapKind::kNormalDx},
+                                 {"nor_dx", MapKind::kNormalDx},
+                                 {"roughness", MapKind::kRoughness},
+                                 {"rough", MapKind::kRoughness},
+                                 {"ao", MapKind::kOcclusion},
+                                 {"ambientocclusion", MapKind::kOcclusion},
+                                 {"displacement", MapKind::kDisplacement},
+                                 {"disp", MapKind::kDisplacement},
+                                 {"height", MapKind::kDisplacement}};
 
 std::string in_small_letters(std::string text) {
   for (char& c : text)
@@ -85,7 +95,8 @@ std::map<std::string, TableRow> read_table(const std::string& path, Faults& faul
     const std::vector<std::string_view> cells = split(line, ',');
     const std::optional<double> size_m = cells.size() > 1 ? parse_double(cells[1]) : std::nullopt;
     if (!size_m || !(*size_m >= 0.05 && *size_m <= 64)) {
-      faults.push_back(fmt::format("{}:{}: expected material,size_m,credit,licence with a size of 0.05 to 64 m", path, number));
+      faults.push_back(
+          fmt::format("{}:{}: expected material,size_m,credit,licence with a size of 0.05 to 64 m", path, number));
       continue;
     }
     rows[std::string(cells[0])] = {*size_m, cells.size() > 2 ? std::string(cells[2]) : "",
@@ -178,15 +189,18 @@ TextureImage normal_of(const TextureImage& map, bool is_gl, std::uint32_t side, 
 
 TextureImage normal_of_heights(const TextureImage& map, std::uint32_t side, double size_m) {
   const std::vector<Linear> heights = box_filtered(map, side, share_of_byte);
-  const auto height = [&](std::uint32_t c, std::uint32_t r) { return heights[static_cast<std::size_t>(r % side) * side + c % side][0]; };
+  const auto height = [&](std::uint32_t c, std::uint32_t r) {
+    return heights[static_cast<std::size_t>(r % side) * side + c % side][0];
+  };
   TextureImage image = blank_map(side, size_m);
   for (std::uint32_t r = 0; r < side; ++r)
     for (std::uint32_t c = 0; c < side; ++c) {
       const double steep = kDisplacedShare * side / 2;
-      const double u = steep * (height(c + 1, r) - height(c + side - 1, r)), v = steep * (height(c, r + 1) - height(c, r + side - 1));
+      const double u = steep * (height(c + 1, r) - height(c + side - 1, r)),
+                   v = steep * (height(c, r + 1) - height(c, r + side - 1));
       const double out = 1 / std::sqrt(1 + u * u + v * v);
-      image.texels[static_cast<std::size_t>(r) * side + c] = {rounded_byte((1 - u * out) / 2), rounded_byte((1 + v * out) / 2),
-                                                              rounded_byte((1 + out) / 2)};
+      image.texels[static_cast<std::size_t>(r) * side + c] = {
+          rounded_byte((1 - u * out) / 2), rounded_byte((1 + v * out) / 2), rounded_byte((1 + out) / 2)};
     }
   return image;
 }
@@ -210,16 +224,19 @@ Maps read_maps(const fs::path& folder, Faults& faults) {
     std::optional<TextureImage> image = read_map(file, faults);
     if (!image) continue;
     if (!maps.empty() && maps.begin()->second.columns != image->columns)
-      faults.push_back(fmt::format("{}: expected {} x {} texels, as the set's other pictures have, found {} x {}", file.string(),
-                                   maps.begin()->second.columns, maps.begin()->second.columns, image->columns, image->rows));
+      faults.push_back(fmt::format("{}: expected {} x {} texels, as the set's other pictures have, found {} x {}",
+                                   file.string(), maps.begin()->second.columns, maps.begin()->second.columns,
+                                   image->columns, image->rows));
     maps.emplace(*kind_of(file), std::move(*image));
   }
   return maps;
 }
 
 MaterialSet set_of(const Maps& maps, Material material, const TableRow& row, std::uint32_t most_px) {
-  const double size_m = materials::kTexturePeriod_m / std::max(1.0, std::floor(materials::kTexturePeriod_m / row.size_m + 0.5));
-  const std::uint32_t side = std::min(most_px, std::bit_floor(maps.at(MapKind::kColour).columns)), coarse = std::min(side, most_px / 2);
+  const double size_m =
+      materials::kTexturePeriod_m / std::max(1.0, std::floor(materials::kTexturePeriod_m / row.size_m + 0.5));
+  const std::uint32_t side = std::min(most_px, std::bit_floor(maps.at(MapKind::kColour).columns)),
+                      coarse = std::min(side, most_px / 2);
   MaterialSet set{{material, colour_of(maps, material, side, size_m), {}, {}, {}}, row.credit, row.licence};
   const auto map_of = [&](MapKind kind) { return maps.contains(kind) ? &maps.at(kind) : nullptr; };
   if (const auto* gl = map_of(MapKind::kNormalGl))
@@ -228,7 +245,8 @@ MaterialSet set_of(const Maps& maps, Material material, const TableRow& row, std
     set.texture.normal = normal_of(*dx, false, coarse, size_m);
   else if (const auto* heights = map_of(MapKind::kDisplacement))
     set.texture.normal = normal_of_heights(*heights, coarse, size_m);
-  if (const auto* rough = map_of(MapKind::kRoughness)) set.texture.surface = surface_of(*rough, material, coarse, size_m);
+  if (const auto* rough = map_of(MapKind::kRoughness))
+    set.texture.surface = surface_of(*rough, material, coarse, size_m);
   return set;
 }
 
@@ -236,17 +254,22 @@ std::optional<MaterialSet> read_set(const fs::path& folder, const std::map<std::
                                     const std::string& table_path, std::uint32_t most_px, Faults& faults) {
   const std::string name = folder.filename().string();
   const std::optional<Material> material = materials::material_named(name);
-  if (!material || !materials::has_texture(*material, 0) || materials::has_holes(*material) || materials::is_bark(*material)) {
-    faults.push_back(fmt::format("{}: expected the name of a ground, wall or roof that has a texture, such as flemish_brick "
-                                 "(citykiln inspect --materials -o sheet.png shows all)", folder.string()));
+  if (!material || !materials::has_texture(*material, 0) || materials::has_holes(*material) ||
+      materials::is_bark(*material)) {
+    faults.push_back(
+        fmt::format("{}: expected the name of a ground, wall or roof that has a texture, such as flemish_brick "
+                    "(citykiln inspect --materials -o sheet.png shows all)",
+                    folder.string()));
     return {};
   }
   const auto row = table.find(name);
-  if (row == table.end()) faults.push_back(fmt::format("{}: expected a row {},size_m,credit,licence", table_path, name));
+  if (row == table.end())
+    faults.push_back(fmt::format("{}: expected a row {},size_m,credit,licence", table_path, name));
   const std::size_t before = faults.size();
   const Maps maps = read_maps(folder, faults);
   if (!maps.contains(MapKind::kColour) && faults.size() == before)
-    faults.push_back(fmt::format("{}: expected a picture whose name has Color or diff, as PNG, JPEG or WebP", folder.string()));
+    faults.push_back(
+        fmt::format("{}: expected a picture whose name has Color or diff, as PNG, JPEG or WebP", folder.string()));
   if (row == table.end() || faults.size() > before) return {};
   return set_of(maps, *material, row->second, most_px);
 }
@@ -257,7 +280,8 @@ Result<std::vector<MaterialSet>> read_material_sets(const std::string& folder, s
   std::vector<MaterialSet> sets;
   if (folder.empty()) return sets;
   std::error_code failed;
-  if (!fs::is_directory(folder, failed)) return Error{folder, "expected a folder of materials, each a folder of pictures"};
+  if (!fs::is_directory(folder, failed))
+    return Error{folder, "expected a folder of materials, each a folder of pictures"};
   const std::string table_path = (fs::path(folder) / kTableName).string();
   Faults faults;
   const std::map<std::string, TableRow> table = read_table(table_path, faults);
@@ -266,7 +290,8 @@ Result<std::vector<MaterialSet>> read_material_sets(const std::string& folder, s
     if (entry.is_directory(failed)) folders.push_back(entry.path());
   std::ranges::sort(folders);
   for (const fs::path& each : folders)
-    if (std::optional<MaterialSet> set = read_set(each, table, table_path, most_px, faults)) sets.push_back(std::move(*set));
+    if (std::optional<MaterialSet> set = read_set(each, table, table_path, most_px, faults))
+      sets.push_back(std::move(*set));
   if (!faults.empty()) return Error{"", fmt::format("{}", fmt::join(faults, "\n"))};
   std::ranges::sort(sets, {}, [](const MaterialSet& set) { return set.texture.material; });
   return sets;

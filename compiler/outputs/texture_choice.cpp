@@ -23,8 +23,9 @@ std::uint64_t hash_of_sets(const std::vector<MaterialSet>& sets, bool is_fine) {
   if (sets.empty() && !is_fine) return 0;
   std::string all = is_fine ? "fine" : "usual";
   for (const MaterialSet& set : sets)
-    all += fmt::format(" {} {} {} {} {}", values_of(set.texture.material).name, side_m(set.texture), hash_of_image(set.texture.colour),
-                       hash_of_image(set.texture.normal), hash_of_image(set.texture.surface));
+    all += fmt::format(" {} {} {} {} {}", values_of(set.texture.material).name, side_m(set.texture),
+                       hash_of_image(set.texture.colour), hash_of_image(set.texture.normal),
+                       hash_of_image(set.texture.surface));
   return exporters::content_hash(all);
 }
 
@@ -40,7 +41,8 @@ void TextureChoice::apply(bake::BakedTile& tile) const {
   if (hash_ == 0) return;
   for (materials::Texture& texture : tile.textures) {
     const bool shows_normals = has_normals(texture.material, tile.tolerance_m);
-    const auto own = std::ranges::find(sets_, texture.material, [](const MaterialSet& set) { return set.texture.material; });
+    const auto own =
+        std::ranges::find(sets_, texture.material, [](const MaterialSet& set) { return set.texture.material; });
     if (own == sets_.end()) {
       if (is_fine_) texture = fine_.texture(texture.material, tile.tolerance_m);
       continue;

@@ -18,6 +18,7 @@
 #include "compiler/bake_scene.h"
 #include "compiler/contract/system/for_each_slot.h"
 #include "compiler/outputs/bake_keys.h"
+#include "compiler/outputs/texture_choice.h"
 #include "compiler/outputs/tile_lights.h"
 #include "compiler/outputs/tile_note.h"
 #include "compiler/outputs/usd_outputs.h"
@@ -281,7 +282,8 @@ class TileWriter {
                                           prototypes, most_instances_of(outputs_.target));
       bake::BakedTile baked = bake::bake_prepared(*prepared, 0, threads_, out.diagnosed);
       textures_.apply(baked);
-      out.tile = ready_tile(bake::in_world(std::move(baked), scene_.header), 0, lights_[chunk], scene_.header, outputs_, threads_);
+      out.tile = ready_tile(bake::in_world(std::move(baked), scene_.header), 0, lights_[chunk], scene_.header, outputs_,
+                            threads_);
       return out;
     };
     std::optional<SolvedTile> found;
@@ -359,6 +361,7 @@ class TileWriter {
   std::vector<std::uint64_t> keys_;  ///< By chunk and level, like the next members.
   std::vector<std::optional<WholeTile>> whole_;
   std::vector<ReadyTile> ready_;
+  TextureChoice textures_;
   UsdWriter usd_;
 };
 
@@ -388,6 +391,9 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
                                      exporters::OutputFolder& folder, Report& report, const OnProgress& on_progress) {
   assert(std::ranges::is_sorted(outputs.tolerances_m));
   WrittenOutputs written;
+  Result<std::vector<MaterialSet>> sets = sets_of(outputs);
+  if (!sets) return sets.error();
+  for (const std::string& credit : credits_of(*sets)) written.notes.push_back("textures of " + credit);
   if (outputs.manifest) {
     on_progress("write", 0);
     const std::vector<std::byte> manifest = exporters::encode_manifest(scene, threads);
@@ -401,7 +407,7 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
   if (const auto done = write_on_ellipsoid(scene, outputs, threads, folder, report, on_progress, written); !done)
     return done.error();
   if (!outputs.glb && !outputs.usd) return written;
-  TileWriter writer(scene, outputs, threads, folder, report);
+  TileWriter writer(scene, outputs, threads, folder, report, std::move(*sets));
   if (outputs.max_bytes || outputs.max_triangles) {
     if (const Result<Done> solved = writer.write_solved(on_progress, written); !solved) return solved.error();
     if (const Result<Done> done = writer.finish(written); !done) return done.error();

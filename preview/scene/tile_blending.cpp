@@ -32,7 +32,8 @@ Vec2 offset_of(std::int64_t a, std::int64_t b, std::int64_t count, double side_m
   const auto across = static_cast<std::uint64_t>(whole_modulo(2 * a + b, 2 * count)),
              along = static_cast<std::uint64_t>(whole_modulo(b, count));
   const std::uint64_t bits = mixed_bits(across << 32 | along);
-  return {side_m * static_cast<double>(bits & 0xffffffffu) * 0x1p-32, side_m * static_cast<double>(bits >> 32) * 0x1p-32};
+  return {side_m * static_cast<double>(bits & 0xffffffffu) * 0x1p-32,
+          side_m * static_cast<double>(bits >> 32) * 0x1p-32};
 }
 
 double normal_share_below(double deviate) { return 0.5 * std::erfc(-deviate / std::sqrt(2.0)); }
@@ -65,7 +66,8 @@ TextureImage deviates_image(const TextureImage& image) {
     const std::array<double, 256> below = shares_below(image, channel);
     std::array<std::uint8_t, 256> byte{};
     for (std::size_t v = 0; v < byte.size(); ++v)
-      byte[v] = static_cast<std::uint8_t>(std::clamp((deviate_above(below[v]) / (2 * kDeviations) + 0.5) * 255 + 0.5, 0.0, 255.0));
+      byte[v] = static_cast<std::uint8_t>(
+          std::clamp((deviate_above(below[v]) / (2 * kDeviations) + 0.5) * 255 + 0.5, 0.0, 255.0));
     for (TextureImage::Texel& texel : out.texels) texel[channel] = byte[texel[channel]];
   }
   return out;
@@ -80,7 +82,8 @@ std::array<float, 256> colours_of_deviates(const TextureImage& image, std::size_
     const double share = normal_share_below(deviate_of(static_cast<double>(i)));
     while (at + 1 < below.size() && below[at] < share) ++at;
     const std::size_t before = at == 0 ? 0 : at - 1;
-    const double gap = below[at] - below[before], part = gap > 0 ? std::clamp((share - below[before]) / gap, 0.0, 1.0) : 1;
+    const double gap = below[at] - below[before],
+                 part = gap > 0 ? std::clamp((share - below[before]) / gap, 0.0, 1.0) : 1;
     colours[i] = static_cast<float>((1 - part) * materials::linear_of_srgb(static_cast<std::uint8_t>(before)) +
                                     part * materials::linear_of_srgb(static_cast<std::uint8_t>(at)));
   }
@@ -131,7 +134,8 @@ double variance_of(const std::vector<double>& deviates) {
 BlendedPatches patches_at(Vec2 at_m, double side_m, double period_m) {
   // an even number, so that half a column more for each row ends where it began
   const auto count = std::max<std::int64_t>(2, 2 * std::llround(1.732 * period_m / side_m));
-  const double b = at_m.y * static_cast<double>(count) / period_m, a = at_m.x * static_cast<double>(count) / period_m - 0.5 * b;
+  const double b = at_m.y * static_cast<double>(count) / period_m,
+               a = at_m.x * static_cast<double>(count) / period_m - 0.5 * b;
   const auto column = static_cast<std::int64_t>(std::floor(a)), row = static_cast<std::int64_t>(std::floor(b));
   const double right = a - std::floor(a), up = b - std::floor(b);
   const auto offset = [&](std::int64_t i, std::int64_t j) { return offset_of(column + i, row + j, count, side_m); };
@@ -156,7 +160,8 @@ BlendedColours::BlendedColours(const TextureImage& image)
     std::size_t level = 0;
     for (std::size_t side = image.columns; side >= 1; side /= 2, ++level) {
       if (inverse_.size() <= level) inverse_.emplace_back();
-      inverse_[level][channel] = level == 0 ? exact : filtered(exact, std::sqrt(std::max(0.0, whole - variance_of(deviates))));
+      inverse_[level][channel] =
+          level == 0 ? exact : filtered(exact, std::sqrt(std::max(0.0, whole - variance_of(deviates))));
       if (side > 1) deviates = halved_deviates(deviates, side);
     }
   }
