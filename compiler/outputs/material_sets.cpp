@@ -93,7 +93,7 @@ std::map<std::string, TableRow> read_table(const std::string& path, Faults& faul
     while (line.ends_with('\r') || line.ends_with(' ')) line.remove_suffix(1);
     if (line.empty() || line.starts_with('#') || line.starts_with("material,")) continue;
     const std::vector<std::string_view> cells = split(line, ',');
-    const std::optional<double> size_m = cells.size() > 1 ? parse_double(cells[1]) : std::nullopt;
+    const std::optional<double> size_m = cells.size() > 1 ? number_in<double>(cells[1]) : std::nullopt;
     if (!size_m || !(*size_m >= 0.05 && *size_m <= 64)) {
       faults.push_back(
           fmt::format("{}:{}: expected material,size_m,credit,licence with a size of 0.05 to 64 m", path, number));
