@@ -189,6 +189,11 @@ Result<Done> set_compression(CompileSpec& spec, std::string_view text) {
   return done;
 }
 
+Result<Done> set_materials(CompileSpec& spec, std::string_view text) {
+  spec.outputs.materials_folder = text;
+  return Done{};
+}
+
 Result<Done> set_textures(CompileSpec& spec, std::string_view text) {
   if (text != "usual" && text != "fine") return Error{std::string(text), "expected usual or fine"};
   spec.outputs.has_fine_textures = text == "fine";
@@ -401,7 +406,7 @@ constexpr Setting kSettings[] = {
      "folder with artists' textures by material: folders such as flemish_brick with pictures named as ambientCG and "
      "Poly "
      "Haven do, and a table materials.csv",
-     false, [](CompileSpec& spec, std::string_view text) { return (spec.outputs.materials_folder = text, Done{}); }},
+     false, set_materials},
     {"textures", "usual|fine", "textures of materials with up to 512 texels a side, or 1024 (default: usual)", false,
      set_textures},
     {"cars", "", "parked cars in parking lanes, on car parks and in parking spaces, drawn by the seed", false,

@@ -416,7 +416,10 @@ Verb inspect_verb() {
        "errors",
        false, store_text(request->picture)},
       {"--materials", "", "with -o: draws all materials with textures, on a sphere, a wall and the ground", false,
-       [request](const std::string&) { return (request->draws_materials = true, Done{}); }},
+       [request](const std::string&) -> Result<Done> {
+         request->draws_materials = true;
+         return Done{};
+       }},
       {"--sheet", "FILE.png", "draws a picture of all things (benches, bollards, ...) at 2, 10 and 50 cm", false,
        store_text(request->sheet.path)},
       {"--things", "FOLDER", "for --sheet: folder with a table of things and rule files, as for compile", false,
