@@ -29,7 +29,7 @@ Field fine(const Field& field);
 
 /// Returns the fields of a pattern: its tone, normalised and clamped to -1 … 1, and its relief, normalised.
 PatternFields tones(const Field& tone, const Field& relief);
-/// As tones(), of the fine part of the tone.
+/// Returns tones() of the fine part of the tone.
 PatternFields fine_tones(const Field& tone, const Field& relief);
 PatternFields fine_tones(const Field& both);
 

@@ -1,4 +1,4 @@
-// Patterns of surfaces that are spread, cast or rolled out: render, concrete, metal sheets, roofing felt, asphalt,
+// Patterns of surfaces that are spread, cast or rolled out: render, concrete, metal sheets, bitumen sheets, asphalt,
 // sand.
 #include <algorithm>
 #include <cmath>
@@ -116,7 +116,7 @@ PatternFields seams(std::uint32_t px, std::uint64_t key) {
   });
 }
 
-// Bituminous felt in rolls 1 m wide on 4 m, lapped by 80 mm (EN 13707 rolls; DIN 18531 laps), with dried puddles.
+// Bitumen sheets in rolls 1 m wide on 4 m, lapped by 80 mm (EN 13707 rolls; DIN 18531 laps), with dried puddles.
 PatternFields felt(std::uint32_t px, std::uint64_t key) {
   const Field grit = random_values(px, key), clouds = layered_noise(px, {9, 9}, 5, 0.65, key + 1),
               puddles = layered_noise(px, {6, 6}, 4, 0.5, key + 2), sway = gradient_noise(px, {3, 12}, key + 3);
@@ -155,7 +155,7 @@ PatternFields asphalt(std::uint32_t px, std::uint64_t key) {
   });
 }
 
-// As asphalt(), with cracks, and patches whose edges were cut and sealed.
+// Asphalt with cracks where it is tired.
 PatternFields worn_asphalt(std::uint32_t px, std::uint64_t key) {
   const Field stones = random_values(px, key), grit = layered_noise(px, {px / 4, px / 4}, 2, 1, key + 1),
               clouds = layered_noise(px, {7, 7}, 4, 0.7, key + 2), net = layered_noise(px, {7, 7}, 5, 0.55, key + 3),

@@ -19,7 +19,7 @@ class Draws {
   std::size_t at_ = 0;
 };
 
-// What lies on top at each texel: its height, its shade and its share of the accent.
+// The top of the strokes at each texel: its height, its shade and its share of the accent.
 struct Pile {
   explicit Pile(std::uint32_t side_px)
       : px(side_px), height(flat_field(side_px)), shade(flat_field(side_px)), accent(flat_field(side_px)) {}
@@ -60,7 +60,7 @@ void lay_stroke(const Stroke& s, Pile& pile) {
 struct Growth {
   int strokes;
   double length_px, half_px;
-  double dry_share;  ///< Of the strokes that have the colour of the accent.
+  double dry_share;  ///< The share of strokes with the colour of the accent.
 };
 
 void grow(const Growth& growth, const Field& where, Draws& draws, Pile& pile) {

@@ -38,7 +38,7 @@ enum class TexturePattern : std::uint8_t {
   kCast,           ///< Brushed concrete.
   kCorrugations,   ///< Corrugated sheet along v, 77 mm apart on 2 m.
   kSeams,          ///< Sheet metal with standing seams along v, 0.5 m apart on 4 m.
-  kFelt,           ///< Rolls of roofing felt along v, 1 m wide on 4 m.
+  kFelt,           ///< Rolls of bitumen sheet along v, 1 m wide on 4 m.
   kAsphalt,        ///< Asphalt.
   kWornAsphalt,    ///< Asphalt with hair cracks.
   kRipples,        ///< Sand with ripples along u, 0.1 m apart on 4 m.

@@ -26,7 +26,7 @@ constexpr const char* kTableName = "materials.csv";
 // Without a map of normals the highest place of a displacement is this share of the size above the lowest.
 constexpr double kDisplacedShare = 0.01;
 
-// What a picture of a set is for.
+// The use of a picture of a set.
 enum class MapKind { kColour, kNormalGl, kNormalDx, kRoughness, kOcclusion, kDisplacement };
 
 struct MapWord {

@@ -98,7 +98,7 @@ float value_in(const std::array<float, 256>& table, double deviate) {
 }
 
 // The mean of a table over normal deviates about each entry, which a mip level no longer shows.
-std::array<float, 256> filtered(const std::array<float, 256>& table, double deviation) {
+std::array<float, 256> filtered_table(const std::array<float, 256>& table, double deviation) {
   constexpr int kSamples = 8;
   std::array<float, 256> out{};
   for (std::size_t i = 0; i < out.size(); ++i) {
@@ -161,7 +161,7 @@ BlendedColours::BlendedColours(const TextureImage& image)
     for (std::size_t side = image.columns; side >= 1; side /= 2, ++level) {
       if (inverse_.size() <= level) inverse_.emplace_back();
       inverse_[level][channel] =
-          level == 0 ? exact : filtered(exact, std::sqrt(std::max(0.0, whole - variance_of(deviates))));
+          level == 0 ? exact : filtered_table(exact, std::sqrt(std::max(0.0, whole - variance_of(deviates))));
       if (side > 1) deviates = halved_deviates(deviates, side);
     }
   }
