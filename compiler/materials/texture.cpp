@@ -14,7 +14,7 @@ namespace {
 using Rgb = std::array<double, 3>;
 
 // Colours of one share of the second colour, and steps of this share: together they fit a palette of 256.
-constexpr int kColours = 42, kAccentSteps = 5;
+constexpr int kColours = 26, kAccentSteps = 8;
 // Grey levels of roughness.
 constexpr int kRoughnessSteps = 16;
 // Quantisation of slopes in each direction: 15 by 15 normals fit a palette of 256. Water needs finer steps.
