@@ -18,8 +18,8 @@ namespace {
 
 using materials::Material;
 
-constexpr int kMaterialWidth_px = 300, kMaterialHeight_px = 240, kName_px = 18, kMaterialsInRow = 8,
-              kMaterialSamples = 24;
+constexpr int kMaterialWidth_px = 240, kMaterialHeight_px = 190, kName_px = 18, kMaterialsInRow = 8,
+              kMaterialSamples = 10;
 constexpr double kMaterialTolerance_m = 0.02;
 
 bake::Primitive blank_surface(Material material) {
@@ -80,7 +80,9 @@ preview::Image drawn_material(Material material, const sky::Sky& sky) {
   preview::Options options;
   options.width = kMaterialWidth_px, options.height = kMaterialHeight_px, options.samples = kMaterialSamples;
   const bake::BakedTile tile = tile_of_material(material);
-  return preview::render(std::span(&tile, 1), sky, {{1.3, -3.2, 1.7}, {0, 1.2, 0.75}, 40}, options);
+  options.has_guides = true;
+  return preview::denoise(preview::render(std::span(&tile, 1), sky, {{1.3, -3.2, 1.7}, {0, 1.2, 0.75}, 40}, options),
+                          options.threads);
 }
 
 }  // namespace

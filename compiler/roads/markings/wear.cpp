@@ -20,7 +20,7 @@ constexpr double kTyres = 1.10, kTyreEdge = 1.05, kOil = 0.90, kOilEdge = 0.95, 
 constexpr double kHalfTrack_m = 0.75, kTyres_m = 0.30, kTyreEdge_m = 0.60, kOil_m = 0.35, kOilEdge_m = 0.65,
                  kDirt_m = 0.25, kDirtEdge_m = 0.50, kSeam_m = 0.04, kLeastLane_m = 2.3;
 
-bool is_driven(const map::Lane& lane) {
+bool has_tyre_bands(const map::Lane& lane) {
   return !lane.is_raised && lane.width_m >= kLeastLane_m &&
          (lane.kind == map::LaneKind::kDriving || lane.kind == map::LaneKind::kBus ||
           lane.kind == map::LaneKind::kTurn);
@@ -67,13 +67,13 @@ void add_lane_wear(double left_m, double right_m, WearPainter& painter) {
 
 Marks wear_of(const MarkingLayout& layout) {
   const auto& lanes = layout.lanes;
-  if (layout.panel_m > 0 || !is_asphalt(layout) || std::ranges::none_of(lanes, is_driven)) return {};
+  if (layout.panel_m > 0 || !is_asphalt(layout) || std::ranges::none_of(lanes, has_tyre_bands)) return {};
   const std::vector<double> sides = lane_sides_m(layout);
   WearPainter painter(layout);
   for (std::size_t i = 0; i < lanes.size(); ++i)
-    if (is_driven(lanes[i])) add_lane_wear(sides[i], sides[i + 1], painter);
+    if (has_tyre_bands(lanes[i])) add_lane_wear(sides[i], sides[i + 1], painter);
   for (std::size_t i = 1; i < lanes.size(); ++i)
-    if (is_driven(lanes[i - 1]) && is_driven(lanes[i])) painter.band(sides[i], kSeam_m, kSeam);
+    if (has_tyre_bands(lanes[i - 1]) && has_tyre_bands(lanes[i])) painter.band(sides[i], kSeam_m, kSeam);
   const auto add_dirt = [&](double at_m) {
     painter.band(at_m, 2 * kDirtEdge_m, kDirtEdge), painter.band(at_m, 2 * kDirt_m, kDirt);
   };
