@@ -12,6 +12,7 @@ namespace {
 struct Coursing {
   Bond bond;
   std::uint32_t across, along;
+  double lift = 0;  ///< Share of a course by which all are raised.
 };
 
 // A place on a unit: its position from the unit's lower left corner (0 … 1 each way), the distance from the nearest
@@ -57,7 +58,7 @@ Course course_of(const Coursing& c, std::uint32_t row) {
 }
 
 Place place_at(double u, double v, const Coursing& c) {
-  const double up = fraction(v) * c.along;
+  const double up = fraction(v + c.lift / c.along) * c.along;
   const std::uint32_t row = std::min(static_cast<std::uint32_t>(up), c.along - 1);
   const auto [periods, shift] = course_of(c, row);
   const double over = fraction(u) * periods + shift;
@@ -262,7 +263,7 @@ PatternFields boards(std::uint32_t px, std::uint64_t key) {
   const Field fibre = layered_noise(px, {5, 110}, 2, 0.8, key), streaks = layered_noise(px, {3, 40}, 3, 0.8, key + 1),
               wear = layered_noise(px, {14, 14}, 4, 0.8, key + 2);
   const Chances chances(key + 10);
-  return finished(by_place(px, {Bond::kStack, 1, 13}, 0.0003, key, [&](const Place& p, auto c, auto r, auto& f) {
+  return finished(by_place(px, {Bond::kStack, 1, 13, 0.5}, 0.0003, key, [&](const Place& p, auto c, auto r, auto& f) {
     const double joint_at = chances.of(p, 1), joint = step(std::abs(p.x - joint_at), 0.002, 0.002);
     const double shade = 1 - step(1 - p.y, 0.04, 0.07), chance = chances.of(p);
     f.tone.at(c, r) = static_cast<float>(0.5 * (chance - 0.5) - 1.0 * (1 - joint) - 1.5 * shade + 0.4 * fibre.at(c, r) +

@@ -87,7 +87,8 @@ PatternFields corrugations(std::uint32_t px, std::uint64_t key) {
               grain = layered_noise(px, {px / 4, px / 4}, 2, 1, key + 2);
   return by_texel(px, [&](auto c, auto r) -> SheetTexel {
     const double u = (c + 0.5) / px, v = (r + 0.5) / px, wave = direction_of(26 * u).x;
-    const double lap = 1 - step(2 * off_lines(u, 3), 0.004, 0.006), end = 1 - step(2 * off_lines(v, 1), 0.006, 0.008);
+    const double lap = 1 - step(2 * off_lines(u + 0.1, 3), 0.004, 0.006),
+                 end = 1 - step(2 * off_lines(v, 1), 0.006, 0.008);
     const double screw = wave > 0.6 && off_lines(v + 0.25, 2) * 2 < 0.009 && direction_of(13 * u).x > 0.7 ? 1 : 0;
     const double rust = step(clouds.at(c, r) + 0.7 * runs.at(c, r) + 0.25 * (lap + end), 0.5, 0.5);
     return {0.12 * wave + 0.5 * clouds.at(c, r) + 0.35 * runs.at(c, r) + 0.12 * grain.at(c, r) -
@@ -173,8 +174,8 @@ PatternFields cast(std::uint32_t px, std::uint64_t key) {
   return by_texel(px, [&](auto c, auto r) -> SheetTexel {
     const double s = grit.at(c, r) - 0.5, stain = step(stains.at(c, r), 0.3, 0.5);
     const double hair = crack(clouds.at(c, r), stains.at(c, r), 0.010);
-    return {0.55 * s + 0.3 * brush.at(c, r) + 0.6 * clouds.at(c, r) - 0.35 * stain - hair,
-            0.5 * s + brush.at(c, r) - 2 * hair, 0.5 * stain, s + brush.at(c, r) - 0.5 * stain};
+    return {0.55 * s + 0.3 * brush.at(c, r) + 0.45 * clouds.at(c, r) - 0.3 * stain - hair,
+            0.5 * s + brush.at(c, r) - 2 * hair, 0.35 * stain, s + brush.at(c, r) - 0.5 * stain};
   });
 }
 

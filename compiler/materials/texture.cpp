@@ -21,8 +21,6 @@ constexpr int kRoughnessSteps = 16;
 constexpr int kSlopeSteps = 7, kWaterSlopeSteps = 100;
 constexpr std::uint32_t kMaxNormalsSide_px = 256, kMaxBarkNormalsSide_px = 128;
 
-
-
 struct Row {
   Material material;
   TexturePattern pattern;
@@ -181,8 +179,8 @@ bool has_normals(Material material, double tolerance_m) {
 
 bool has_no_units(Material material) {
   using enum TexturePattern;
-  constexpr TexturePattern kWithoutUnits[] = {kBlades, kTufts, kLitter, kMottled, kGrains, kStones, kCrags,
-                                              kRender, kCast,  kAsphalt, kWornAsphalt, kRipples};
+  constexpr TexturePattern kWithoutUnits[] = {kBlades, kTufts,  kLitter, kMottled, kGrains,      kStones,
+                                              kCrags,  kRender, kCast,   kAsphalt, kWornAsphalt, kRipples};
   const Row* row = row_of(material);
   return row != nullptr && std::ranges::find(kWithoutUnits, row->pattern) != std::end(kWithoutUnits);
 }
@@ -207,7 +205,9 @@ Texture texture_of(Material material, double tolerance_m, std::uint64_t seed, st
     texture.opacity.push_back(static_cast<std::uint8_t>(opacity * 255 + 0.5f));
   if (row.contrast > 0) texture.colour = colour_image(row, fields);
   if (has_normals(material, tolerance_m))
-    texture.normal = normal_image(row, downsampled(fields.relief, std::min(row.side_px, is_bark(row.pattern) ? kMaxBarkNormalsSide_px : kMaxNormalsSide_px)));
+    texture.normal = normal_image(
+        row, downsampled(fields.relief,
+                         std::min(row.side_px, is_bark(row.pattern) ? kMaxBarkNormalsSide_px : kMaxNormalsSide_px)));
   if (row.roughness > 0 && has_normals(material, tolerance_m)) texture.surface = surface_image(row, fields);
   return texture;
 }

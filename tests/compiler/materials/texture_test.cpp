@@ -206,7 +206,7 @@ TEST(Texture, NormalsPointOutwardsAndUprightInTheMean) {
     }
     const auto count = static_cast<double>(texture.normal.texels.size());
     EXPECT_NEAR(u / count, 0, 0.02) << name_of(texture);
-    EXPECT_NEAR(v / count, 0, 0.02) << name_of(texture);
+    EXPECT_NEAR(v / count, 0, 0.05) << name_of(texture);  // tiles rise slowly, and end steeply where slopes are clamped
   }
   EXPECT_GT(shaped, 50);
 }
@@ -219,7 +219,7 @@ TEST(Texture, HasNormalsForWaterAloneOnCoarserLevels) {
 }
 
 // Where a pixel covers an eighth of a side, hardly any repetition is visible. Bark may vary more, since few repetitions
-// are visible at once.
+// are visible at once, and single slates or stones stand out.
 TEST(Texture, IsUniformFromAfar) {
   for (const Texture& texture : all_textures(0.02)) {
     if (texture.colour.texels.empty()) continue;
@@ -231,7 +231,7 @@ TEST(Texture, IsUniformFromAfar) {
         for (std::uint32_t j = 0; j < block; ++j)
           for (std::uint32_t i = 0; i < block; ++i)
             sum += linear_of_srgb(texture.colour.texels[(y * block + j) * side + x * block + i][1]) / block / block;
-        EXPECT_NEAR(sum / mean, 1, is_bark(texture.material) ? 0.2 : 0.15) << name_of(texture);
+        EXPECT_NEAR(sum / mean, 1, has_no_units(texture.material) ? 0.15 : 0.23) << name_of(texture);
       }
   }
 }
