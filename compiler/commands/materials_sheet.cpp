@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -19,8 +20,10 @@ namespace {
 using materials::Material;
 
 constexpr int kMaterialWidth_px = 240, kMaterialHeight_px = 190, kName_px = 18, kMaterialsInRow = 8,
-              kMaterialSamples = 10;
+              kMaterialSamples = 16;
 constexpr double kMaterialTolerance_m = 0.02;
+// The width of what is seen of each material.
+constexpr double kStand_m = 2.4;
 
 bake::Primitive blank_surface(Material material) {
   bake::Primitive surface{material, {}, {}, {}, {}, {}};
@@ -63,26 +66,35 @@ void add_sphere(bake::Primitive& surface, Vec3 middle, double radius_m) {
     }
 }
 
-bake::BakedTile tile_of_material(Material material) {
+// Materials side by side, each on a wall, the ground and a sphere.
+bake::BakedTile tile_of_materials(std::span<const Material> row) {
   bake::BakedTile tile;
   tile.features = {OsmId{}};
-  bake::Primitive surface = blank_surface(material);
-  add_rectangle(surface, {-6, -5, 0}, {12, 0, 0}, {0, 7, 0}, {0, 0});
-  add_rectangle(surface, {-6, 2, 0}, {12, 0, 0}, {0, 0, 6}, {0, 0});
-  add_sphere(surface, {-0.1, 0.9, 0.62}, 0.62);
-  tile.primitives = {std::move(surface)};
+  double left_m = -kStand_m * kMaterialsInRow / 2;
+  for (const Material material : row) {
+    bake::Primitive surface = blank_surface(material);
+    add_rectangle(surface, {left_m, -3, 0}, {kStand_m, 0, 0}, {0, 4.5, 0}, {0, 0});
+    add_rectangle(surface, {left_m, 1.5, 0}, {kStand_m, 0, 0}, {0, 0, 3}, {0, 0});
+    add_sphere(surface, {left_m + kStand_m / 2, 0.4, 0.5}, 0.5);
+    tile.primitives.push_back(std::move(surface));
+    left_m += kStand_m;
+  }
   tile.tolerance_m = kMaterialTolerance_m;
   tile.textures = bake::textures_shown(tile, kMaterialTolerance_m, materials::TextureCache(1));
   return tile;
 }
 
-preview::Image drawn_material(Material material, const sky::Sky& sky) {
+// From so far away that all are seen alike.
+preview::Image drawn_row(std::span<const Material> row, const sky::Sky& sky) {
+  constexpr double kAway_m = 60;
   preview::Options options;
-  options.width = kMaterialWidth_px, options.height = kMaterialHeight_px, options.samples = kMaterialSamples;
-  const bake::BakedTile tile = tile_of_material(material);
-  options.has_guides = true;
-  return preview::denoise(preview::render(std::span(&tile, 1), sky, {{1.3, -3.2, 1.7}, {0, 1.2, 0.75}, 40}, options),
-                          options.threads);
+  options.width = kMaterialWidth_px * kMaterialsInRow, options.height = kMaterialHeight_px;
+  options.samples = kMaterialSamples, options.has_guides = true;
+  const bake::BakedTile tile = tile_of_materials(row);
+  const double high_m = kStand_m * kMaterialHeight_px / kMaterialWidth_px;
+  const double view_deg = 2 * std::atan(high_m / 2 / kAway_m) * 180 / std::numbers::pi;
+  const Vec3 middle{0, 0.5, 0.75}, eye = middle + unit(Vec3{0.1, -1, 0.32}) * kAway_m;
+  return preview::denoise(preview::render(std::span(&tile, 1), sky, {eye, middle, view_deg}, options), options.threads);
 }
 
 }  // namespace
@@ -90,18 +102,21 @@ preview::Image drawn_material(Material material, const sky::Sky& sky) {
 Result<Done> draw_materials_sheet(const std::string& path, const Console& console) {
   std::vector<Material> drawn;
   for (int m = 0; m < static_cast<int>(Material::kCount); ++m)
-    if (materials::has_texture(static_cast<Material>(m), kMaterialTolerance_m) &&
-        !materials::has_holes(static_cast<Material>(m)))
-      drawn.push_back(static_cast<Material>(m));
+    if (const auto material = static_cast<Material>(m);
+        materials::has_texture(material, kMaterialTolerance_m) && !materials::has_holes(material))
+      drawn.push_back(material);
   const int count = static_cast<int>(drawn.size()), rows = (count + kMaterialsInRow - 1) / kMaterialsInRow;
-  const int row_px = kMaterialHeight_px + kName_px;
-  preview::Image sheet = empty_sheet(kMaterialWidth_px * kMaterialsInRow, row_px * rows);
+  constexpr int kRow_px = kMaterialHeight_px + kName_px;
+  preview::Image sheet = empty_sheet(kMaterialWidth_px * kMaterialsInRow, kRow_px * rows);
   const sky::Sky sky = sheet_sky();
-  for (int i = 0; i < count; ++i) {
-    const Material material = drawn[static_cast<std::size_t>(i)];
-    const int x0 = i % kMaterialsInRow * kMaterialWidth_px, y0 = i / kMaterialsInRow * row_px;
-    put_picture(drawn_material(material, sky), x0, y0, sheet);
-    put_text(values_of(material).name, x0 + 4, y0 + kMaterialHeight_px + 2, sheet);
+  for (int i = 0; i < count; i += kMaterialsInRow) {
+    const auto row = std::span(drawn).subspan(static_cast<std::size_t>(i),
+                                              static_cast<std::size_t>(std::min(kMaterialsInRow, count - i)));
+    const int y0 = i / kMaterialsInRow * kRow_px;
+    put_picture(drawn_row(row, sky), 0, y0, sheet);
+    for (int k = 0; k < static_cast<int>(row.size()); ++k)
+      put_text(values_of(row[static_cast<std::size_t>(k)]).name, k * kMaterialWidth_px + 4, y0 + kMaterialHeight_px + 2,
+               sheet);
   }
   console.print_line(fmt::format("{} materials", count));
   return preview::write_image(sheet, path);

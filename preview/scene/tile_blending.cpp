@@ -129,6 +129,20 @@ double variance_of(const std::vector<double>& deviates) {
   return squares / static_cast<double>(deviates.size());
 }
 
+double mean_of_channel(const TextureImage& image, std::size_t channel) {
+  double sum = 0;
+  for (const TextureImage::Texel& texel : image.texels) sum += materials::linear_of_srgb(texel[channel]);
+  return sum / static_cast<double>(image.texels.size());
+}
+
+// Scales a table so that its mean over a level's deviates is that of the image; without deviates all of it is the mean.
+void keep_mean(std::array<float, 256>& table, const std::vector<double>& deviates, double mean) {
+  double sum = 0;
+  for (const double d : deviates) sum += value_in(table, d);
+  const double share = sum > 0 ? mean * static_cast<double>(deviates.size()) / sum : 0;
+  for (float& value : table) value = share > 0 ? static_cast<float>(value * share) : static_cast<float>(mean);
+}
+
 }  // namespace
 
 BlendedPatches patches_at(Vec2 at_m, double side_m, double period_m) {
@@ -162,6 +176,7 @@ BlendedColours::BlendedColours(const TextureImage& image)
       if (inverse_.size() <= level) inverse_.emplace_back();
       inverse_[level][channel] =
           level == 0 ? exact : filtered_table(exact, std::sqrt(std::max(0.0, whole - variance_of(deviates))));
+      keep_mean(inverse_[level][channel], side > 2 ? deviates : std::vector<double>{}, mean_of_channel(image, channel));
       if (side > 1) deviates = halved_deviates(deviates, side);
     }
   }
