@@ -94,7 +94,11 @@ preview::Image drawn_row(std::span<const Material> row, const sky::Sky& sky) {
   const double high_m = kStand_m * kMaterialHeight_px / kMaterialWidth_px;
   const double view_deg = 2 * std::atan(high_m / 2 / kAway_m) * 180 / std::numbers::pi;
   const Vec3 middle{0, 0.5, 0.75}, eye = middle + unit(Vec3{0.1, -1, 0.32}) * kAway_m;
-  return preview::denoise(preview::render(std::span(&tile, 1), sky, {eye, middle, view_deg}, options), options.threads);
+  preview::Image image =
+      preview::denoise(preview::render(std::span(&tile, 1), sky, {eye, middle, view_deg}, options), options.threads);
+  // a white wall in the sun is not burnt
+  for (float& value : image.rgb) value *= 0.5f;
+  return image;
 }
 
 }  // namespace
