@@ -68,12 +68,13 @@ PatternFields shutters(std::uint32_t px, std::uint64_t key) {
   const Cells pores = cells(px, 60, key + 4);
   const Field panels = random_values(8, key + 5);
   return by_texel(px, [&](auto c, auto r) -> SheetTexel {
-    const double u = (c + 0.5) / px, v = (r + 0.5) / px, x = u * 3 - std::floor(u * 3), y = v * 2 - std::floor(v * 2);
+    const double u = (c + 0.5) / px + 0.05, v = (r + 0.5) / px + 0.07, x = u * 3 - std::floor(u * 3),
+                 y = v * 2 - std::floor(v * 2);
     const double edge_m = 4 * std::min(off_lines(u, 3), off_lines(v, 2)), seam = 1 - step(edge_m, 0.008, 0.010);
     const double dx = (std::min(x, 1 - x) - 0.25) * 1.333, dy = (std::min(y, 1 - y) - 0.22) * 2;
     const double hole = 1 - step(std::sqrt(dx * dx + dy * dy), 0.014, 0.010);
     const bool is_pore = pores.chance.at(c, r) > 0.93f && pores.to_edge.at(c, r) > 0.75f;
-    const double own = panels.at(static_cast<std::uint32_t>(u * 3), static_cast<std::uint32_t>(v * 2)) - 0.5;
+    const double own = panels.at(static_cast<std::uint32_t>(u * 3) % 3, static_cast<std::uint32_t>(v * 2) % 2) - 0.5;
     return {0.25 * grain.at(c, r) + 0.5 * clouds.at(c, r) + 0.35 * runs.at(c, r) + 0.25 * plies.at(c, r) + 0.35 * own -
                 0.9 * seam - 1.6 * hole - (is_pore ? 0.7 : 0),
             0.15 * grain.at(c, r) + 0.15 * plies.at(c, r) - seam - 3 * hole - (is_pore ? 1.5 : 0),
@@ -88,7 +89,7 @@ PatternFields corrugations(std::uint32_t px, std::uint64_t key) {
   return by_texel(px, [&](auto c, auto r) -> SheetTexel {
     const double u = (c + 0.5) / px, v = (r + 0.5) / px, wave = direction_of(26 * u).x;
     const double lap = 1 - step(2 * off_lines(u + 0.1, 3), 0.004, 0.006),
-                 end = 1 - step(2 * off_lines(v, 1), 0.006, 0.008);
+                 end = 1 - step(2 * off_lines(v + 0.1, 1), 0.006, 0.008);
     const double screw = wave > 0.6 && off_lines(v + 0.25, 2) * 2 < 0.009 && direction_of(13 * u).x > 0.7 ? 1 : 0;
     const double rust = step(clouds.at(c, r) + 0.7 * runs.at(c, r) + 0.25 * (lap + end), 0.5, 0.5);
     return {0.12 * wave + 0.5 * clouds.at(c, r) + 0.35 * runs.at(c, r) + 0.12 * grain.at(c, r) -
