@@ -39,8 +39,8 @@ void trim(bake::InstancedMesh& instanced) {
 
 bool SharedByCells::has_texture(const bake::Primitive& primitive, double tolerance_m) {
   using materials::ColourSource;
-  const bool is_surface = primitive.colour_source == ColourSource::kByMaterial ||
-                          primitive.colour_source == ColourSource::kByMarkingAtlas;
+  const bool is_surface =
+      primitive.colour_source == ColourSource::kByMaterial || primitive.colour_source == ColourSource::kByMarkingAtlas;
   return !primitive.uvs.empty() && is_surface && materials::has_texture(primitive.material, tolerance_m);
 }
 

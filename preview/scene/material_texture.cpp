@@ -8,15 +8,15 @@
 namespace citykiln::preview {
 namespace {
 
-// Brightness of patterns with units over some metres, as walls and pavements have it from weather and use. 
+// Brightness of patterns with units over some metres, as walls and pavements have it from weather and use.
 constexpr double kVariedWave_m = 3.7, kVariedShare = 0.09;
 
 double varied(Vec2 at_m) {
-  return 1 + kVariedShare * (0.6 * materials::noise_at(at_m, kVariedWave_m, 1) + 0.4 * materials::noise_at(at_m, 1.1, 2));
+  return 1 +
+         kVariedShare * (0.6 * materials::noise_at(at_m, kVariedWave_m, 1) + 0.4 * materials::noise_at(at_m, 1.1, 2));
 }
 
 }  // namespace
-
 
 MaterialTexture::MaterialTexture(const materials::Texture& texture)
     : texture_(&texture), factor_(colour_factor(texture)) {

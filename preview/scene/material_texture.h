@@ -20,8 +20,7 @@ class MaterialTexture {
   /// Returns the mean linear reflectance over a footprint, which is the part of an image that a ray covers. The mean
   /// over the plane is the material's colour.
   /// @param period_m  The length after which texture coordinates may jump back.
-  std::array<double, 3> colour(const TextureFootprint& footprint,
-                               double period_m = materials::kTexturePeriod_m) const;
+  std::array<double, 3> colour(const TextureFootprint& footprint, double period_m = materials::kTexturePeriod_m) const;
   /// Returns the unit normal over a footprint: its components along u, against v, and outwards.
   Vec3 normal(const TextureFootprint& footprint, double period_m = materials::kTexturePeriod_m) const;
   /// Returns the roughness over a footprint.
