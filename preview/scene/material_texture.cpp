@@ -1,5 +1,6 @@
 #include "preview/scene/material_texture.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -11,9 +12,11 @@ namespace {
 // Brightness of patterns with units over some metres, as walls and pavements have it from weather and use.
 constexpr double kVariedWave_m = 3.7, kVariedShare = 0.09;
 
-double varied(Vec2 at_m) {
-  return 1 +
-         kVariedShare * (0.6 * materials::noise_at(at_m, kVariedWave_m, 1) + 0.4 * materials::noise_at(at_m, 1.1, 2));
+// @param across_m  Of the footprint, over whose width the variation has a mean of 1.
+double varied(Vec2 at_m, double across_m) {
+  const double shown = std::clamp(1 - across_m / kVariedWave_m, 0.0, 1.0);
+  return 1 + kVariedShare * shown *
+                 (0.6 * materials::noise_at(at_m, kVariedWave_m, 1) + 0.4 * materials::noise_at(at_m, 1.1, 2));
 }
 
 }  // namespace
@@ -51,7 +54,7 @@ std::array<double, 3> MaterialTexture::colour(const TextureFootprint& footprint,
   std::array<double, 3> mean =
       blended_ ? blended_->mean(footprint, patches(footprint, period_m)) : colour_->mean(footprint);
   const bool varies = !blended_ && !footprint.is_rough && !has_holes() && !is_bark(texture_->material);
-  const double light = varies ? varied(footprint.centre) : 1;
+  const double light = varies ? varied(footprint.centre, footprint.across_m) : 1;
   for (std::size_t c = 0; c < 3; ++c) mean[c] *= factor_[c] * light;
   return mean;
 }
