@@ -12,7 +12,7 @@ namespace {
 // Brightness of patterns with units over some metres, as walls and pavements have it from weather and use.
 constexpr double kVariedWave_m = 3.7, kVariedShare = 0.09;
 
-// @param across_m  Of the footprint, over whose width the variation has a mean of 1.
+// @param across_m  The width of the footprint. From one wavelength on the factor is 1.
 double varied(Vec2 at_m, double across_m) {
   const double shown = std::clamp(1 - across_m / kVariedWave_m, 0.0, 1.0);
   return 1 + kVariedShare * shown *
