@@ -189,6 +189,17 @@ Result<Done> set_compression(CompileSpec& spec, std::string_view text) {
   return done;
 }
 
+Result<Done> set_materials(CompileSpec& spec, std::string_view text) {
+  spec.outputs.materials_folder = text;
+  return Done{};
+}
+
+Result<Done> set_textures(CompileSpec& spec, std::string_view text) {
+  if (text != "usual" && text != "fine") return Error{std::string(text), "expected usual or fine"};
+  spec.outputs.has_fine_textures = text == "fine";
+  return Done{};
+}
+
 Result<Done> set_layout(CompileSpec& spec, std::string_view text) {
   Layout layout{};
   const Result<Done> done = put_named(layout_named(text), "embedded or shared", text, layout);
@@ -391,6 +402,13 @@ constexpr Setting kSettings[] = {
      "which "
      "add to the shipped ones or replace those of the same name",
      false, set_text<&CompileSpec::species_folder>},
+    {"materials", "FOLDER",
+     "folder with artists' textures by material: folders such as flemish_brick with pictures named as ambientCG and "
+     "Poly "
+     "Haven do, and a table materials.csv",
+     false, set_materials},
+    {"textures", "usual|fine", "textures of materials with up to 512 texels a side, or 1024 (default: usual)", false,
+     set_textures},
     {"cars", "", "parked cars in parking lanes, on car parks and in parking spaces, drawn by the seed", false,
      [](CompileSpec& spec, std::string_view text) { return put(parse_switch(text), spec.cars); }},
     {"tags", "", "keep all tags of the map's elements, in the manifest and as a property of each feature in .glb files",

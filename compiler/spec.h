@@ -50,6 +50,8 @@ struct Outputs {
   NodeSplit split = NodeSplit::kLayer;
   std::optional<Compression> compress;  ///< Empty: kLean where the target's reader takes it, else kNone.
   std::optional<Layout> layout;         ///< Empty: that of the target (layout_of).
+  std::string materials_folder;         ///< A folder of artists' textures (outputs/material_sets.h); "" for none.
+  bool has_fine_textures = false;       ///< Textures of materials with twice as many texels a side.
   std::size_t lights = 0;  ///< The number of street lamps per tile, brightest first, that are lights in .glb and USD.
   /// If one is set, each tile has one level: the finest of a fixed sequence of tolerances that is within these limits.
   std::optional<std::uint64_t> max_bytes, max_triangles;

@@ -13,6 +13,7 @@
 #include "compiler/bake/baking.h"
 #include "compiler/bake/clip_to_extent.h"
 #include "compiler/bake/ground/ground_meshes.h"
+#include "compiler/bake/ground/ground_uvs.h"
 #include "compiler/bake/ground/skirt.h"
 #include "compiler/bake/image_uvs.h"
 #include "compiler/bake/merge.h"
@@ -110,11 +111,20 @@ void bake_things(Baking& baking, const std::vector<PlacedThing>& things, const P
   report.account("bake", "thing") = account;
 }
 
+// Walls beside streets, bridges and piers have no coordinates of their own. They are worth their bytes at tolerances
+// at which normals are shown too.
+bool shows_planar_texture(const LayeredMesh& part, double tolerance_m) {
+  const bool is_built = part.layer == Layer::kProps || part.layer == Layer::kStructures;
+  return is_built && has_detail(Detail::kGroundNormals, tolerance_m) && has_texture(part.mesh.material, tolerance_m) &&
+         !has_holes(part.mesh.material);
+}
+
 // Frees each mesh when it is merged, so that no tile is held twice.
 void merge_meshes(Baking& baking) {
   PrimitiveMap merged;
   for (LayeredMesh& each : baking.meshes) {
-    const LayeredMesh part = std::move(each);
+    LayeredMesh part = std::move(each);
+    if (shows_planar_texture(part, baking.tolerance_m)) add_planar_uvs(part.mesh);
     merge(merged, part, baking.tile.origin, feature_index(baking.tile, part.mesh.feature));
   }
   baking.meshes.clear();

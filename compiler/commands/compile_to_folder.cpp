@@ -14,6 +14,7 @@
 #include "compiler/commands/interrupt_notice.h"
 #include "compiler/contract/system/for_each_slot.h"
 #include "compiler/outputs/run_report.h"
+#include "compiler/outputs/texture_choice.h"
 #include "compiler/outputs/write_outputs.h"
 #include "compiler/verify/heights/heights_json.h"
 #include "exporters/output_folder.h"
@@ -87,6 +88,8 @@ Result<Compiled> compile_to_folder(const CompileSpec& spec, const CompileMap& co
                                    exporters::TakesOver takes_over) {
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(spec.outputs.folder, takes_over);
   if (!folder) return folder.error();
+  // before a map is compiled in vain
+  if (const auto sets = outputs::sets_of(spec.outputs); !sets) return sets.error();
   const InterruptNotice notice;
 
   const OnProgress on_progress = console.progress();

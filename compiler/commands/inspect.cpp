@@ -19,6 +19,7 @@
 #include "compiler/commands/layers/lots_layer.h"
 #include "compiler/commands/layers/map_layers.h"
 #include "compiler/commands/layers/scene_layers.h"
+#include "compiler/commands/materials_sheet.h"
 #include "compiler/commands/plant_sheet.h"
 #include "compiler/commands/run_paths.h"
 #include "compiler/commands/sheet.h"
@@ -152,6 +153,7 @@ struct InspectRequest {
   std::string path, layer, geojson_path;
   ThingsSheet sheet;
   std::string picture;
+  bool draws_materials = false;
 };
 
 // ---- descriptions ----
@@ -352,6 +354,11 @@ Result<Exit> run_inspect(const InspectRequest& asked, const Console& console) {
     const Result<Done> done = draw_things_sheet(asked.sheet, console);
     return done ? Result<Exit>(Exit::kDone) : done.error();
   }
+  if (asked.draws_materials) {
+    if (asked.picture.empty()) return Error{"--materials", "expected -o FILE.png too"};
+    const Result<Done> done = draw_materials_sheet(asked.picture, console);
+    return done ? Result<Exit>(Exit::kDone) : done.error();
+  }
   if (asked.path.empty())
     return Error{"", "no file is given; expected a .kiln, a .glb, a map, the folder of a run, or a species with -o"};
   if (!asked.picture.empty()) {
@@ -408,6 +415,11 @@ Verb inspect_verb() {
        "draws a species at 0.1, 0.5, 1.2, 2.5 and 12.5 m (at a tenth if it is low), and prints its triangles and "
        "errors",
        false, store_text(request->picture)},
+      {"--materials", "", "with -o: draws all materials with textures, on a sphere, a wall and the ground", false,
+       [request](const std::string&) -> Result<Done> {
+         request->draws_materials = true;
+         return Done{};
+       }},
       {"--sheet", "FILE.png", "draws a picture of all things (benches, bollards, ...) at 2, 10 and 50 cm", false,
        store_text(request->sheet.path)},
       {"--things", "FOLDER", "for --sheet: folder with a table of things and rule files, as for compile", false,
@@ -416,7 +428,7 @@ Verb inspect_verb() {
        append_text(request->sheet.names)},
   };
   verb.examples = {"citykiln inspect oak -o oak.png", "citykiln inspect --sheet things.png --kind bench --kind bollard",
-                   "citykiln inspect out/town/scene.kiln",
+                   "citykiln inspect --materials -o materials.png", "citykiln inspect out/town/scene.kiln",
                    "citykiln inspect out/town/scene.kiln --layer buildings --geojson buildings.geojson"};
   verb.run = [request](const Console& console) { return run_inspect(*request, console); };
   return verb;

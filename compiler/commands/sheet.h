@@ -1,6 +1,8 @@
 // Sheets: several small pictures in rows.
 #pragma once
 
+#include <string_view>
+
 #include "compiler/bake/baked_tile.h"
 #include "compiler/sky/recipe.h"
 #include "preview/render.h"
@@ -12,6 +14,10 @@ preview::Image empty_sheet(int width, int height);
 
 /// Copies a picture into a sheet, with its upper left corner at (x0, y0). It fits in.
 void put_picture(const preview::Image& from, int x0, int y0, preview::Image& to);
+
+/// Writes letters in white, 14 pixels high, with their upper left corner at (x0, y0); other characters are blank.
+/// Pixels outside the picture are left out.
+void put_text(std::string_view text, int x0, int y0, preview::Image& to);
 
 /// A sky on a midsummer morning, which lights plants and things from the east.
 sky::Sky sheet_sky();

@@ -64,6 +64,35 @@ std::optional<Material> material_named(std::string_view name) {
   return {};
 }
 
+Material light_variant_of(Material material) {
+  switch (material) {
+    case Material::kPlaster:
+    case Material::kLightPlaster:
+      return Material::kLightPlaster;
+    case Material::kTimber:
+    case Material::kShingles:
+      return Material::kLightTimber;
+    case Material::kBrick:
+    case Material::kModularBrick:
+    case Material::kEnglishBrick:
+    case Material::kFlemishBrick:
+    case Material::kStackBrick:
+    case Material::kHeaderBrick:
+      return Material::kLightBrick;
+    case Material::kStone:
+    case Material::kRubble:
+      return Material::kLightStone;
+    case Material::kConcrete:
+    case Material::kShutteredConcrete:
+      return Material::kLightConcrete;
+    case Material::kMetalCladding:
+    case Material::kCorrugatedSheet:
+      return Material::kLightMetal;
+    default:
+      return Material::kPaint;
+  }
+}
+
 const MaterialValues& values_of(Material material) {
   assert(material < Material::kCount);
   return kMaterialValues[static_cast<std::size_t>(material)];

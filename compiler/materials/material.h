@@ -39,6 +39,10 @@ inline bool emits(Material material) { return emission_of(material) != std::arra
 /// Returns the material that rule files name in snake case: kRoofTile for "roof_tile". O(rows).
 std::optional<Material> material_named(std::string_view name);
 
+/// Returns the lightest material with the look of a wall's or roof's material, so that light paints can tint it: of
+/// most materials kPaint, which has no texture.
+Material light_variant_of(Material material);
+
 /// A colour that multiplies the base colour: linear, 255 = 1. Written as COLOR_0.
 using Tint = std::array<std::uint8_t, 4>;
 inline constexpr Tint kNoTint = {255, 255, 255, 255};

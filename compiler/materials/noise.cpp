@@ -79,6 +79,16 @@ Field layered_noise(std::uint32_t side_px, WaveCounts first, int octaves, double
   return sum;
 }
 
+Field random_values(std::uint32_t side_px, std::uint64_t key) {
+  Field field{side_px, std::vector<float>(static_cast<std::size_t>(side_px) * side_px)};
+  for (std::size_t i = 0; i < field.values.size(); i += 4) {
+    const auto bits = bits_at(static_cast<std::uint32_t>(i / 4), side_px, 4, key);
+    for (std::size_t k = 0; k < 4 && i + k < field.values.size(); ++k)
+      field.values[i + k] = static_cast<float>(unit_share(bits[k]));
+  }
+  return field;
+}
+
 Cells cells(std::uint32_t side_px, std::uint32_t across, std::uint64_t key) {
   assert(side_px > 0 && across > 0);
   struct Stone {

@@ -37,6 +37,9 @@ Field gradient_noise(std::uint32_t side_px, WaveCounts waves, std::uint64_t key)
 /// before. Octaves with wavelengths below two texels are left out.
 Field layered_noise(std::uint32_t side_px, WaveCounts first, int octaves, double gain, std::uint64_t key);
 
+/// Returns independent random numbers, 0 … 1.
+Field random_values(std::uint32_t side_px, std::uint64_t key);
+
 /// Cellular noise: a square split into irregular cells.
 struct Cells {
   Field chance;   ///< By texel: a random number 0 … 1 of the cell that contains the texel.

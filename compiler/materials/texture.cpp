@@ -13,10 +13,13 @@ namespace {
 
 using Rgb = std::array<double, 3>;
 
-constexpr int kColours = 16;
+// Colours of one share of the second colour, and steps of this share: together they fit a palette of 256.
+constexpr int kColours = 26, kAccentSteps = 8;
+// Grey levels of roughness.
+constexpr int kRoughnessSteps = 16;
 // Quantisation of slopes in each direction: 15 by 15 normals fit a palette of 256. Water needs finer steps.
 constexpr int kSlopeSteps = 7, kWaterSlopeSteps = 100;
-constexpr std::uint32_t kMaxNormalsSide_px = 128;
+constexpr std::uint32_t kMaxNormalsSide_px = 256, kMaxBarkNormalsSide_px = 128;
 
 struct Row {
   Material material;
@@ -24,11 +27,14 @@ struct Row {
   double side_m;
   std::uint32_t side_px;
   double contrast, warmth, relief_m;
+  Rgb accent;
+  double roughness;
 };
 
 constexpr Row kTextureRows[] = {
-#define TEXTURE(material, pattern, side_m, side_px, contrast, warmth, relief_m) \
-  {Material::material, TexturePattern::pattern, side_m, side_px, contrast, warmth, relief_m},
+#define TEXTURE(material, pattern, side_m, side_px, contrast, warmth, relief_m, red, green, blue, roughness) \
+  {Material::material, TexturePattern::pattern, side_m,   side_px, contrast, warmth,                         \
+   relief_m,           {red, green, blue},      roughness},
 #include "compiler/materials/texture_table.inc"
 #undef TEXTURE
 };
@@ -38,35 +44,72 @@ const Row* row_of(Material material) {
   return row == std::end(kTextureRows) ? nullptr : &*row;
 }
 
-// Colours from dark to light.
-std::array<Rgb, kColours> palette_of(const Row& row) {
-  std::array<Rgb, kColours> palette;
+using Palette = std::array<Rgb, kColours * kAccentSteps>;
+
+// Colours from dark to light, for each share of the second colour.
+Palette palette_of(const Row& row) {
+  Palette palette;
   const auto& base = values_of(row.material).base_colour;
-  for (int i = 0; i < kColours; ++i) {
-    const double tone = (i + 0.5) * 2 / kColours - 1, light = 1 + row.contrast * tone;
+  for (int k = 0; k < kColours * kAccentSteps; ++k) {
+    const double share = k / kColours / (kAccentSteps - 1.0), tone = (k % kColours + 0.5) * 2 / kColours - 1;
+    const double light = 1 + row.contrast * tone;
     const Rgb hue = {1 + row.warmth * tone, 1, 1 - row.warmth * tone};
-    for (std::size_t c = 0; c < 3; ++c) palette[static_cast<std::size_t>(i)][c] = base[c] * light * hue[c];
+    for (std::size_t c = 0; c < 3; ++c)
+      palette[static_cast<std::size_t>(k)][c] = (base[c] * hue[c] * (1 - share) + row.accent[c] * share) * light;
   }
   return palette;
 }
 
-std::size_t colour_at(float tone) {
-  return static_cast<std::size_t>(std::clamp((tone + 1) / 2 * kColours, 0.0f, kColours - 1.0f));
+std::size_t step_of(float share, int steps) {
+  return static_cast<std::size_t>(std::clamp(share * static_cast<float>(steps), 0.0f, static_cast<float>(steps - 1)));
 }
 
-TextureImage colour_image(const Row& row, const Field& tone) {
-  std::array<Rgb, kColours> palette = palette_of(row);
+// The number of each texel's colour in the palette.
+std::vector<std::uint8_t> palette_numbers(const Row& row, const PatternFields& fields) {
+  const bool has_accent = row.accent != Rgb{} && !fields.accent.values.empty();
+  std::vector<std::uint8_t> numbers(fields.tone.values.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::size_t share = has_accent ? step_of(fields.accent.values[i], kAccentSteps) : 0;
+    numbers[i] = static_cast<std::uint8_t>(share * kColours + step_of((fields.tone.values[i] + 1) / 2, kColours));
+  }
+  return numbers;
+}
+
+TextureImage colour_image(const Row& row, const PatternFields& fields) {
+  const Palette palette = palette_of(row);
+  const std::vector<std::uint8_t> numbers = palette_numbers(row, fields);
+  std::array<std::size_t, kColours * kAccentSteps> counts{};
+  for (const std::uint8_t number : numbers) ++counts[number];
   Rgb mean{};
-  for (const float t : tone.values)
-    for (std::size_t c = 0; c < 3; ++c) mean[c] += palette[colour_at(t)][c] / static_cast<double>(tone.values.size());
+  for (std::size_t i = 0; i < palette.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      mean[c] += palette[i][c] * static_cast<double>(counts[i]) / static_cast<double>(numbers.size());
   const auto& base = values_of(row.material).base_colour;
-  std::array<TextureImage::Texel, kColours> texels;
+  std::array<TextureImage::Texel, kColours * kAccentSteps> texels;
   // 3 % lighter than the material, so that colour_factor() stays below 1 after rounding
-  for (std::size_t i = 0; i < kColours; ++i)
+  for (std::size_t i = 0; i < palette.size(); ++i)
     for (std::size_t c = 0; c < 3; ++c) texels[i][c] = srgb_of_linear(palette[i][c] * 1.03 * base[c] / mean[c]);
-  TextureImage image{row.side_m / tone.side_px, tone.side_px, tone.side_px, {}};
-  image.texels.reserve(tone.values.size());
-  for (const float t : tone.values) image.texels.push_back(texels[colour_at(t)]);
+  TextureImage image{row.side_m / row.side_px, row.side_px, row.side_px, {}};
+  image.texels.reserve(numbers.size());
+  for (const std::uint8_t number : numbers) image.texels.push_back(texels[number]);
+  return image;
+}
+
+// Raised places are smoother where the pattern does not say: they are worn.
+TextureImage surface_image(const Row& row, const PatternFields& fields) {
+  const bool is_by_relief = fields.rough.values.empty();
+  const std::uint32_t px = std::min(row.side_px, kMaxNormalsSide_px);
+  const Field rough = downsampled(is_by_relief ? fields.relief : fields.rough, px);
+  const double own = values_of(row.material).roughness, metallic = values_of(row.material).metallic;
+  TextureImage image{row.side_m / px, px, px, {}};
+  image.texels.reserve(rough.values.size());
+  for (const float value : rough.values) {
+    const double tone = std::clamp(is_by_relief ? -value / 2.0 : 1.0 * value, -1.0, 1.0);
+    const double stepped = std::floor((tone + 1) / 2 * (kRoughnessSteps - 1) + 0.5) * 2 / (kRoughnessSteps - 1) - 1;
+    const double roughness = std::clamp(own + row.roughness * stepped, 0.05, 1.0);
+    image.texels.push_back(
+        {255, static_cast<std::uint8_t>(roughness * 255 + 0.5), static_cast<std::uint8_t>(metallic * 255 + 0.5)});
+  }
   return image;
 }
 
@@ -134,6 +177,14 @@ bool has_normals(Material material, double tolerance_m) {
          (has_detail(Detail::kGroundNormals, tolerance_m) || row->pattern == TexturePattern::kWaves);
 }
 
+bool has_no_units(Material material) {
+  using enum TexturePattern;
+  constexpr TexturePattern kWithoutUnits[] = {kBlades, kTufts,  kLitter, kMottled, kGrains,      kStones,
+                                              kCrags,  kRender, kCast,   kAsphalt, kWornAsphalt, kRipples};
+  const Row* row = row_of(material);
+  return row != nullptr && std::ranges::find(kWithoutUnits, row->pattern) != std::end(kWithoutUnits);
+}
+
 double texture_side_m(Material material) {
   const Row* row = row_of(material);
   return row == nullptr ? 0 : row->side_m;
@@ -144,16 +195,20 @@ bool is_bark(Material material) {
   return row != nullptr && is_bark(row->pattern);
 }
 
-Texture texture_of(Material material, double tolerance_m, std::uint64_t seed) {
+Texture texture_of(Material material, double tolerance_m, std::uint64_t seed, std::uint32_t scale) {
   assert(has_texture(material, tolerance_m));
-  const Row& row = *row_of(material);
-  const PatternFields tones = generate_pattern(row.pattern, row.side_px, key_of(material, seed));
+  Row row = *row_of(material);
+  if (!has_holes(material)) row.side_px *= scale;
+  const PatternFields fields = generate_pattern(row.pattern, row.side_px, key_of(material, seed));
   Texture texture{material, {}, {}};
-  for (const float opacity : tones.opacity.values)
+  for (const float opacity : fields.opacity.values)
     texture.opacity.push_back(static_cast<std::uint8_t>(opacity * 255 + 0.5f));
-  if (row.contrast > 0) texture.colour = colour_image(row, tones.tone);
+  if (row.contrast > 0) texture.colour = colour_image(row, fields);
   if (has_normals(material, tolerance_m))
-    texture.normal = normal_image(row, downsampled(tones.relief, std::min(row.side_px, kMaxNormalsSide_px)));
+    texture.normal = normal_image(
+        row, downsampled(fields.relief,
+                         std::min(row.side_px, is_bark(row.pattern) ? kMaxBarkNormalsSide_px : kMaxNormalsSide_px)));
+  if (row.roughness > 0 && has_normals(material, tolerance_m)) texture.surface = surface_image(row, fields);
   return texture;
 }
 

@@ -23,6 +23,8 @@ struct Texture {
   /// A square of the same side in metres, or empty. Texels are (n + 1) / 2 · 255 of the unit normal's components along
   /// u, against v (up in the image) and outwards.
   TextureImage normal{};
+  /// A square of the same side in metres, or empty: red is 255, green the roughness, blue the metalness, linear.
+  TextureImage surface{};
   /// One per texel of `colour`, 0 to 255, if the texture has holes: texels below 128. Else empty.
   std::vector<std::uint8_t> opacity{};
   bool operator==(const Texture&) const = default;
@@ -48,6 +50,10 @@ bool has_normals(Material material, double tolerance_m);
 /// True if the material's texture has holes. Faces are then seen from both sides.
 bool has_holes(Material material);
 
+/// True if the material's texture has no units that follow each other, such as bricks or waves: patches of it can be
+/// blended anywhere.
+bool has_no_units(Material material);
+
 /// Returns the side of the material's texture, metres; 0 if it has none.
 double texture_side_m(Material material);
 
@@ -57,10 +63,11 @@ bool is_bark(Material material);
 /// Returns the texture of a material. Precondition: has_texture(material, tolerance_m).
 ///
 /// Guarantees: does not depend on the tolerance except by has_normals(), so that levels share it; the same bytes for
-/// the same arguments on every CPU; repeats without a seam; at most 16 colours, or 225 normals, so that PNGs are small
-/// (water has more, since steps would be visible in reflections); the mean colour times colour_factor() is the
-/// material's colour. O(texels): about 40 ms for 512 × 512.
-Texture texture_of(Material material, double tolerance_m, std::uint64_t seed);
+/// the same arguments on every CPU; repeats without a seam; at most 210 colours and 225 normals, so that palettes hold
+/// them (water has more normals, since steps would be visible in reflections); the mean colour times colour_factor() is
+/// the material's colour. O(texels): 20 to 110 ms for 512 × 512.
+/// @param scale  Multiplies the texels of a side: a power of two, 1 for the table's sizes.
+Texture texture_of(Material material, double tolerance_m, std::uint64_t seed, std::uint32_t scale = 1);
 
 /// Returns the factor by which the texture's colours are multiplied so that their mean, in linear light, is the
 /// material's colour: 0 … 1, near 1. For a texture without colours, returns the material's colour.

@@ -15,7 +15,7 @@ const Texture& TextureCache::texture(Material material, double tolerance_m) cons
     const std::lock_guard lock(mutex_);
     return slots_[{material, has_normals(material, tolerance_m)}];
   }();
-  std::call_once(slot.once, [&] { slot.texture = texture_of(material, tolerance_m, seed_); });
+  std::call_once(slot.once, [&] { slot.texture = texture_of(material, tolerance_m, seed_, scale_); });
   return slot.texture;
 }
 

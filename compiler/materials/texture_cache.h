@@ -15,7 +15,8 @@ namespace citykiln::materials {
 /// texture.
 class TextureCache {
  public:
-  explicit TextureCache(std::uint64_t seed) : seed_(seed) {}
+  /// @param scale  Multiplies the texels of a side: a power of two.
+  explicit TextureCache(std::uint64_t seed, std::uint32_t scale = 1) : seed_(seed), scale_(scale) {}
 
   /// Returns the textures of all materials in a list that have one, in order.
   /// @param materials  Sorted, unique.
@@ -30,6 +31,7 @@ class TextureCache {
   };
 
   std::uint64_t seed_;
+  std::uint32_t scale_;
   mutable std::mutex mutex_;
   mutable std::map<std::pair<Material, bool>, Slot> slots_;  // with normals or without
 };

@@ -7,90 +7,10 @@
 #include <iterator>
 
 #include "compiler/geometry/trig.h"
+#include "compiler/materials/pattern_fields.h"
 
 namespace citykiln::materials {
 namespace {
-
-Field flat(std::uint32_t side_px) { return {side_px, std::vector<float>(static_cast<std::size_t>(side_px) * side_px)}; }
-
-// Normalises a field: mean 0, and `deviations` standard deviations are 1. Constant fields become 0.
-Field normalised(Field field, double deviations) {
-  double sum = 0, squares = 0;
-  for (const float v : field.values) sum += v;
-  const double mean = sum / static_cast<double>(field.values.size());
-  for (const float v : field.values) squares += (v - mean) * (v - mean);
-  const double deviation = std::sqrt(squares / static_cast<double>(field.values.size()));
-  const double scale = deviation > 1e-9 ? 1 / (deviations * deviation) : 0;
-  for (float& v : field.values) v = static_cast<float>((v - mean) * scale);
-  return field;
-}
-
-Field within_one(Field field) {
-  for (float& v : field.values) v = std::clamp(v, -1.0f, 1.0f);
-  return field;
-}
-
-// Box filter of odd width over a row that wraps around, by a running sum.
-void blur_row(std::vector<double>& row, std::uint32_t width) {
-  const std::size_t count = row.size(), half = width / 2;
-  const std::vector<double> own = row;
-  double sum = 0;
-  for (std::size_t i = 0; i < width; ++i) sum += own[(i + count - half) % count];
-  for (std::size_t i = 0; i < count; ++i) {
-    row[i] = sum / width;
-    sum += own[(i + half + 1) % count] - own[(i + count - half) % count];
-  }
-}
-
-// Two box filters in each direction, an approximately isotropic blur.
-Field blurred(const Field& field, std::uint32_t width) {
-  Field out = field;
-  std::vector<double> line(field.side_px);
-  for (int pass = 0; pass < 4; ++pass)
-    for (std::uint32_t row = 0; row < field.side_px; ++row) {
-      const auto value = [&](std::uint32_t i) -> float& { return pass % 2 == 0 ? out.at(i, row) : out.at(row, i); };
-      for (std::uint32_t i = 0; i < field.side_px; ++i) line[i] = value(i);
-      blur_row(line, width);
-      for (std::uint32_t i = 0; i < field.side_px; ++i) value(i) = static_cast<float>(line[i]);
-    }
-  return out;
-}
-
-// Attenuates features wider than a tenth of the side: they would make the repetition visible from afar.
-Field fine(const Field& field) {
-  constexpr float kKeptShare = 0.15f;
-  Field out = field;
-  const Field wide = blurred(field, std::max(3u, field.side_px / 10 | 1u));
-  for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] -= (1 - kKeptShare) * wide.values[i];
-  return out;
-}
-
-PatternFields tones(const Field& tone, const Field& relief) {
-  return {within_one(normalised(tone, 2)), normalised(relief, 1)};
-}
-PatternFields fine_tones(const Field& both) { return tones(fine(both), both); }
-
-template <typename Of>
-Field combined(std::uint32_t side_px, Of of) {
-  Field field = flat(side_px);
-  for (std::uint32_t row = 0; row < side_px; ++row)
-    for (std::uint32_t column = 0; column < side_px; ++column)
-      field.at(column, row) = static_cast<float>(of(column, row));
-  return field;
-}
-
-PatternFields blades(std::uint32_t px, std::uint64_t key) {
-  const Field clumps = layered_noise(px, {6, 6}, 2, 0.7, key), detail = layered_noise(px, {24, 24}, 5, 1.0, key + 10);
-  return fine_tones(combined(px, [&](auto c, auto r) { return 0.45 * clumps.at(c, r) + detail.at(c, r); }));
-}
-
-PatternFields tufts(std::uint32_t px, std::uint64_t key) {
-  const Cells plants = cells(px, 34, key);
-  const Field detail = layered_noise(px, {22, 22}, 5, 0.9, key + 10);
-  return fine_tones(combined(px, [&](auto c, auto r) {
-    return detail.at(c, r) + 0.5 * plants.chance.at(c, r) + 0.55 * std::min(plants.to_edge.at(c, r), 0.7f);
-  }));
-}
 
 // 16 rows per side: 0.5 m apart on 8 m.
 PatternFields rows(std::uint32_t px, std::uint64_t key) {
@@ -101,12 +21,6 @@ PatternFields rows(std::uint32_t px, std::uint64_t key) {
   };
   const Field relief = combined(px, [&](auto c, auto r) { return ridge(c, r) + 0.5 * clods.at(c, r); });
   return tones(combined(px, [&](auto c, auto r) { return 0.22 * ridge(c, r) + clods.at(c, r); }), relief);
-}
-
-PatternFields litter(std::uint32_t px, std::uint64_t key) {
-  const Cells leaves = cells(px, 120, key);
-  const Field detail = layered_noise(px, {18, 18}, 5, 0.9, key + 10);
-  return fine_tones(combined(px, [&](auto c, auto r) { return 0.8 * detail.at(c, r) + 0.7 * leaves.chance.at(c, r); }));
 }
 
 PatternFields mottled(std::uint32_t px, std::uint64_t key) {
@@ -131,7 +45,7 @@ PatternFields stones(std::uint32_t px, std::uint64_t key) {
 
 // Ridged noise (Musgrave, in Ebert et al., "Texturing and Modeling", 2003), broken by the edges of cells.
 PatternFields crags(std::uint32_t px, std::uint64_t key) {
-  Field ridges = flat(px);
+  Field ridges = flat_field(px);
   double height = 1;
   for (std::uint32_t waves = 5; waves <= px / 4; waves *= 2, height *= 0.68) {
     const Field layer = gradient_noise(px, {waves, 2 * waves <= px / 4 ? waves + waves / 2 : waves}, key + waves);
@@ -143,50 +57,6 @@ PatternFields crags(std::uint32_t px, std::uint64_t key) {
     return ridges.at(c, r) + 0.16 * blocks.chance.at(c, r) + 0.5 * std::min(blocks.to_edge.at(c, r), 0.12f);
   });
   return fine_tones(relief);
-}
-
-// A place on a wall of bricks in courses: 0 in the joint to 1 inside the brick; and a random number of the brick.
-struct Brick {
-  double inside, chance;
-};
-
-// @param joint  Width of the joint's slope on each side, as a share of the texture's side.
-struct Courses {
-  std::uint32_t across, along;
-  double joint;
-};
-
-Brick brick_at(double u, double v, const Courses& courses, const Field& chances) {
-  const auto row = static_cast<std::uint32_t>(v * courses.along);
-  const double shifted = u * courses.across + (row % 2) * 0.5;
-  const auto column = static_cast<std::uint32_t>(shifted) % courses.across;
-  const double x = shifted - std::floor(shifted), y = v * courses.along - row;
-  const double edge = std::min(std::min(x, 1 - x) / courses.across, std::min(y, 1 - y) / courses.along);
-  return {std::min(1.0, edge / courses.joint), chances.at(column * 3 % chances.side_px, row * 5 % chances.side_px)};
-}
-
-// Slabs of 0.5 m with joints of 2 cm, on 4 m.
-PatternFields slabs(std::uint32_t px, std::uint64_t key) {
-  constexpr Courses kSlabs = {8, 8, 0.003};
-  const Field detail = layered_noise(px, {32, 32}, 4, 0.8, key), chances = cells(32, 32, key + 10).chance;
-  return fine_tones(combined(px, [&](auto c, auto r) {
-    const Brick slab = brick_at((c + 0.5) / px, (r + 0.5) / px, kSlabs, chances);
-    return 1.1 * slab.inside + 0.55 * slab.chance + 0.35 * detail.at(c, r);
-  }));
-}
-
-PatternFields bricks(std::uint32_t px, const Courses& courses, std::uint64_t key) {
-  const Field detail = layered_noise(px, {24, 24}, 4, 0.9, key), chances = cells(32, 32, key + 10).chance;
-  const auto brick = [&](std::uint32_t c, std::uint32_t r) {
-    return brick_at((c + 0.5) / px, (r + 0.5) / px, courses, chances);
-  };
-  const Field relief = combined(px, [&](auto c, auto r) { return brick(c, r).inside + 0.15 * detail.at(c, r); });
-  return tones(combined(px,
-                        [&](auto c, auto r) {
-                          const Brick at = brick(c, r);
-                          return 1.2 * at.inside + 0.6 * at.chance + 0.45 * detail.at(c, r);
-                        }),
-               relief);
 }
 
 // A sum of plane waves with whole numbers of periods per side, mostly of similar direction; shorter waves are lower.
@@ -211,7 +81,7 @@ PatternFields waves(std::uint32_t px, std::uint64_t) {
       height += t.height * direction_of((c + 0.5) / px * t.across + (r + 0.5) / px * t.along + t.phase).x;
     return height;
   });
-  return {flat(px), normalised(relief, 1)};
+  return {flat_field(px), normalised(relief, 1)};
 }
 
 // |noise| / width, at most 1: a valley around the zeros of the noise.
@@ -231,9 +101,6 @@ PatternFields streaks(std::uint32_t px, std::uint64_t key) {
   const Field across = layered_noise(px, {5, 18}, 3, 0.8, key), detail = layered_noise(px, {24, 24}, 2, 1, key + 10);
   return fine_tones(combined(px, [&](auto c, auto r) { return across.at(c, r) + 0.7 * detail.at(c, r); }));
 }
-
-// A ramp from 0 to 1 of a width around `at`.
-double step(double value, double at, double width) { return std::clamp((value - at) / width + 0.5, 0.0, 1.0); }
 
 PatternFields lenticels(std::uint32_t px, std::uint64_t key) {
   const Field dashes = gradient_noise(px, {9, 44}, key), bands = layered_noise(px, {4, 30}, 3, 0.9, key + 1);
@@ -293,10 +160,15 @@ PatternFields bars(std::uint32_t px, std::uint64_t) {
     const bool is_bar = across >= kBarBegin_px && across < kBarBegin_px + kBar_px && row >= kBarsFrom_px;
     return is_bar || row >= kRailFrom_px ? 1.0 : opacity_between_bars(column);
   };
-  return {flat(px), flat(px), combined(px, opacity)};
+  return {flat_field(px), flat_field(px), combined(px, opacity)};
 }
 
 using Generator = PatternFields (*)(std::uint32_t side_px, std::uint64_t key);
+
+template <Bond kBond, std::uint32_t kAcross, std::uint32_t kAlong>
+PatternFields laid(std::uint32_t px, std::uint64_t key) {
+  return bricks(kBond, kAcross, kAlong, px, key);
+}
 
 // In the order of TexturePattern.
 constexpr Generator kGenerators[] = {blades,
@@ -308,15 +180,30 @@ constexpr Generator kGenerators[] = {blades,
                                      stones,
                                      crags,
                                      slabs,
-                                     [](std::uint32_t px, std::uint64_t key) {
-                                       return bricks(px, {7, 12, 0.004}, key);
-                                     },  // kMasonry
-                                     [](std::uint32_t px, std::uint64_t key) {
-                                       return bricks(px, {8, 26, 0.004}, key);
-                                     },  // kBricks
-                                     [](std::uint32_t px, std::uint64_t key) {
-                                       return bricks(px, {9, 6, 0.012}, key);
-                                     },  // kTiles
+                                     ashlar,
+                                     laid<Bond::kRunning, 8, 24>,
+                                     laid<Bond::kRunning, 10, 30>,
+                                     laid<Bond::kEnglish, 9, 26>,
+                                     laid<Bond::kFlemish, 9, 26>,
+                                     laid<Bond::kStack, 8, 24>,
+                                     laid<Bond::kHeader, 9, 26>,
+                                     rubble,
+                                     setts,
+                                     kerbs,
+                                     pantiles,
+                                     slates,
+                                     shingles,
+                                     boards,
+                                     thatch,
+                                     render,
+                                     shutters,
+                                     cast,
+                                     corrugations,
+                                     seams,
+                                     felt,
+                                     asphalt,
+                                     worn_asphalt,
+                                     ripples,
                                      waves,
                                      bars,
                                      furrows,

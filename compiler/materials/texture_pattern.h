@@ -7,20 +7,43 @@ namespace citykiln::materials {
 
 /// The patterns, named after what they look like.
 enum class TexturePattern : std::uint8_t {
-  kBlades,   ///< Short grass.
-  kTufts,    ///< Long grass, shrubs.
+  kBlades,   ///< Mown grass with clover, blades of 40 mm on 2 m.
+  kTufts,    ///< Long grass, herbs and shrubs on 4 m.
   kRows,     ///< Drilled or ploughed fields, rows along v.
-  kLitter,   ///< Leaves and twigs.
+  kLitter,   ///< Fallen leaves of 80 mm and twigs on 4 m.
   kMottled,  ///< Trodden earth.
-  kGrains,   ///< Sand, asphalt, concrete.
+  kGrains,   ///< Fine grains.
   kStones,   ///< Gravel to scree.
   kCrags,    ///< Rock.
-  kSlabs,    ///< Paving slabs of 0.5 m if the texture's side is 4 m.
-  kMasonry,  ///< Courses of stone along u.
-  kBricks,   ///< Courses of bricks along u, 77 mm high if the side is 2 m.
-  kTiles,    ///< Rows of roof tiles along u, 1/3 m high if the side is 2 m.
-  kWaves,    ///< Water; brightness is constant.
-  kBars,     ///< A railing: eight bars along v below a rail, with holes between; brightness is constant.
+  kSlabs,    ///< Paving slabs of 0.5 m in half bond on 2 m.
+  kAshlar,   ///< Courses of dressed stone, 667 × 333 mm on 4 m.
+  // Bricks with their joints on 2 m: 250 × 83 mm (DIN 4172), 200 × 67 mm (US modular, three courses to 8 inches), and
+  // 222 × 77 mm (225 × 75 by BS 4729, within 3 %).
+  kBricks,         ///< Stretchers in half bond, DIN 4172.
+  kModularBricks,  ///< Stretchers in half bond, US modular.
+  kEnglishBond,    ///< Courses of stretchers and of headers in turn.
+  kFlemishBond,    ///< Stretchers and headers in turn in each course.
+  kStackBond,      ///< Stretchers above each other.
+  kHeaderBond,     ///< Headers alone.
+  kRubble,         ///< Split stones of about 0.3 m on 4 m, in mortar.
+  kSetts,          ///< Setts of 0.1 m in rows on 2 m.
+  kKerbs,          ///< Kerb stones 1 m long on 2 m; v runs along them.
+  kPantiles,       ///< Roof tiles of 200 × 333 mm on 2 m; v runs up the roof.
+  kSlates,         ///< Slates of 250 × 200 mm on 2 m.
+  kShingles,       ///< Split shingles with an exposure of 125 mm on 2 m.
+  kBoards,         ///< Lapped boards along u with an exposure of 154 mm on 2 m.
+  kThatch,         ///< Reed along v on 2 m.
+  kRender,         ///< Plaster with marks of the float, and stains.
+  kShutters,       ///< Concrete of formwork panels, 1.33 × 2 m on 4 m.
+  kCast,           ///< Brushed concrete.
+  kCorrugations,   ///< Corrugated sheet along v, 77 mm apart on 2 m.
+  kSeams,          ///< Sheet metal with standing seams along v, 0.5 m apart on 4 m.
+  kFelt,           ///< Rolls of bitumen sheet along v, 1 m wide on 4 m.
+  kAsphalt,        ///< Asphalt.
+  kWornAsphalt,    ///< Asphalt with hair cracks.
+  kRipples,        ///< Sand with ripples along u, 0.1 m apart on 4 m.
+  kWaves,          ///< Water; brightness is constant.
+  kBars,           ///< A railing: eight bars along v below a rail, with holes between; brightness is constant.
   // Bark; v runs along the stem.
   kFurrows,    ///< Ridges along the stem that part and join: oak.
   kStreaks,    ///< Faint streaks across the stem: beech.
@@ -42,7 +65,14 @@ struct PatternFields {
   Field relief;  ///< Height: mean 0, standard deviation 1.
   /// Opacity, 0 to 1, where there are holes; else without values.
   Field opacity{};
+  /// Share of the material's second colour, 0 to 1, such as that of mortar; or without values.
+  Field accent{};
+  /// Difference from the material's roughness, as `tone`; or without values, where raised places are smoother.
+  Field rough{};
 };
+
+/// Ways to lay bricks.
+enum class Bond : std::uint8_t { kRunning, kEnglish, kFlemish, kStack, kHeader };
 
 inline bool is_bark(TexturePattern pattern) { return pattern >= TexturePattern::kFurrows; }
 

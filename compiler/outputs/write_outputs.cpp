@@ -18,6 +18,7 @@
 #include "compiler/bake_scene.h"
 #include "compiler/contract/system/for_each_slot.h"
 #include "compiler/outputs/bake_keys.h"
+#include "compiler/outputs/texture_choice.h"
 #include "compiler/outputs/tile_lights.h"
 #include "compiler/outputs/tile_note.h"
 #include "compiler/outputs/usd_outputs.h"
@@ -187,17 +188,19 @@ std::vector<std::optional<WholeTile>> whole_tiles(const scene::Scene& scene, std
 class TileWriter {
  public:
   TileWriter(const scene::Scene& scene, const Outputs& outputs, int threads, exporters::OutputFolder& folder,
-             Report& report)
+             Report& report, std::vector<MaterialSet> sets)
       : scene_(scene),
         outputs_(outputs),
         threads_(threads),
         folder_(folder),
         report_(report),
         lights_(lights_of_tiles(scene, outputs.lights, threads)),
+        textures_(outputs, scene.header.seed, std::move(sets)),
         usd_(scene.header, folder) {}
 
   Result<Done> write_all(const OnProgress& on_progress, WrittenOutputs& written) {
     keys_ = bake_keys(scene_, outputs_, threads_);
+    for (std::uint64_t& key : keys_) key = std::max<std::uint64_t>(1, key ^ textures_.hash());
     // tiles with shared files are baked again: their journal lines do not name these
     whole_.resize(keys_.size());
     if (layout_of(outputs_) == Layout::kEmbedded && !outputs_.usd)
@@ -207,6 +210,7 @@ class TileWriter {
                       {.exists = [&](ChunkLevel at) { return whole_[index(at)].has_value(); },
                        .process =
                            [&](ChunkLevel at, bake::BakedTile&& baked) {
+                             textures_.apply(baked);
                              ready_[index(at)] = ready_tile(bake::in_world(std::move(baked), scene_.header), at.level,
                                                             lights_[at.chunk], scene_.header, outputs_, threads_);
                            },
@@ -276,8 +280,10 @@ class TileWriter {
       SolvedTile out;
       const auto prepared = bake::prepare(scene_.header, scene_.chunks[chunk], std::span(&tolerance_m, 1), threads_,
                                           prototypes, most_instances_of(outputs_.target));
-      out.tile = ready_tile(bake::in_world(bake::bake_prepared(*prepared, 0, threads_, out.diagnosed), scene_.header),
-                            0, lights_[chunk], scene_.header, outputs_, threads_);
+      bake::BakedTile baked = bake::bake_prepared(*prepared, 0, threads_, out.diagnosed);
+      textures_.apply(baked);
+      out.tile = ready_tile(bake::in_world(std::move(baked), scene_.header), 0, lights_[chunk], scene_.header, outputs_,
+                            threads_);
       return out;
     };
     std::optional<SolvedTile> found;
@@ -355,6 +361,7 @@ class TileWriter {
   std::vector<std::uint64_t> keys_;  ///< By chunk and level, like the next members.
   std::vector<std::optional<WholeTile>> whole_;
   std::vector<ReadyTile> ready_;
+  TextureChoice textures_;
   UsdWriter usd_;
 };
 
@@ -384,6 +391,9 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
                                      exporters::OutputFolder& folder, Report& report, const OnProgress& on_progress) {
   assert(std::ranges::is_sorted(outputs.tolerances_m));
   WrittenOutputs written;
+  Result<std::vector<MaterialSet>> sets = sets_of(outputs);
+  if (!sets) return sets.error();
+  for (const std::string& credit : credits_of(*sets)) written.notes.push_back("textures of " + credit);
   if (outputs.manifest) {
     on_progress("write", 0);
     const std::vector<std::byte> manifest = exporters::encode_manifest(scene, threads);
@@ -397,7 +407,7 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
   if (const auto done = write_on_ellipsoid(scene, outputs, threads, folder, report, on_progress, written); !done)
     return done.error();
   if (!outputs.glb && !outputs.usd) return written;
-  TileWriter writer(scene, outputs, threads, folder, report);
+  TileWriter writer(scene, outputs, threads, folder, report, std::move(*sets));
   if (outputs.max_bytes || outputs.max_triangles) {
     if (const Result<Done> solved = writer.write_solved(on_progress, written); !solved) return solved.error();
     if (const Result<Done> done = writer.finish(written); !done) return done.error();

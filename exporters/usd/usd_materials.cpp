@@ -169,6 +169,11 @@ void add_repeated(UsdBuilder& b, const materials::Texture& texture, Float4 tint,
          .scale = tint,
          .has_alpha = !texture.opacity.empty()});
   add_normal_map(b, name + "Normal", texture.normal, "repeat", uses);
+  if (!texture.surface.texels.empty())
+    uses.push_back({.name = "surfaces",
+                    .path = add_texture_file(b, name + "Surface", texture.surface, PictureContent::kExact),
+                    .wrap_s = "repeat",
+                    .wrap_t = "repeat"});
 }
 
 // The images of a material, by what they are for.

@@ -38,8 +38,10 @@ void trim(bake::InstancedMesh& instanced) {
 }  // namespace
 
 bool SharedByCells::has_texture(const bake::Primitive& primitive, double tolerance_m) {
-  return !primitive.uvs.empty() && primitive.colour_source == materials::ColourSource::kByMaterial &&
-         materials::has_texture(primitive.material, tolerance_m);
+  using materials::ColourSource;
+  const bool is_surface =
+      primitive.colour_source == ColourSource::kByMaterial || primitive.colour_source == ColourSource::kByMarkingAtlas;
+  return !primitive.uvs.empty() && is_surface && materials::has_texture(primitive.material, tolerance_m);
 }
 
 template <typename T, typename Make>

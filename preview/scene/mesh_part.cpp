@@ -91,6 +91,26 @@ std::array<double, 3> apply_image(Hit& hit, const HitTriangle& t, const TextureF
   return image.colour(footprint);
 }
 
+// Sets roughness too.
+std::array<double, 3> apply_material(Hit& hit, const HitTriangle& t, const TextureFootprint& footprint,
+                                     const MaterialTexture& texture) {
+  if (!footprint.is_rough) hit.roughness = static_cast<float>(texture.roughness(footprint));
+  return apply_image(hit, t, footprint, texture);
+}
+
+// Sets normal and roughness of the material below markings, and gives their colour its grain. Coordinates on the atlas
+// are metres too, and jump back by the length of a layout.
+void apply_under_markings(Hit& hit, const HitTriangle& t, const TextureFootprint& footprint,
+                          const MaterialTexture& texture, std::array<double, 3>& colour) {
+  constexpr double kPeriod_m = 12;
+  if (footprint.is_rough) return;
+  if (texture.has_normals()) apply_normal_map(hit, t, texture.normal(footprint, kPeriod_m), {});
+  hit.roughness = static_cast<float>(texture.roughness(footprint, kPeriod_m));
+  const auto& own = values_of(texture.texture().material).base_colour;
+  const std::array<double, 3> grain = texture.colour(footprint, kPeriod_m);
+  for (std::size_t c = 0; c < 3; ++c) colour[c] = std::min(1.0, colour[c] * grain[c] / own[c]);
+}
+
 bool is_pane(materials::Material material) {
   using materials::Material;
   return material == Material::kGlass || material == Material::kGlassFacade || material == Material::kBehindGlass;
@@ -138,7 +158,10 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<double, 3>& w
     const HitTriangle t = hit_triangle(part, found);
     if (part.marking_atlas != nullptr) colour = part.marking_atlas->mean(texture_footprint_of(t, ray));
     const TextureFootprint footprint = scaled_footprint_of(t, ray);
-    if (part.material_texture != nullptr) colour = apply_image(hit, t, footprint, *part.material_texture);
+    if (part.marking_atlas != nullptr && part.material_texture != nullptr)
+      apply_under_markings(hit, t, footprint, *part.material_texture, colour);
+    else if (part.material_texture != nullptr)
+      colour = apply_material(hit, t, footprint, *part.material_texture);
     if (part.cutout != nullptr) colour = apply_image(hit, t, footprint, *part.cutout, ray.direction);
     if (part.facade_atlas != nullptr)
       std::tie(colour, emission) = apply_facade(hit, t, footprint, *part.facade_atlas, part.pictures[found.primID]);
@@ -197,7 +220,8 @@ MeshPart mesh_part_of(const bake::Primitive& primitive, Vec3 offset, const MipTe
   if (primitive.colour_source == ColourSource::kByMarkingAtlas) part.marking_atlas = marking_atlas;
   if (primitive.colour_source == ColourSource::kByAtlas && !primitive.uvs.empty()) part.facade_atlas = facade_atlas;
   if (part.facade_atlas != nullptr) part.pictures = face_rectangles(primitive, facade_atlas->atlas().colour);
-  if (primitive.colour_source == ColourSource::kByMaterial && !primitive.uvs.empty())
+  const bool is_on_ground = primitive.colour_source == ColourSource::kByMarkingAtlas;
+  if ((is_on_ground || primitive.colour_source == ColourSource::kByMaterial) && !primitive.uvs.empty())
     part.material_texture = material_texture;
   if (primitive.colour_source == ColourSource::kByCutout) part.cutout = cutout;
   part.corners.reserve(primitive.positions.size() + 1);

@@ -21,9 +21,10 @@ struct MeshPart {
   const bake::Primitive* primitive = nullptr;
   std::vector<bake::Float3> corners{};        ///< One per position, and one unused, as Embree reads 16 bytes at each.
   const MipTexture* marking_atlas = nullptr;  ///< Colour.
-  const MaterialTexture* material_texture = nullptr;  ///< Colour, normal and holes.
-  const FacadeAtlasTexture* facade_atlas = nullptr;   ///< Colour, normal, roughness and emission.
-  const CutoutTexture* cutout = nullptr;              ///< Colour, normal and holes.
+  const MaterialTexture* material_texture =
+      nullptr;  ///< Colour, normal, roughness and holes; below markings their grain.
+  const FacadeAtlasTexture* facade_atlas = nullptr;  ///< Colour, normal, roughness and emission.
+  const CutoutTexture* cutout = nullptr;             ///< Colour, normal and holes.
   /// For each triangle the rectangle of texels of the facade atlas that it shows; empty without this atlas.
   std::vector<TexelRectangle> pictures{};
   /// For each triangle its index among the emitters (add_emitters()), or kNoEmitter. Empty if none of it shines.

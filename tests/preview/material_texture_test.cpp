@@ -17,9 +17,9 @@ using materials::Texture;
 using Colour = std::array<double, 3>;
 
 TEST(MaterialTexture, RepeatsBothWays) {
-  const Texture grass = materials::texture_of(Material::kGrass, 0.05, 1);
-  const MaterialTexture surface(grass);
-  const double side = side_m(grass);
+  const Texture bark = materials::texture_of(Material::kFurrowedBark, 0.05, 1);
+  const MaterialTexture surface(bark);
+  const double side = side_m(bark);
   for (const Vec2 at : {Vec2{0, 0}, Vec2{0.01, 7.99}, Vec2{3.3, 1.2}})
     for (const double across_m : {0.0, 0.3, 2.0}) {
       const Colour here = surface.colour({at, {}, across_m});

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/bake/ground/ground_material.h"
+#include "compiler/bake/merge.h"
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/trig.h"
 #include "compiler/map/locate.h"
@@ -22,6 +24,21 @@ double rounded(double v) {
 Vec2 periods_below_place(Vec2 place) {
   const auto below = [](double v) { return std::floor(v / materials::kTexturePeriod_m) * materials::kTexturePeriod_m; };
   return {below(place.x), below(place.y)};
+}
+
+// The corners of a triangle on its plane.
+std::array<Vec2, 3> uvs_on_plane(const Mesh& mesh, const Triangle& t) {
+  const Vec3 normal = normal_of(mesh, t);
+  const Vec2 level{-normal.y, normal.x};
+  const double across = length(level);
+  const auto at = [&](std::size_t i) {
+    const Vec3 p = mesh.positions[t[i]];
+    if (std::abs(normal.z) >= kSteepCosine || !(across > 0)) return uv_on_land(in_plan(p), {1, 0});
+    return on_grid({dot(in_plan(p), level) / across, p.z});
+  };
+  const std::array<Vec2, 3> uvs{at(0), at(1), at(2)};
+  const Vec2 off = periods_below(uvs);
+  return {uvs[0] - off, uvs[1] - off, uvs[2] - off};
 }
 
 }  // namespace
@@ -54,6 +71,22 @@ Vec2 periods_below_cell(Vec2 at, Vec2 direction) {
     lowest = {std::min(lowest.x, place.x), std::min(lowest.y, place.y)};
   }
   return periods_below_place(lowest);
+}
+
+void add_planar_uvs(materials::MaterialMesh& mesh) {
+  if (!mesh.uvs.empty() || mesh.colour_source != materials::ColourSource::kByMaterial) return;
+  const materials::MaterialMesh shared = std::move(mesh);
+  mesh = {{}, shared.material, shared.tint, shared.feature};
+  for (const Triangle& t : shared.mesh.triangles) {
+    const auto first = static_cast<std::uint32_t>(mesh.mesh.positions.size());
+    const std::array<Vec2, 3> uvs = uvs_on_plane(shared.mesh, t);
+    for (std::size_t i = 0; i < uvs.size(); ++i) {
+      mesh.mesh.positions.push_back(shared.mesh.positions[t[i]]), mesh.uvs.push_back(uvs[i]);
+      if (!shared.mesh.normals.empty()) mesh.mesh.normals.push_back(shared.mesh.normals[t[i]]);
+      if (!shared.tints.empty()) mesh.tints.push_back(shared.tints[t[i]]);
+    }
+    mesh.mesh.triangles.push_back({first, first + 1, first + 2});
+  }
 }
 
 }  // namespace citykiln::bake

@@ -7,7 +7,7 @@
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/mesh.h"
-#include "compiler/materials/material.h"
+#include "compiler/materials/material_mesh.h"
 
 namespace citykiln::bake {
 
@@ -31,5 +31,10 @@ Vec2 periods_below(const std::array<Vec2, 3>& uvs);
 
 /// The multiple of materials::kTexturePeriod_m to subtract from all uvs on land in the cell that contains `at`.
 Vec2 periods_below_cell(Vec2 at, Vec2 direction);
+
+/// Gives a mesh texture coordinates by the planes of its triangles: on steep ones metres along the level direction of
+/// the plane, and metres up; on others as on land. Triangles no longer share corners, which merge() joins again where
+/// they agree. Meshes with texture coordinates or an image of their own stay as they are. O(triangles).
+void add_planar_uvs(materials::MaterialMesh& mesh);
 
 }  // namespace citykiln::bake

@@ -19,6 +19,13 @@ std::string snake_case(std::string_view camel) {
 
 std::string material_name(materials::Material material) { return snake_case(materials::values_of(material).name); }
 
+// Light variants have the names of the materials whose look they have: rules choose by colour again.
+std::string wall_name(materials::Material wall) {
+  constexpr std::string_view kLight = "light_";
+  const std::string name = material_name(wall);
+  return name.starts_with(kLight) ? name.substr(kLight.size()) : name;
+}
+
 std::string name_of_class(std::uint8_t building_class) {
   return snake_case(map::values_of(static_cast<map::BuildingClass>(building_class)).name);
 }
@@ -37,7 +44,7 @@ std::map<std::string, grammars::Value> rule_attributes_of(const Building& buildi
           {"attached", !building.party_walls.empty()},
           {"year", static_cast<double>(building.year)},
           {"wall_colour", hex_colour(building.wall_colour)},
-          {"wall_material", material_name(building.wall)},
+          {"wall_material", wall_name(building.wall)},
           {"roof_colour", hex_colour(building.roof_colour)},
           {"roof_material", material_name(building.roof)},
           {"roof", std::string(roofs::name_of(roof))},

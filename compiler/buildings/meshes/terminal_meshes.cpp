@@ -131,8 +131,18 @@ void reserve_points(std::span<const DerivedFace> faces, bool has_uvs, MaterialMe
   if (has_uvs) mesh.uvs.reserve(points);
 }
 
-void add_faces(std::span<const DerivedFace> faces, MaterialMesh& mesh) {
-  const bool has_uvs = materials::has_texture(mesh.material, 0);
+// Texture coordinates keep faces from sharing corners, so that small faces, of which windows have many, would take
+// twice the bytes. Where bumps are left out too they have the mean colour: below an area on which a pattern without
+// units shows nothing, or a few units.
+bool shows_texture(const DerivedFace& derived, Material material, double tolerance_m) {
+  constexpr double kLeastPlain_m2 = 3, kLeastUnits_m2 = 0.4;
+  if (!materials::has_texture(material, tolerance_m)) return false;
+  if (material == Material::kRailing || has_detail(Detail::kGroundNormals, tolerance_m)) return true;
+  const double least_m2 = materials::has_no_units(material) ? kLeastPlain_m2 : kLeastUnits_m2;
+  return length(double_area_vector_m2(derived.face)) / 2 >= least_m2;
+}
+
+void add_faces(std::span<const DerivedFace> faces, bool has_uvs, MaterialMesh& mesh) {
   reserve_points(faces, has_uvs, mesh);
   for (const DerivedFace& derived : faces) add_material_face(derived.face, has_uvs, mesh);
 }
@@ -140,6 +150,16 @@ void add_faces(std::span<const DerivedFace> faces, MaterialMesh& mesh) {
 void add_bars(std::span<const DerivedFace> railings, MaterialMesh& mesh) {
   for (const DerivedFace& railing : railings)
     for (const Face& part : parts_of_railing(railing.face)) add_face(part, mesh.mesh);
+}
+
+// The faces of a surface as two meshes, with texture coordinates and without, of which either may be empty.
+std::array<MaterialMesh, 2> textured_and_plain(const MaterialMesh& blank, std::span<const DerivedFace> faces,
+                                               double tolerance_m) {
+  std::array<std::vector<DerivedFace>, 2> parts;
+  for (const DerivedFace& face : faces) parts[shows_texture(face, blank.material, tolerance_m) ? 0 : 1].push_back(face);
+  std::array<MaterialMesh, 2> meshes{blank, blank};
+  for (std::size_t i = 0; i < parts.size(); ++i) add_faces(parts[i], i == 0, meshes[i]);
+  return meshes;
 }
 
 }  // namespace
@@ -157,21 +177,25 @@ SurfaceMaterial surface_material_of(const grammars::Appearance& appearance) {
   const Material material = materials::material_named(appearance.name).value_or(Material::kPlaster);
   const auto [red, green, blue] = std::tuple(appearance.red, appearance.green, appearance.blue);
   if (red >= 1 && green >= 1 && blue >= 1) return {material, materials::kNoTint};
+  // plaster of all colours has one texture
+  const Material base = material == Material::kPlaster ? Material::kLightPlaster : material;
   const LinearRgb paint = paint_reflectance({byte_of(red), byte_of(green), byte_of(blue)});
   const LinearRgb darker = {kMinShownShare * paint[0], kMinShownShare * paint[1], kMinShownShare * paint[2]};
-  const Material chosen = tintable_material(darker, {material, Material::kPaint});
+  const Material chosen = tintable_material(darker, {base, materials::light_variant_of(material)});
   return {chosen, tint_towards(chosen, paint)};
 }
 
 std::vector<MaterialMesh> meshes_of(const FacesBySurface& faces_of, OsmId feature, double tolerance_m) {
   std::vector<MaterialMesh> meshes;
   for (const auto& [surface, faces] : faces_of) {
-    MaterialMesh mesh{{}, surface.material, surface.tint, feature};
+    MaterialMesh blank{{}, surface.material, surface.tint, feature};
+    std::array<MaterialMesh, 2> made{blank, blank};
     if (surface.material == Material::kRailing && has_detail(Detail::kRailingBars, tolerance_m))
-      add_bars(faces, mesh);
+      add_bars(faces, made[0]);
     else
-      add_faces(faces, mesh);
-    if (!mesh.mesh.triangles.empty()) meshes.push_back(std::move(mesh));
+      made = textured_and_plain(blank, faces, tolerance_m);
+    for (MaterialMesh& mesh : made)
+      if (!mesh.mesh.triangles.empty()) meshes.push_back(std::move(mesh));
   }
   return meshes;
 }

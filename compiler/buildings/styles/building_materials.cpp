@@ -76,7 +76,8 @@ Material material_for(const std::optional<map::Srgb>& colour, std::initializer_l
 
 // The tagged materials or those given, or lighter ones that show the tagged colours.
 BuildingMaterials tinted_materials(const map::Footprint& footprint, Material wall, Material roof) {
-  return {material_for(footprint.wall_colour, {footprint.wall_material.value_or(wall), Material::kPaint}),
+  const Material own_wall = footprint.wall_material.value_or(wall);
+  return {material_for(footprint.wall_colour, {own_wall, materials::light_variant_of(own_wall)}),
           material_for(footprint.roof_colour,
                        {footprint.roof_material.value_or(roof), Material::kFlatRoof, Material::kPaint})};
 }

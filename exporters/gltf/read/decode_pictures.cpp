@@ -37,19 +37,32 @@ materials::Texture& texture_with(std::vector<materials::Texture>& textures, std:
   expect(material.has_value(), "images named after materials, and one marking atlas at most");
   if (!textures.empty() && textures.back().material == *material) return textures.back();
   expect(textures.empty() || textures.back().material < *material, "each material's pictures once, in order");
-  return textures.emplace_back(materials::Texture{*material, {}, {}});
+  return textures.emplace_back(materials::Texture{*material, {}, {}, {}});
+}
+
+// The image of a texture that a name's end stands for, and whether it may follow those that the texture has.
+struct TextureSlot {
+  materials::TextureImage* image;
+  bool is_next;
+};
+TextureSlot slot_of(materials::Texture& texture, char first) {
+  const bool has_normal = !texture.normal.texels.empty(), has_surface = !texture.surface.texels.empty();
+  if (first == 'C') return {&texture.colour, texture.colour.texels.empty() && !has_normal && !has_surface};
+  if (first == 'N') return {&texture.normal, !has_normal && !has_surface};
+  return {&texture.surface, !has_surface};
 }
 
 void read_texture(GltfReader& reader, const tinygltf::Image& image, std::vector<materials::Texture>& textures) {
-  const auto coloured = strip_suffix(image.name, "Colour"), shaped = strip_suffix(image.name, "Normal");
-  expect(coloured || shaped, "images named after materials, and one marking atlas at most");
-  materials::Texture& texture = texture_with(textures, coloured ? *coloured : *shaped);
-  materials::TextureImage& target = coloured ? texture.colour : texture.normal;
-  expect(target.texels.empty() && (shaped || texture.normal.texels.empty()), "each material's pictures once, in order");
+  const auto coloured = strip_suffix(image.name, "Colour"), shaped = strip_suffix(image.name, "Normal"),
+             rough = strip_suffix(image.name, "Surface");
+  expect(coloured || shaped || rough, "images named after materials, and one marking atlas at most");
+  materials::Texture& texture = texture_with(textures, coloured ? *coloured : shaped ? *shaped : *rough);
+  const TextureSlot slot = slot_of(texture, coloured ? 'C' : shaped ? 'N' : 'S');
+  expect(slot.is_next, "each material's pictures once, in order");
   CutoutImage picture = cutout_image_in(reader, image);
-  target = std::move(picture.colour);
+  *slot.image = std::move(picture.colour);
   if (coloured && materials::has_holes(texture.material)) texture.opacity = std::move(picture.opacity);
-  expect(target.columns == target.rows, "textures that are square");
+  expect(slot.image->columns == slot.image->rows, "textures that are square");
 }
 
 // Reads a cutout: its colours, and its normals if these follow.

@@ -69,7 +69,7 @@ const materials::TextureImage* colour_image(const GlbBuilder& f, const MaterialK
   return image_of_material(f, key);
 }
 
-// Sets the base colour, roughness and metalness. With the facade atlas roughness and metalness stay 1.
+// Sets the base colour, roughness and metalness. With an image of them, roughness and metalness stay 1.
 void set_surface(GlbBuilder& f, const MaterialKey& key, Json& m) {
   Json pbr;
   if (const Colour colour = base_colour_factor(key); colour != kWhite) pbr["baseColorFactor"] = colour;
@@ -77,6 +77,8 @@ void set_surface(GlbBuilder& f, const MaterialKey& key, Json& m) {
   const auto& values = values_of(key.primitive.material);
   if (key.primitive.colour_source == ColourSource::kByAtlas) {
     pbr["metallicRoughnessTexture"] = shown(f, f.tile.facade_atlas.surface);
+  } else if (key.texture != nullptr && !key.texture->surface.texels.empty()) {
+    pbr["metallicRoughnessTexture"] = shown(f, key.texture->surface);
   } else {
     if (values.roughness != 1) pbr["roughnessFactor"] = values.roughness;
     if (values.metallic != 1) pbr["metallicFactor"] = values.metallic;

@@ -45,6 +45,7 @@ std::vector<TileImage> images_of_tile(const GlbBuilder& f) {
     const std::string name(values_of(texture.material).name);
     add(kGroups[2], name + "Colour", texture.colour, PictureContent::kColour, texture.opacity);
     add(kGroups[2], name + "Normal", texture.normal);
+    add(kGroups[2], name + "Surface", texture.surface);
   }
   for (const impostor::Cutout* cutout : f.cutouts) {
     add(kGroups[3], kCutoutImage, cutout->colour, PictureContent::kExact, cutout->opacity);

@@ -307,7 +307,7 @@ TEST(BuildingMaterials, AreLighterForBrightColours) {
   glass.wall_material = Material::kGlassFacade;
   glass.wall_colour = map::Srgb{200, 220, 255};
   const auto b = plan(features_of({f, glass}), ground::GradedTerrain(slope()), report);
-  EXPECT_EQ(b[0].wall, Material::kPaint);
+  EXPECT_EQ(b[0].wall, Material::kLightBrick);
   EXPECT_EQ(b[1].wall, Material::kGlassFacade);
 }
 

@@ -142,11 +142,54 @@ bool has_waves(const Texture& texture) {
 TEST(Texture, HasFewColoursAndNormalsSoThatAPaletteHoldsThem) {
   for (const Texture& texture : all_textures(0.02)) {
     const std::set<TextureImage::Texel> colours(texture.colour.texels.begin(), texture.colour.texels.end());
-    EXPECT_LE(colours.size(), 16u) << name_of(texture);
+    EXPECT_LE(colours.size(), 210u) << name_of(texture);
     const std::set<TextureImage::Texel> normals(texture.normal.texels.begin(), texture.normal.texels.end());
     const bool is_water = has_waves(texture);
     EXPECT_LE(normals.size(), is_water ? 10000u : 225u) << name_of(texture);
   }
+}
+
+// The number of joints along v: of rows whose mean brightness stands out from the rows around them.
+int courses_of(Material material) {
+  const TextureImage image = texture_of(material, 0.02, 1).colour;
+  std::vector<double> rows(image.rows, 0);
+  for (std::size_t i = 0; i < image.texels.size(); ++i)
+    rows[i / image.columns] += linear_of_srgb(image.texels[i][2]) / image.columns;
+  double mean = 0, deviation = 0;
+  for (const double row : rows) mean += row / static_cast<double>(rows.size());
+  for (const double row : rows) deviation += (row - mean) * (row - mean) / static_cast<double>(rows.size());
+  const double least = mean + 0.8 * std::sqrt(deviation);
+  int joints = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) joints += rows[i] > least && rows[(i + 1) % rows.size()] <= least;
+  return joints;
+}
+
+TEST(Texture, BricksHaveTheHeightsOfTheirStandards) {
+  const auto height_m = [](Material material) { return texture_side_m(material) / courses_of(material); };
+  EXPECT_NEAR(height_m(Material::kBrick), 0.0833, 0.0005);         // DIN 4172: twelve courses a metre
+  EXPECT_NEAR(height_m(Material::kModularBrick), 0.0677, 0.0015);  // three courses to 8 inches
+  EXPECT_NEAR(height_m(Material::kEnglishBrick), 0.075, 0.0025);   // BS 4729
+  EXPECT_NEAR(height_m(Material::kFlemishBrick), 0.075, 0.0025);
+}
+
+TEST(Texture, ScalesItsTexelsAlone) {
+  for (const Material material : {Material::kBrick, Material::kGrass, Material::kAsphalt}) {
+    const Texture usual = texture_of(material, 0.02, 1), fine = texture_of(material, 0.02, 1, 2);
+    EXPECT_EQ(fine.colour.columns, 2 * usual.colour.columns);
+    EXPECT_EQ(side_m(fine), side_m(usual));
+  }
+}
+
+TEST(Texture, HasRoughnessWhereItHasNormals) {
+  for (const double tolerance_m : kTolerances_m)
+    for (const Texture& texture : all_textures(tolerance_m)) {
+      if (texture.surface.texels.empty()) continue;
+      EXPECT_TRUE(has_normals(texture.material, tolerance_m)) << name_of(texture);
+      double mean = 0;
+      for (const TextureImage::Texel& texel : texture.surface.texels)
+        mean += texel[1] / 255.0 / static_cast<double>(texture.surface.texels.size());
+      EXPECT_NEAR(mean, values_of(texture.material).roughness, 0.06) << name_of(texture);
+    }
 }
 
 TEST(Texture, NormalsPointOutwardsAndUprightInTheMean) {
@@ -163,9 +206,9 @@ TEST(Texture, NormalsPointOutwardsAndUprightInTheMean) {
     }
     const auto count = static_cast<double>(texture.normal.texels.size());
     EXPECT_NEAR(u / count, 0, 0.02) << name_of(texture);
-    EXPECT_NEAR(v / count, 0, 0.02) << name_of(texture);
+    EXPECT_NEAR(v / count, 0, 0.05) << name_of(texture);  // tiles rise slowly, and end steeply where slopes are clamped
   }
-  EXPECT_EQ(shaped, 14);  // water, sea, pools, fields, rock, masonry, tiles, slates, and six barks
+  EXPECT_GT(shaped, 50);
 }
 
 TEST(Texture, HasNormalsForWaterAloneOnCoarserLevels) {
@@ -176,7 +219,7 @@ TEST(Texture, HasNormalsForWaterAloneOnCoarserLevels) {
 }
 
 // Where a pixel covers an eighth of a side, hardly any repetition is visible. Bark may vary more, since few repetitions
-// are visible at once.
+// are visible at once, and single slates or stones stand out.
 TEST(Texture, IsUniformFromAfar) {
   for (const Texture& texture : all_textures(0.02)) {
     if (texture.colour.texels.empty()) continue;
@@ -188,7 +231,7 @@ TEST(Texture, IsUniformFromAfar) {
         for (std::uint32_t j = 0; j < block; ++j)
           for (std::uint32_t i = 0; i < block; ++i)
             sum += linear_of_srgb(texture.colour.texels[(y * block + j) * side + x * block + i][1]) / block / block;
-        EXPECT_NEAR(sum / mean, 1, is_bark(texture.material) ? 0.2 : 0.15) << name_of(texture);
+        EXPECT_NEAR(sum / mean, 1, has_no_units(texture.material) ? 0.15 : 0.23) << name_of(texture);
       }
   }
 }

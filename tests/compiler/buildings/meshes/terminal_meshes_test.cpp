@@ -132,7 +132,17 @@ TEST(TerminalMeshes, HaveTextureCoordinatesInMetres) {
       for (const double m : {uv.x, uv.y})
         EXPECT_EQ(m / materials::kTextureCoordinateStep_m, std::floor(m / materials::kTextureCoordinateStep_m));
   }
-  EXPECT_EQ(textured, 2);
+  EXPECT_GE(textured, 2);
+}
+
+TEST(TerminalMeshes, LeaveTextureCoordinatesOffSmallFacesOnCoarserLevels) {
+  for (const double tolerance_m : {0.02, 0.1, 0.5})
+    for (const MaterialMesh& part : terminal_meshes(derived(kBlock), {}, tolerance_m)) {
+      const bool is_shown = materials::has_texture(part.material, tolerance_m);
+      if (!is_shown || tolerance_m < 0.06) {
+        EXPECT_EQ(part.uvs.size(), is_shown ? part.mesh.positions.size() : 0u);
+      }
+    }
 }
 
 TEST(TerminalMeshes, AreTotalForDegenerateFaces) {
@@ -157,9 +167,11 @@ TEST(SurfaceMaterialOf, FindsEveryMaterialByItsName) {
     EXPECT_FALSE(materials::material_named(name)) << name;
 }
 
-TEST(SurfaceMaterialOf, IsPaintForColoursLighterThanTheMaterial) {
+TEST(SurfaceMaterialOf, IsALightVariantForColoursLighterThanTheMaterial) {
   EXPECT_EQ(surface_material_of(look_of("brick", 0.35, 0.2, 0.15)).material, Material::kBrick);
-  EXPECT_EQ(surface_material_of(look_of("brick", 0.95, 0.9, 0.85)).material, Material::kPaint);
+  EXPECT_EQ(surface_material_of(look_of("brick", 0.95, 0.9, 0.85)).material, Material::kLightBrick);
+  EXPECT_EQ(surface_material_of(look_of("plaster", 0.4, 0.3, 0.2)).material, Material::kLightPlaster);
+  EXPECT_EQ(surface_material_of(look_of("roof_tile", 0.95, 0.9, 0.85)).material, Material::kPaint);
   EXPECT_EQ(surface_material_of(look_of("glass", 0.95, 0.9, 0.85)).material, Material::kGlass);
 }
 

@@ -1,0 +1,14 @@
+// Wear of asphalt carriageways, which the marking atlas shows below the paint.
+#pragma once
+
+#include "compiler/roads/markings/mark.h"
+#include "compiler/roads/markings/marking_layout.h"
+
+namespace citykiln::roads {
+
+/// Returns the wear of a strip as marks: bands that tyres polish, 1.5 m apart (the track of cars) in the middle of each
+/// lane; drops of oil between them; dirt along kerbs; the seam between lanes that were laid one by one. None for strips
+/// that are not asphalt or have no traffic lanes. Symmetric, so that a strip looks alike in both directions.
+Marks wear_of(const MarkingLayout& layout);
+
+}  // namespace citykiln::roads
