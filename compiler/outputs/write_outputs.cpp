@@ -183,6 +183,12 @@ std::vector<std::optional<WholeTile>> whole_tiles(const scene::Scene& scene, std
   return whole;
 }
 
+std::string no_surroundings_note(const scene::Header& header) {
+  return fmt::format("note: no surroundings are written: {}",
+                     scene::cylinder_of(header) ? "there is no land around a map inside of a cylinder"
+                                                : "the manifest has none");
+}
+
 /// Bakes and writes the tiles, and reuses those that are complete.
 class TileWriter {
  public:
@@ -234,7 +240,7 @@ class TileWriter {
 
   // Writes the files that refer to others, after all tiles.
   Result<Done> finish(WrittenOutputs& written) {
-    if (outputs_.surroundings)
+    if (outputs_.surroundings != AroundWish::kNo)
       if (const Result<Done> done = write_surroundings(written); !done) return done;
     return outputs_.usd ? usd_.finish(written.files) : Done{};
   }
@@ -243,8 +249,7 @@ class TileWriter {
   Result<Done> write_surroundings(WrittenOutputs& written) {
     const std::optional<bake::BakedTile> tile = bake::bake_surroundings(scene_);
     if (!tile) {
-      written.notes.push_back(
-          "note: no surroundings are written: no heightmap knows the land 1 km around the map (--dem)");
+      written.notes.push_back(no_surroundings_note(scene_.header));
       return Done{};
     }
     if (outputs_.usd)

@@ -102,11 +102,17 @@ std::vector<bool> sample(std::span<const RasterSampler> samplers, const map::Pla
   return known;
 }
 
-bool knows_far_places(const Surroundings& around, const std::vector<bool>& known, const Box2& extent) {
+// Gives the vertices in the extent its own heights, as known ones.
+void take_heights_of_extent(const Place& place, Surroundings& around, std::vector<bool>& known) {
   for (std::size_t row = 0; row < around.rows(); ++row)
-    for (std::size_t column = 0; column < around.columns(); ++column)
-      if (known[around.index(column, row)] && away_m(extent, around.vertex(column, row)) >= kLeastKnown_m) return true;
-  return false;
+    for (std::size_t column = 0; column < around.columns(); ++column) {
+      const Vec2 p = around.vertex(column, row);
+      if (!place.extent.contains(p)) continue;
+      const std::size_t at = around.index(column, row);
+      const bool has_height = place.heights != nullptr && !place.heights->heights.empty();
+      const double height_m = has_height ? std::floor(map::height_m_at(*place.heights, p) + 0.5) : 0;
+      around.heights_m[at] = static_cast<std::int32_t>(std::clamp(height_m, -kHighest_m, kHighest_m)), known[at] = true;
+    }
 }
 
 bool is_sea(const Place& place, Vec2 p, bool is_known, std::int32_t height_m) {
@@ -168,7 +174,6 @@ void state_errors(std::span<const source::Raster> rasters, std::span<const Raste
 }  // namespace
 
 Result<Surroundings> plan(std::span<const source::Raster> rasters, const map::Plane& plane, const Place& place) {
-  if (rasters.empty()) return Surroundings();
   const Result<std::vector<RasterSampler>> samplers = map::samplers_of(rasters);
   if (!samplers) return samplers.error();
   Surroundings around{.x_m = lines_for(place.extent.min.x, place.extent.max.x, place.tile_m),
@@ -176,8 +181,8 @@ Result<Surroundings> plan(std::span<const source::Raster> rasters, const map::Pl
                       .heights_m = {},
                       .covers = {}};
   if (around.columns() > kMostLines || around.rows() > kMostLines) return Surroundings();
-  const std::vector<bool> known = sample(*samplers, plane, !place.sea.empty(), around);
-  if (!knows_far_places(around, known, place.extent)) return Surroundings();
+  std::vector<bool> known = sample(*samplers, plane, !place.sea.empty(), around);
+  if (std::ranges::find(known, true) == known.end()) take_heights_of_extent(place, around, known);
   around.covers.assign(around.heights_m.size(), Cover::kLand);
   if (!place.sea.empty()) find_sea(place, known, around);
   fill_unknown(known, around);
