@@ -247,7 +247,7 @@ class TileWriter {
 
  private:
   Result<Done> write_surroundings(WrittenOutputs& written) {
-    const std::optional<bake::BakedTile> tile = bake::bake_surroundings(scene_);
+    std::optional<bake::BakedTile> tile = bake::bake_surroundings(scene_);
     if (!tile) {
       written.notes.push_back(no_surroundings_note(scene_.header));
       return Done{};
@@ -258,6 +258,8 @@ class TileWriter {
     // one small file: not packed, and on no grid of the tiles
     exporters::GlbOptions options = glb_options_of(outputs_);
     options.compression = Compression::kNone;
+    // nothing in it is of the map
+    for (bake::Primitive& primitive : tile->primitives) primitive.features.clear();
     const exporters::EncodedTile encoded = exporters::encode_tile(*tile, scene_.header, options, threads_);
     const Result<WrittenFile> file = write_output(exporters::kGlbSurroundingsName, encoded.glb, folder_);
     if (!file) return file.error();

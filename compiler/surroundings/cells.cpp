@@ -9,7 +9,10 @@
 namespace citykiln::surroundings {
 namespace {
 
-double side_at(double away_m, bool is_rough) { return away_m * (is_rough ? kShareWhereRough : kShareOfDistance); }
+double side_at(double away_m, bool is_rough) {
+  if (is_rough) return away_m * kShareWhereRough;
+  return away_m * (away_m < kPlainFrom_m ? kShareOfDistance : kShareOfPlain);
+}
 
 void divide_cell(const Cell& cell, const CellSizes& sizes, std::vector<Cell>& cells) {
   const Box2 box = cell.box();

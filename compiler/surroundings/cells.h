@@ -1,7 +1,7 @@
 // Divides the land around the tiles of a scene into squares that grow with their distance from the tiles.
 //
-//     ┌───────┬───────┐      a square is split into four until its side is at most a tenth of its distance, a
-//     │       │   │   │      twentieth where the land is rough, or the finest side beside the tiles
+//     ┌───────┬───────┐      a square is split into four until its side is at most an eighth of its distance, a
+//     │       │   │   │      sixteenth where the land is rough, or the finest side beside the tiles
 //     │       ├───┼─┬─┤
 //     │       │   ├─┼─▒ tile
 //     └───────┴───┴─┴─▒
@@ -26,7 +26,9 @@ struct Cell {
 
 /// The side of the largest squares, and the sides that they have as a share of their distance from the tiles.
 inline constexpr std::int32_t kLargestCell_m = 4096;
-inline constexpr double kShareOfDistance = 1.0 / 10, kShareWhereRough = 1.0 / 20;
+inline constexpr double kShareOfDistance = 1.0 / 8, kShareWhereRough = 1.0 / 16;
+/// From this distance on, patches of land cover are hardly seen, and smooth land has larger squares.
+inline constexpr double kPlainFrom_m = 2500, kShareOfPlain = 1.0 / 5;
 
 /// What the sides of squares depend on.
 struct CellSizes {

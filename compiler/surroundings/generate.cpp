@@ -23,7 +23,7 @@ constexpr double kHeightStep_m = 0x1p-7;
 // woods have no steps.
 constexpr double kJitter = 0.3;
 // Land is rough where its middle is farther from its corners' mean than this share of the distance.
-constexpr double kRough = 0.004;
+constexpr double kRough = 0.006;
 
 double lowered_m(const Neighbourhood& neighbourhood, Vec2 place) {
   return neighbourhood.is_curved ? drop_m(away_m(neighbourhood.extent, place)) : 0;
@@ -186,7 +186,7 @@ class SheetBuilder {
   void add_cell(std::uint32_t cell) {
     const Outline outline = outline_of(sheet_.cells[cell]);
     const std::vector<std::uint32_t>& v = outline.vertices;
-    if (v.size() == 4 && sheet_.patches[cell].raised_m == 0) {
+    if (v.size() == 4) {
       sheet_.faces.push_back({{v[0], v[1], v[2]}, cell, FaceKind::kGround});
       sheet_.faces.push_back({{v[0], v[2], v[3]}, cell, FaceKind::kGround});
     } else {
@@ -238,7 +238,7 @@ class SheetBuilder {
   std::uint32_t raised(std::uint32_t vertex, double raised_m) {
     const auto [known, is_new] = raised_.try_emplace(vertex);
     if (!is_new) return known->second;
-    const double factor = 1 + 0.18 * materials::noise_at(in_plan(sheet_.positions[vertex]), 1, 3);
+    const double factor = 1 + 0.3 * materials::noise_at(in_plan(sheet_.positions[vertex]), 1, 3);
     return known->second = add_copy(vertex, raised_m * factor);
   }
 
@@ -256,21 +256,31 @@ class SheetBuilder {
     const std::vector<std::uint32_t>& v = outline.vertices;
     if (std::ranges::all_of(v, [&](std::uint32_t vertex) { return bool{sheet_.is_sea[vertex]}; })) return;
     const double raised_m = sheet_.patches[cell].raised_m;
-    Vec3 middle;
-    for (const std::uint32_t vertex : v)
-      middle = middle + sheet_.positions[vertex] * (1.0 / static_cast<double>(v.size()));
-    sheet_.positions.push_back(snapped({middle.x, middle.y, middle.z + 1.2 * raised_m}));
-    sheet_.is_sea.push_back(false);
-    const auto centre = static_cast<std::uint32_t>(sheet_.positions.size() - 1);
+    std::vector<std::uint32_t> tops;
+    for (const std::uint32_t vertex : v) tops.push_back(raised(vertex, raised_m));
+    bool is_inside = v.size() == 4;
     for (std::size_t k = 0; k < v.size(); ++k) {
-      const std::uint32_t a = v[k], b = v[(k + 1) % v.size()];
-      const std::uint32_t top_a = raised(a, raised_m), top_b = raised(b, raised_m);
-      sheet_.faces.push_back({{centre, top_a, top_b}, cell, FaceKind::kCanopy});
       if (has_canopy(outline.outside[k])) continue;
-      const std::uint32_t foot_a = foot(a), foot_b = foot(b);
+      is_inside = false;
+      const std::uint32_t foot_a = foot(v[k]), foot_b = foot(v[(k + 1) % v.size()]);
+      const std::uint32_t top_a = tops[k], top_b = tops[(k + 1) % v.size()];
       sheet_.faces.push_back({{foot_a, foot_b, top_b}, cell, FaceKind::kCanopySide});
       sheet_.faces.push_back({{foot_a, top_b, top_a}, cell, FaceKind::kCanopySide});
     }
+    if (!is_inside) return add_canopy_fan(cell, tops, raised_m);
+    sheet_.faces.push_back({{tops[0], tops[1], tops[2]}, cell, FaceKind::kCanopy});
+    sheet_.faces.push_back({{tops[0], tops[2], tops[3]}, cell, FaceKind::kCanopy});
+  }
+
+  void add_canopy_fan(std::uint32_t cell, const std::vector<std::uint32_t>& tops, double raised_m) {
+    Vec3 middle;
+    for (const std::uint32_t vertex : tops)
+      middle = middle + sheet_.positions[vertex] * (1.0 / static_cast<double>(tops.size()));
+    sheet_.positions.push_back(snapped({middle.x, middle.y, middle.z + 0.15 * raised_m}));
+    sheet_.is_sea.push_back(false);
+    const auto centre = static_cast<std::uint32_t>(sheet_.positions.size() - 1);
+    for (std::size_t k = 0; k < tops.size(); ++k)
+      sheet_.faces.push_back({{centre, tops[k], tops[(k + 1) % tops.size()]}, cell, FaceKind::kCanopy});
   }
 
   // Means of the faces about a vertex, by their area. A skirt looks as the ground above it.
@@ -306,7 +316,9 @@ class Divider {
   }
 
   std::vector<MaterialMesh> divide() {
-    for (const typename Sheet::Face& face : sheet_.faces) add(face);
+    // canopies hide the ground below
+    for (const Face& face : sheet_.faces)
+      if (face.kind != FaceKind::kGround || !has_canopy(face)) add(face);
     std::vector<MaterialMesh> meshes;
     for (auto& [material, part] : parts_) meshes.push_back(std::move(part.mesh));
     return meshes;
@@ -320,6 +332,12 @@ class Divider {
     MaterialMesh mesh;
     std::map<Corner, std::uint32_t> vertices;
   };
+
+  bool has_canopy(const Face& face) const {
+    const auto& [a, b, c] = face.corners;
+    const bool is_at_sea = sheet_.is_sea[a] && sheet_.is_sea[b] && sheet_.is_sea[c];
+    return sheet_.patches[face.patch].raised_m > 0 && !is_at_sea;
+  }
 
   Material material_of(const Face& face) const {
     const auto& [a, b, c] = face.corners;

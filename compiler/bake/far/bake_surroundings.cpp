@@ -7,7 +7,7 @@
 
 #include "compiler/bake/far/far_buildings.h"
 #include "compiler/bake/far/far_land.h"
-#include "compiler/bake/far/far_roads.h"
+#include "compiler/bake/far/far_ways.h"
 #include "compiler/bake/far/patchwork.h"
 #include "compiler/bake/merge.h"
 #include "compiler/scene/ground_lookup.h"
@@ -139,7 +139,7 @@ std::optional<BakedTile> bake_surroundings(const scene::Scene& scene, EarthCurve
                  .features = {OsmId{}}};
   PrimitiveMap merged;
   add(surface.meshes(), Layer::kGround, tile.origin, merged);
-  add(far_roads(scene, land, surface), Layer::kRoads, tile.origin, merged);
+  add(far_ways(scene, land, surface), Layer::kRoads, tile.origin, merged);
   add(far_buildings(scene, patchwork, surface), Layer::kBuildings, tile.origin, merged);
   tile.primitives = primitives_of(std::move(merged));
   return tile;

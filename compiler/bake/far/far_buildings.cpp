@@ -16,11 +16,11 @@ namespace {
 using materials::Material;
 using materials::MaterialMesh;
 
-constexpr double kLeastArea_m2 = 12, kSteepestSite = 0.25, kStep_m = 0x1p-7;
+constexpr double kLeastArea_m2 = 30, kHighest_m = 32, kSteepestSite = 0.5, kStep_m = 0x1p-7;
 // Walls reach below the lowest ground, which is a plane only within a cell.
 constexpr double kBelow_m = 1.5;
-// The share of walls' light that is left where they have windows.
-constexpr double kWithWindows = 0.82;
+// The shares of the light of walls with windows, and of roofs with joints and shaded tiles.
+constexpr double kWithWindows = 0.82, kOfTiles = 0.7;
 
 // A rectangle in the plane, as wide as the building is long.
 struct Rectangle {
@@ -63,14 +63,18 @@ std::vector<std::pair<Vec2, std::array<double, 2>>> images_of(const Box2& box, V
   const auto along = [](double v, double low, double high) {
     std::vector<std::pair<double, double>> all = {{v, 1.0}};
     const double depth = std::min(kMirrored_m, (high - low) / 2);
-    if (v - low < depth) all.push_back({2 * low - v, -1.0});
-    if (high - v < depth) all.push_back({2 * high - v, -1.0});
+    // to and fro: turned, as it is, turned …
+    for (double from = 0; from < kFarBuildings_m; from += 2 * depth) {
+      if (v - low < depth) all.push_back({low - from - (v - low), -1.0}), all.push_back({v - from - 2 * depth, 1.0});
+      if (high - v < depth) all.push_back({high + from + (high - v), -1.0}), all.push_back({v + from + 2 * depth, 1.0});
+    }
     return all;
   };
   std::vector<std::pair<Vec2, std::array<double, 2>>> images;
   for (const auto& [x, turn_x] : along(p.x, box.min.x, box.max.x))
     for (const auto& [y, turn_y] : along(p.y, box.min.y, box.max.y))
-      if (turn_x < 0 || turn_y < 0) images.push_back({{x, y}, {turn_x, turn_y}});
+      if (const Vec2 at{x, y}; !box.contains(at) && surroundings::away_m(box, at) <= kFarBuildings_m)
+        images.push_back({at, {turn_x, turn_y}});
   return images;
 }
 
@@ -99,12 +103,12 @@ std::optional<std::pair<double, double>> site_of(const Rectangle& plan, const su
     if (!height_m || !may_stand_on(surface.patch_at(corner))) return std::nullopt;
     low = std::min(low, *height_m), high = std::max(high, *height_m);
   }
-  if (high - low > kSteepestSite * plan.length_m || low <= 0.5 - 1) return std::nullopt;
+  if (high - low > kSteepestSite * plan.length_m) return std::nullopt;
   return std::pair(low, high);
 }
 
-materials::Tint darkened(materials::Tint tint) {
-  for (std::size_t c = 0; c < 3; ++c) tint[c] = static_cast<std::uint8_t>(tint[c] * kWithWindows + 0.5);
+materials::Tint darkened(materials::Tint tint, double share) {
+  for (std::size_t c = 0; c < 3; ++c) tint[c] = static_cast<std::uint8_t>(tint[c] * share + 0.5);
   return tint;
 }
 
@@ -117,7 +121,8 @@ class BoxWriter {
     const double eaves_m = high_m + std::max(2.5, buildings::eaves_m(b) - b.floor_m);
     const double rise_m = b.roof_shape.height_m;
     const auto corners = corners_of(far.plan);
-    const materials::Tint wall = darkened(buildings::wall_tint(b, seed_)), roof = buildings::roof_tint(b, seed_);
+    const materials::Tint wall = darkened(buildings::wall_tint(b, seed_), kWithWindows);
+    const materials::Tint roof = darkened(buildings::roof_tint(b, seed_), rise_m >= 1 ? kOfTiles : 1);
     for (std::size_t i = 0; i < 4; ++i) {
       const Vec2 from = corners[i], to = corners[(i + 1) % 4];
       quad(b.wall, wall, {at(from, low_m - kBelow_m), at(to, low_m - kBelow_m), at(to, eaves_m), at(from, eaves_m)});
@@ -179,7 +184,8 @@ std::vector<FarBuilding> mirrored_buildings(const scene::Scene& scene, const Pat
   std::vector<FarBuilding> all;
   for (const scene::Chunk& chunk : scene.chunks)
     for (const buildings::Building& building : chunk.buildings) {
-      if (!building.stands_on_ground) continue;
+      // towers and steeples are landmarks: one does not expect a second one
+      if (!building.stands_on_ground || building.top_m - building.floor_m > kHighest_m) continue;
       const Rectangle own = rectangle_of(building);
       if (own.length_m * own.width_m < kLeastArea_m2 || !box.contains(own.middle)) continue;
       for (const auto& [image, turn] : images_of(box, own.middle)) {

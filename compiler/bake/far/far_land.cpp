@@ -26,6 +26,8 @@ constexpr int kBlur = kDirections / 8;
 
 // Rock begins to show at 35°, and all is rock at 48°.
 constexpr double kFirstRockCosine = 0.819;
+// The colour of canopies relative to that of a wood's floor: crowns shade each other, and are greener.
+constexpr TintFactor kCrowns = {0.46, 0.62, 0.40};
 // Towns grow on land below 6°, and on none above 14°, a slope of 1 in 4.
 constexpr double kTownCosine = 0.9945, kTownEndsCosine = 0.970;
 // Between these belts rock grows to this share of level ground.
@@ -239,10 +241,11 @@ materials::SurfaceMaterial far_material_of(const FarLand& land, Vec3 place, Vec3
 }
 
 Material material_of(const FarLand& land, const surroundings::Patch& patch, Vec3 place, Vec3 normal, double away_m) {
-  if (map::values_of(patch.cover).group == LandCoverGroup::kWater) return map::values_of(patch.cover).material;
+  const bool is_shore = patch.cover == map::LandCoverClass::kSea;
+  if (map::values_of(patch.cover).group == LandCoverGroup::kWater && !is_shore) return Material::kWater;
   if (is_snow(land, place, normal)) return Material::kSnow;
   const Material base = base_of(land.header);
-  if (base == Material::kDryGround || away_m > kOwnMaterial_m) return base;
+  if (is_shore || base == Material::kDryGround || away_m > kOwnMaterial_m) return base;
   const bool is_rocky = patch.raised_m == 0 && rock_share(habitat_of(land, place, normal).belt_m, normal) > 0.25;
   return is_rocky ? base : map::values_of(patch.cover).material;
 }
@@ -250,6 +253,7 @@ Material material_of(const FarLand& land, const surroundings::Patch& patch, Vec3
 materials::Tint tint_of(const FarLand& land, const surroundings::Patch& patch, Material material, Vec3 place,
                         Vec3 normal, double away_m) {
   if (material == Material::kSnow) return materials::kNoTint;
+  if (patch.cover == map::LandCoverClass::kSea) return tint_to(colour_of(Material::kScree), material);
   const map::LandCoverValues& values = map::values_of(patch.cover);
   const plants::Habitat habitat = habitat_of(land, place, normal);
   const TintFactor own_place = place_tint(in_plan(place), values.material, land.header.seed);
@@ -258,7 +262,10 @@ materials::Tint tint_of(const FarLand& land, const surroundings::Patch& patch, M
       times(times(colour_of_cover(patch.cover, land.header), patch.tint[0], patch.tint[1], patch.tint[2]),
             own_place.red, own_place.green, own_place.blue);
   const Colour far = times(soft_colour(land, habitat, normal), meadow_place.red, meadow_place.green, meadow_place.blue);
-  const Colour soft = mixed(own, far, rises(kPatches_m, kPatchesEnd_m, away_m));
+  const double light = 1 + 0.35 * materials::noise_at(in_plan(place), 30, 5);
+  const TintFactor crowns = patch.raised_m > 0 ? times(kCrowns, {light, light, light}) : TintFactor{};
+  const Colour soft =
+      mixed(times(own, crowns.red, crowns.green, crowns.blue), far, rises(kPatches_m, kPatchesEnd_m, away_m));
   const double rock = patch.raised_m > 0 ? 0 : rock_share(habitat.belt_m, normal);
   return tint_to(mixed(soft, colour_of(Material::kRock), rock), material);
 }

@@ -67,7 +67,6 @@ Vec2 Patchwork::shift_at(Vec2 place) const {
 }
 
 bool Patchwork::is_level(Vec2 place) const {
-  if (header_.around.is_empty()) return true;
   constexpr double kReach_m = 64;
   const auto height_m = [&](double x, double y) {
     return surroundings::height_m_at(header_.around, place + Vec2{x, y});
@@ -78,7 +77,9 @@ bool Patchwork::is_level(Vec2 place) const {
 }
 
 bool Patchwork::is_usable(const scene::GroundPlace& ground, Vec2 from, Vec2 to, double away_m) const {
-  if (is_object(group_at(ground)) || ground.cover == LandCoverClass::kSea) return false;
+  const bool is_drive =
+      ground.polygon != nullptr && ground::is_yard(*ground.polygon) && ground.cover != LandCoverClass::kLawn;
+  if (is_object(group_at(ground)) || is_drive || ground.cover == LandCoverClass::kSea) return false;
   if (group_at(ground) != LandCoverGroup::kWater) return true;
   if (away_m > kCanopies_m || !is_level(to)) return false;
   return std::ranges::all_of(std::array{Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}}, [&](Vec2 aside) {
@@ -110,8 +111,10 @@ surroundings::Patch Patchwork::patch_from(const scene::GroundPlace& ground, doub
 surroundings::Patch Patchwork::patch_of(const surroundings::Cell& cell, double away_m) const {
   const Vec2 middle = cell.box().centre();
   if (away_m > kPatchesEnd_m) return {.cover = LandCoverClass::kMeadow};
+  if (surroundings::cover_at(header_.around, middle) == surroundings::Cover::kSea)
+    return {.cover = LandCoverClass::kSea};
   const Vec2 at = middle + shift_at(middle);
-  const double height_m = header_.around.is_empty() ? 0 : surroundings::height_m_at(header_.around, middle);
+  const double height_m = surroundings::height_m_at(header_.around, middle);
   constexpr std::array kAside = {Vec2{0, 0},    Vec2{24, 10},  Vec2{-10, 24},  Vec2{-50, -20}, Vec2{20, -60},
                                  Vec2{110, 40}, Vec2{-90, 90}, Vec2{40, -240}, Vec2{300, 150}, Vec2{-500, 200}};
   for (const Vec2 aside : kAside) {

@@ -16,12 +16,12 @@ namespace citykiln::bake {
 /// The depth of the land along the edge that is mirrored.
 inline constexpr double kMirrored_m = 600;
 /// The distance from the edge up to which woods are canopies, and the height of these.
-inline constexpr double kCanopies_m = 2000, kCanopy_m = 11;
+inline constexpr double kCanopies_m = 1500, kCanopy_m = 11;
 
 /// The land cover around a scene.
 class Patchwork {
  public:
-  /// @param lookup, header  Must outlive this object.
+  /// @param lookup, header  Must outlive this object. The header has a grid of heights (Header::around).
   Patchwork(const scene::GroundLookup& lookup, const scene::Header& header);
 
   /// Returns the place in the scene that a place beyond its edge mirrors. Noise is not applied.

@@ -1,4 +1,4 @@
-#include "compiler/bake/far/far_roads.h"
+#include "compiler/bake/far/far_ways.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,17 +20,23 @@ using materials::MaterialMesh;
 constexpr double kSegment_m = 12, kAbove_m = 0.2, kSteepest = 1.0 / 6, kGrid_m = 0x1p-7;
 // The direction of a road is that of its last metres.
 constexpr double kHeading_m = 40;
+// Watercourses below this width do not go on.
+constexpr double kLeastStream_m = 2;
 // The share of a strip from which on its colour fades.
 constexpr double kFadeFrom = 0.25;
 
-// A road at the edge of the scene.
+// A road or watercourse at the edge of the scene.
 struct Leaving {
-  const roads::Road* road;
-  Vec2 at, heading;  // unit, outwards
+  ObjectId id;
+  map::LandCoverClass surface{};
+  double half_m = 0;
+  Vec2 at{}, heading{};  // unit, outwards
+
+  bool is_water() const { return map::values_of(surface).group == map::LandCoverGroup::kWater; }
 };
 
-double length_m_of(const roads::Road& road) {
-  const int priority = map::values_of(road.surface).priority;
+double length_m_of(const Leaving& leaving) {
+  const int priority = leaving.is_water() ? 85 : map::values_of(leaving.surface).priority;
   return 350 + 180 * std::clamp(priority - 80, 0, 7);
 }
 
@@ -58,30 +64,41 @@ Vec2 heading_at(const Polyline& axis, std::size_t before, Vec2 at) {
   return distance(from, at) > 0 ? unit(at - from) : Vec2{};
 }
 
-void find_leaving(const Box2& box, const roads::Road& road, const Polyline& axis, std::vector<Leaving>& all) {
+void find_leaving(const Box2& box, const Leaving& what, const Polyline& axis, std::vector<Leaving>& all) {
   for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
     const auto share = leaves_box(box, axis[i], axis[i + 1]);
     if (!share) continue;
-    const Vec2 at = axis[i] + (axis[i + 1] - axis[i]) * *share;
-    const Vec2 heading = heading_at(axis, i, at);
-    if (heading != Vec2{}) all.push_back({&road, at, heading});
+    Leaving leaving = what;
+    leaving.at = axis[i] + (axis[i + 1] - axis[i]) * *share;
+    leaving.heading = heading_at(axis, i, leaving.at);
+    if (leaving.heading != Vec2{}) all.push_back(leaving);
   }
 }
 
-std::vector<Leaving> leaving_roads(const scene::Scene& scene) {
+void find_both_ways(const Box2& box, const Leaving& what, const Polyline& axis, std::vector<Leaving>& all) {
+  find_leaving(box, what, axis, all);
+  find_leaving(box, what, Polyline(axis.rbegin(), axis.rend()), all);
+}
+
+std::vector<Leaving> leaving_ways(const scene::Scene& scene) {
+  const Box2& box = scene.header.extent;
   std::vector<Leaving> all;
-  for (const scene::Chunk& chunk : scene.chunks)
-    for (const roads::Road& road : chunk.roads) {
-      if (!goes_on(road)) continue;
-      Polyline back = road.axis;
-      std::ranges::reverse(back);
-      find_leaving(scene.header.extent, road, road.axis, all);
-      find_leaving(scene.header.extent, road, back, all);
+  for (const scene::Chunk& chunk : scene.chunks) {
+    for (const roads::Road& road : chunk.roads)
+      if (goes_on(road)) {
+        const double half_m = std::max(1.5, roads::width_m(road) / 2);
+        find_both_ways(box, {.id = road.id, .surface = road.surface, .half_m = half_m}, road.axis, all);
+      }
+    for (const roads::Strip& stream : chunk.watercourses) {
+      const double half_m = (stream.left_m + stream.right_m) / 2;
+      if (half_m >= kLeastStream_m / 2)
+        find_both_ways(box, {.id = stream.id, .surface = stream.surface, .half_m = half_m}, stream.axis, all);
     }
-  // a road near a corner of tiles is in several chunks
+  }
+  // a way near a corner of tiles is in several chunks
   std::set<std::tuple<ObjectId, double, double>> known;
   std::erase_if(all, [&](const Leaving& l) {
-    return !known.insert({l.road->id, snapped_to(4, l.at.x), snapped_to(4, l.at.y)}).second;
+    return !known.insert({l.id, snapped_to(4, l.at.x), snapped_to(4, l.at.y)}).second;
   });
   return all;
 }
@@ -94,16 +111,18 @@ struct Station {
 
 std::vector<Station> stations_of(const Leaving& leaving, std::uint64_t seed,
                                  const surroundings::AroundSurface& surface) {
-  const double length_m = length_m_of(*leaving.road), half_m = std::max(1.5, roads::width_m(*leaving.road) / 2);
+  const double length_m = length_m_of(leaving);
   std::vector<Station> stations;
   Vec2 at = leaving.at + leaving.heading * 0.25, heading = leaving.heading;
   std::optional<double> before_m;
   for (double along_m = 0; along_m <= length_m; along_m += kSegment_m) {
+    // water cannot fade, and becomes narrow
+    const double half_m = leaving.half_m * (leaving.is_water() ? 1 - along_m / length_m : 1);
     const Vec2 left = at + left_of(heading) * half_m, right = at - left_of(heading) * half_m;
     const auto left_m = surface.height_m_at(left), right_m = surface.height_m_at(right);
     const surroundings::Patch* patch = surface.patch_at(at);
-    if (!left_m || !right_m || patch == nullptr || map::values_of(patch->cover).group == map::LandCoverGroup::kWater)
-      break;
+    if (!left_m || !right_m || patch == nullptr) break;
+    if (map::values_of(patch->cover).group == map::LandCoverGroup::kWater) break;
     const double middle_m = (*left_m + *right_m) / 2;
     if (before_m && std::abs(middle_m - *before_m) > kSteepest * kSegment_m) break;
     before_m = middle_m;
@@ -135,20 +154,27 @@ materials::Tint tint_of_colour(Material material, Material base) {
   return tint_of({own[0] / light[0], own[1] / light[1], own[2] / light[2]}, {});
 }
 
+// The tint of a road where it has faded by a share into the land.
+materials::Tint faded_tint(const Leaving& leaving, const Station& station, double share, const FarLand& land,
+                           const surroundings::AroundSurface& surface, Material base) {
+  const Vec3 middle = (station.left + station.right) * 0.5;
+  const double away_m = surroundings::away_m(land.header.extent, in_plan(middle));
+  const surroundings::Patch* patch = surface.patch_at(in_plan(middle));
+  const materials::Tint below = tint_of(land, *patch, base, middle, {0, 0, 1}, away_m);
+  const double faded = std::clamp((share - kFadeFrom) / (1 - kFadeFrom), 0.0, 1.0);
+  const materials::Tint road = tint_of_colour(map::values_of(leaving.surface).material, base);
+  return tint_on_the_way(road, below, faded * faded * (3 - 2 * faded));
+}
+
 void add_strip(const Leaving& leaving, const std::vector<Station>& stations, const FarLand& land,
                const surroundings::AroundSurface& surface, MaterialMesh& mesh) {
   if (stations.size() < 3) return;
-  const materials::Tint road = tint_of_colour(map::values_of(leaving.road->surface).material, mesh.material);
   const double end = stations.back().share;
   std::uint32_t before = 0;
   for (std::size_t k = 0; k < stations.size(); ++k) {
     const Station& s = stations[k];
-    const Vec3 middle = (s.left + s.right) * 0.5;
-    const double away_m = surroundings::away_m(land.header.extent, in_plan(middle));
-    const surroundings::Patch* patch = surface.patch_at(in_plan(middle));
-    const materials::Tint below = tint_of(land, *patch, mesh.material, middle, {0, 0, 1}, away_m);
-    const double faded = std::clamp((s.share / end - kFadeFrom) / (1 - kFadeFrom), 0.0, 1.0);
-    const materials::Tint tint = tint_on_the_way(road, below, faded * faded * (3 - 2 * faded));
+    const materials::Tint tint =
+        leaving.is_water() ? materials::kNoTint : faded_tint(leaving, s, s.share / end, land, surface, mesh.material);
     const std::uint32_t left = add_vertex(mesh, s.left, tint);
     add_vertex(mesh, s.right, tint);
     if (k > 0) add_quad(mesh.mesh, before + 1, left + 1, left, before);
@@ -158,14 +184,15 @@ void add_strip(const Leaving& leaving, const std::vector<Station>& stations, con
 
 }  // namespace
 
-std::vector<MaterialMesh> far_roads(const scene::Scene& scene, const FarLand& land,
-                                    const surroundings::AroundSurface& surface) {
-  MaterialMesh mesh;
-  mesh.material = Material::kScree;
-  for (const Leaving& leaving : leaving_roads(scene))
-    add_strip(leaving, stations_of(leaving, scene.header.seed, surface), land, surface, mesh);
-  if (mesh.mesh.triangles.empty()) return {};
-  return {std::move(mesh)};
+std::vector<MaterialMesh> far_ways(const scene::Scene& scene, const FarLand& land,
+                                   const surroundings::AroundSurface& surface) {
+  std::vector<MaterialMesh> meshes(2);
+  meshes[0].material = Material::kScree, meshes[1].material = Material::kWater;
+  for (const Leaving& leaving : leaving_ways(scene))
+    add_strip(leaving, stations_of(leaving, scene.header.seed, surface), land, surface,
+              meshes[leaving.is_water() ? 1 : 0]);
+  std::erase_if(meshes, [](const MaterialMesh& mesh) { return mesh.mesh.triangles.empty(); });
+  return meshes;
 }
 
 }  // namespace citykiln::bake
