@@ -210,6 +210,8 @@ Result<Exit> plan_map(const PlanRequest& request, const Console& console) {
   if (!spec) return spec.error();
   if (const Result<Done> complete = check_complete(*spec); !complete) return complete.error();
   if (const Result<Done> can = can_be_planned(*spec); !can) return can.error();
+  if (spec->outputs.surroundings == AroundWish::kWherePossible && (spec->outputs.usd || spec->outputs.tiles3d))
+    console.print_line("note: a plan writes the land around the map as .glb only, without usd and 3dtiles");
   Report report;
   const Result<source::LonLatBox> extent = extent_of(*spec, report);
   if (!extent) return extent.error();

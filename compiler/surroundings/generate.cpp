@@ -22,6 +22,8 @@ constexpr double kHeightStep_m = 0x1p-7;
 // The distance by which vertices between cells leave the lattice, as a share of the smallest cell, so that fields and
 // woods have no steps.
 constexpr double kJitter = 0.3;
+// The height of a wood's edge, as a share of the wood's.
+constexpr double kWoodEdge = 0.6;
 // Land is rough where its middle is farther from its corners' mean than this share of the distance.
 constexpr double kRough = 0.006;
 
@@ -234,11 +236,18 @@ class SheetBuilder {
     return static_cast<std::uint32_t>(sheet_.positions.size() - 1);
   }
 
+  bool is_inside_wood(Vec2 vertex) const {
+    const double aside_m = neighbourhood_.finest_m / 2.0;
+    return std::ranges::all_of(std::array{Vec2{1, 1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{-1, -1}},
+                               [&](Vec2 aside) { return has_canopy(vertex + aside * aside_m); });
+  }
+
   // A vertex of the canopy above one of the ground.
   std::uint32_t raised(std::uint32_t vertex, double raised_m) {
     const auto [known, is_new] = raised_.try_emplace(vertex);
     if (!is_new) return known->second;
-    const double factor = 1 + 0.3 * materials::noise_at(in_plan(sheet_.positions[vertex]), 1, 3);
+    const Vec2 at = in_plan(sheet_.positions[vertex]);
+    const double factor = (is_inside_wood(at) ? 1 : kWoodEdge) + 0.3 * materials::noise_at(at, 1, 3);
     return known->second = add_copy(vertex, raised_m * factor);
   }
 
