@@ -117,7 +117,11 @@ void take_heights_of_extent(const Place& place, Surroundings& around, std::vecto
 
 bool is_sea(const Place& place, Vec2 p, bool is_known, std::int32_t height_m) {
   if (!place.extent.contains(p)) return is_known && height_m <= 0;
-  return std::ranges::any_of(place.sea, [&](const auto& sea) { return ground::winding_number(sea, p) > 0; });
+  // polygons end at the extent's sides
+  constexpr double kInside_m = 0.5;
+  const Vec2 low = place.extent.min + Vec2{kInside_m, kInside_m}, high = place.extent.max - Vec2{kInside_m, kInside_m};
+  const Vec2 inside{std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y)};
+  return std::ranges::any_of(place.sea, [&](const auto& sea) { return ground::winding_number(sea, inside) > 0; });
 }
 
 void find_sea(const Place& place, const std::vector<bool>& known, Surroundings& around) {

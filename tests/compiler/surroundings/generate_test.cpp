@@ -150,7 +150,7 @@ TEST(GenerateSurroundings, WoodsAreRaisedAndLowerAtTheirEdges) {
   const Measured measured = measure({*wood});
   for (const auto& [edge, count] : measured.edges) {
     if (measured.edges.contains({edge.second, edge.first})) continue;
-    for (const auto& [x, y, z] : {edge.first, edge.second}) EXPECT_LT(z, terrain_m({x, y}) + 9);
+    for (const auto& [x, y, z] : {edge.first, edge.second}) EXPECT_LT(z, terrain_m({x, y}) + 12);
   }
 }
 
