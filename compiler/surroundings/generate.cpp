@@ -21,7 +21,7 @@ using materials::MaterialMesh;
 constexpr double kHeightStep_m = 0x1p-7;
 // The distance by which vertices between cells leave the lattice, as a share of the smallest cell, so that fields and
 // woods have no steps.
-constexpr double kJitter = 0.3;
+constexpr double kJitter = 0.22;
 // The height of a wood's edge, as a share of the wood's.
 constexpr double kWoodEdge = 0.6;
 // Land is rough where its middle is farther from its corners' mean than this share of the distance.
