@@ -16,6 +16,8 @@ namespace {
 using map::LandCoverClass;
 using map::LandCoverGroup;
 
+// Single yards go on up to this distance from the edge.
+constexpr double kOwnYards_m = 48;
 // Lakes go on on land with no steeper slope, and where they are this wide.
 constexpr double kLevelSlope = 0.02, kWideLake_m = 60;
 
@@ -76,20 +78,26 @@ bool Patchwork::is_level(Vec2 place) const {
   return std::max(across, along) <= 2 * kReach_m * kLevelSlope;
 }
 
-bool Patchwork::is_usable(const scene::GroundPlace& ground, Vec2 from, Vec2 to, double away_m) const {
+bool Patchwork::is_usable(const scene::GroundPlace& ground) const {
   const bool is_drive =
       ground.polygon != nullptr && ground::is_yard(*ground.polygon) && ground.cover != LandCoverClass::kLawn;
-  if (is_object(group_at(ground)) || is_drive || ground.cover == LandCoverClass::kSea) return false;
-  if (group_at(ground) != LandCoverGroup::kWater) return true;
+  const bool is_pier = ground.cover == LandCoverClass::kBreakwater;
+  return !is_drive && !is_pier && !is_object(group_at(ground)) && group_at(ground) != LandCoverGroup::kWater;
+}
+
+bool Patchwork::is_lake(Vec2 from, Vec2 to, double away_m) const {
   if (away_m > kCanopies_m || !is_level(to)) return false;
-  return std::ranges::all_of(std::array{Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}}, [&](Vec2 aside) {
-    return group_at(lookup_.at(from + aside * kWideLake_m)) == LandCoverGroup::kWater;
-  });
+  const auto is_water = [&](Vec2 at) {
+    const scene::GroundPlace ground = lookup_.at(at);
+    return group_at(ground) == LandCoverGroup::kWater && ground.cover != LandCoverClass::kSea;
+  };
+  // one side may be a pier or the shore
+  constexpr std::array kSides = {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}};
+  return std::ranges::count_if(kSides, [&](Vec2 aside) { return is_water(from + aside * kWideLake_m); }) >= 3;
 }
 
 surroundings::Patch Patchwork::patch_from(const scene::GroundPlace& ground, double height_m, double away_m) const {
   surroundings::Patch patch{.cover = ground.cover};
-  if (group_at(ground) == LandCoverGroup::kWater) return patch;
   if (ground.polygon != nullptr) {
     const materials::Material material = map::values_of(ground.cover).material;
     const TintFactor own = surface_tint(*ground.polygon, material, header_.seed, scene::month_of(header_));
@@ -108,6 +116,21 @@ surroundings::Patch Patchwork::patch_from(const scene::GroundPlace& ground, doub
   return patch;
 }
 
+// A cell is larger than yards: it has the mean of lawns and other ground of towns about a place.
+surroundings::Patch Patchwork::town_around(Vec2 from) const {
+  constexpr double kReach_m = 45;
+  constexpr std::array kAbout = {Vec2{1, 0},     Vec2{-1, 0},     Vec2{0, 1},       Vec2{0, -1},
+                                 Vec2{0.6, 0.6}, Vec2{-0.6, 0.6}, Vec2{-0.6, -0.6}, Vec2{0.6, -0.6}};
+  double lawns = 0;
+  for (const Vec2 aside : kAbout) lawns += lookup_.at(from + aside * kReach_m).cover == LandCoverClass::kLawn;
+  const double share = lawns / kAbout.size();
+  const Colour town = colour_of_cover(LandCoverClass::kResidential, header_),
+               lawn = colour_of_cover(LandCoverClass::kLawn, header_);
+  surroundings::Patch patch{.cover = LandCoverClass::kResidential};
+  for (std::size_t c = 0; c < 3; ++c) patch.tint[c] = (town[c] + (lawn[c] - town[c]) * share) / town[c];
+  return patch;
+}
+
 surroundings::Patch Patchwork::patch_of(const surroundings::Cell& cell, double away_m) const {
   const Vec2 middle = cell.box().centre();
   if (away_m > kPatchesEnd_m) return {.cover = LandCoverClass::kMeadow};
@@ -115,12 +138,16 @@ surroundings::Patch Patchwork::patch_of(const surroundings::Cell& cell, double a
     return {.cover = LandCoverClass::kSea};
   const Vec2 at = middle + shift_at(middle);
   const double height_m = surroundings::height_m_at(header_.around, middle);
+  if (is_lake(mirrored(at), middle, away_m)) return {.cover = LandCoverClass::kLake};
   constexpr std::array kAside = {Vec2{0, 0},    Vec2{24, 10},  Vec2{-10, 24},  Vec2{-50, -20}, Vec2{20, -60},
                                  Vec2{110, 40}, Vec2{-90, 90}, Vec2{40, -240}, Vec2{300, 150}, Vec2{-500, 200}};
   for (const Vec2 aside : kAside) {
     const Vec2 from = mirrored(at + aside);
     const scene::GroundPlace ground = lookup_.at(from);
-    if (is_usable(ground, from, middle, away_m)) return patch_from(ground, height_m, away_m);
+    if (!is_usable(ground)) continue;
+    const bool is_town = group_at(ground) == LandCoverGroup::kTown || ground.cover == LandCoverClass::kLawn;
+    if (is_town && away_m >= kOwnYards_m) return town_around(from);
+    return patch_from(ground, height_m, away_m);
   }
   return {.cover = LandCoverClass::kMeadow};
 }

@@ -35,8 +35,10 @@ class Patchwork {
   surroundings::Patch patch_of(const surroundings::Cell& cell, double away_m) const;
 
  private:
-  bool is_usable(const scene::GroundPlace& ground, Vec2 from, Vec2 to, double away_m) const;
+  bool is_usable(const scene::GroundPlace& ground) const;
+  bool is_lake(Vec2 from, Vec2 to, double away_m) const;
   bool is_level(Vec2 place) const;
+  surroundings::Patch town_around(Vec2 from) const;
   surroundings::Patch patch_from(const scene::GroundPlace& ground, double height_m, double away_m) const;
 
   const scene::GroundLookup& lookup_;
