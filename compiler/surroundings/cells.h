@@ -30,7 +30,7 @@ inline constexpr double kShareOfDistance = 1.0 / 8, kShareWhereRough = 1.0 / 16;
 /// From this distance on, patches of land cover are hardly seen, and smooth land has larger squares.
 inline constexpr double kPlainFrom_m = 2500, kShareOfPlain = 1.0 / 5;
 
-/// What the sides of squares depend on.
+/// The facts that the sides of squares depend on.
 struct CellSizes {
   std::int32_t finest_m = 32;                 ///< Divides the sides of tiles; a power of two.
   std::function<double(const Box2&)> away_m;  ///< The distance of a box from the tiles; 0 where they touch.

@@ -90,7 +90,7 @@ bool may_stand_on(const surroundings::Patch* patch) {
   }
 }
 
-std::array<Vec2, 4> corners_of(const Rectangle& r) {
+std::array<Vec2, 4> plan_corners_of(const Rectangle& r) {
   const Vec2 a = r.along * (r.length_m / 2), b = left_of(r.along) * (r.width_m / 2);
   return {r.middle - a - b, r.middle + a - b, r.middle + a + b, r.middle - a + b};
 }
@@ -98,7 +98,7 @@ std::array<Vec2, 4> corners_of(const Rectangle& r) {
 // The lowest and the highest ground at the corners; empty where a corner is not on land, or the site is steep.
 std::optional<std::pair<double, double>> site_of(const Rectangle& plan, const surroundings::AroundSurface& surface) {
   double low = 1e30, high = -1e30;
-  for (const Vec2 corner : corners_of(plan)) {
+  for (const Vec2 corner : plan_corners_of(plan)) {
     const auto height_m = surface.height_m_at(corner);
     if (!height_m || !may_stand_on(surface.patch_at(corner))) return std::nullopt;
     low = std::min(low, *height_m), high = std::max(high, *height_m);
@@ -120,7 +120,7 @@ class BoxWriter {
     const buildings::Building& b = *far.building;
     const double eaves_m = high_m + std::max(2.5, buildings::eaves_m(b) - b.floor_m);
     const double rise_m = b.roof_shape.height_m;
-    const auto corners = corners_of(far.plan);
+    const auto corners = plan_corners_of(far.plan);
     const materials::Tint wall = darkened(buildings::wall_tint(b, seed_), kWithWindows);
     const materials::Tint roof = darkened(buildings::roof_tint(b, seed_), rise_m >= 1 ? kOfTiles : 1);
     for (std::size_t i = 0; i < 4; ++i) {
