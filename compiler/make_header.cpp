@@ -53,9 +53,11 @@ Result<std::vector<source::RasterSpec>> fitted_heightmaps(const CompileSpec& spe
   return specs;
 }
 
-/// The land around the region, where the heightmaps cover it.
+/// The land around the region; empty if it is not wanted, or in a cylinder.
 Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, const map::Plane& plane,
                                                      const HeaderInputs& recipes, const Box2& extent) {
+  if (spec.outputs.surroundings == AroundWish::kNo || spec.world == World::kCylinder)
+    return surroundings::Surroundings();
   const source::LonLatBox window = map::lonlat_box_of(extent.widened(surroundings::kReach_m), plane);
   Report repeated;  // discarded: diagnosed for the region already, or lies beyond it
   const Result<std::vector<source::RasterSpec>> fitted = fitted_heightmaps(spec, plane, extent);
@@ -64,7 +66,7 @@ Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, co
       source::read_heightmaps(*fitted, &window, repeated, surroundings::kSampleSpacing_m);
   if (!rasters) return rasters.error();
   const auto is_sea = [](const ground::LandCoverPolygon& cover) { return cover.surface == map::LandCoverClass::kSea; };
-  surroundings::Place place{.extent = extent, .tile_m = spec.tile_m};
+  surroundings::Place place{.extent = extent, .tile_m = spec.tile_m, .heights = &recipes.heights};
   std::ranges::copy_if(recipes.surfaces, std::back_inserter(place.sea), is_sea);
   return surroundings::plan(*rasters, plane, place);
 }

@@ -302,6 +302,12 @@ Result<Done> set_strict(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
+Result<Done> set_surroundings(CompileSpec& spec, std::string_view text) {
+  if (text != "true" && text != "false" && text != "none") return expected("none, or nothing", text);
+  spec.outputs.surroundings = text == "true" ? AroundWish::kYes : AroundWish::kNo;
+  return Done{};
+}
+
 constexpr Setting kSettings[] = {
     {"map", "FILE", "OpenStreetMap extract: .osm, .osm.gz, .osm.bz2 or .osm.pbf", false,
      set_text<&CompileSpec::map_path>},
@@ -356,11 +362,10 @@ constexpr Setting kSettings[] = {
      "nodes of a tile: one, one for each layer (ground, roads, water, buildings ...), or one for each building too "
      "(default: {})",
      false, set_split, [](const CompileSpec& spec) { return std::string(name_of(spec.outputs.split)); }},
-    {"surroundings", "",
-     "writes the land around the map, as far as the heightmaps know it, as a tile of its own: glb/surroundings.glb, "
-     "usd/surroundings.usdc, a tile of 3dtiles",
-     false,
-     [](CompileSpec& spec, std::string_view text) { return put(parse_switch(text), spec.outputs.surroundings); }},
+    {"surroundings", "[none]",
+     "the land around the map, to the horizon, is a tile of its own: glb/surroundings.glb, usd/surroundings.usdc, a "
+     "tile of 3dtiles (default: yes); none leaves it out",
+     false, set_surroundings},
     {"lights", "N",
      "the N brightest street lamps of each tile are lights of .glb (KHR_lights_punctual) and USD (UsdLux) files, at "
      "any time (default: {})",

@@ -36,16 +36,23 @@ namespace citykiln {
 /// before it.
 inline constexpr std::array kDefaultLevels_m = {0.1, 0.5, 1.2, 2.5, kCoarsestDefault_m};
 
+/// Whether a run has the land around the extent.
+enum class AroundWish : std::uint8_t {
+  kWherePossible,  ///< Not inside of a cylinder; nothing is an error.
+  kYes,            ///< Asked for; an error inside of a cylinder.
+  kNo              ///< Neither in the manifest nor as a file.
+};
+
 /// The files that a run writes into its folder.
 struct Outputs {
   std::string folder;
-  bool manifest = true;                   ///< scene.kiln
-  bool glb = true;                        ///< glb/<x>_<y>_L<n>.glb
-  bool usd = false;                       ///< usd/scene.usda and the layers of its tiles
-  bool tiles3d = false;                   ///< 3dtiles/tileset.json and its contents, on the ellipsoid
-  bool page = false;                      ///< index.html and page/, which show the tileset in a browser
-  bool surroundings = false;              ///< The land around the extent as a separate tile, in glTF, USD and 3D Tiles.
-  std::optional<map::GeoidSource> geoid;  ///< Empty if no height of the geoid is given.
+  bool manifest = true;                                  ///< scene.kiln
+  bool glb = true;                                       ///< glb/<x>_<y>_L<n>.glb
+  bool usd = false;                                      ///< usd/scene.usda and the layers of its tiles
+  bool tiles3d = false;                                  ///< 3dtiles/tileset.json and its contents, on the ellipsoid
+  bool page = false;                                     ///< index.html and page/, which show the tileset in a browser
+  AroundWish surroundings = AroundWish::kWherePossible;  ///< The land around the extent as a separate file.
+  std::optional<map::GeoidSource> geoid;                 ///< Empty if no height of the geoid is given.
   Target target = Target::kGeneric;
   NodeSplit split = NodeSplit::kLayer;
   std::optional<Compression> compress;  ///< Empty: kLean where the target's reader takes it, else kNone.

@@ -53,9 +53,12 @@ void make_waves(Hit& hit, const TraceContext& context, double spread_rad, Vec3 d
   map::BentPoint axes{.at = {}, .east = {1, 0, 0}, .north = {0, 1, 0}, .up = {0, 0, 1}};
   if (inside != nullptr) place = map::flattened(inside->cylinder(), place), axes = map::at(inside->cylinder(), place);
   if (dot(hit.geometric_normal, axes.up) <= 0.9) return;
-  // at grazing angles a pixel covers more along the view than across it: the geometric mean of both
-  const double across_m = hit.distance_m * spread_rad, cosine = std::max(0.02, -dot(direction, hit.shading_normal));
-  const Waves waves = waves_at(in_plan(place), std::max(across_m / std::sqrt(cosine), 1e-3));
+  // at grazing angles a pixel covers more along the view than across it
+  const double across_m = std::max(hit.distance_m * spread_rad, 1e-3);
+  const double cosine = std::max(0.02, -dot(direction, hit.shading_normal));
+  const Vec2 view{dot(direction, axes.east), dot(direction, axes.north)};
+  const Vec2 along = length(view) > 1e-6 ? unit(view) : Vec2{1, 0};
+  const Waves waves = waves_at(in_plan(place), {.along = along, .along_m = across_m / cosine, .across_m = across_m});
   hit.shading_normal = axes.east * waves.normal.x + axes.north * waves.normal.y + axes.up * waves.normal.z;
   const double own = static_cast<double>(hit.roughness) * hit.roughness;
   hit.roughness = static_cast<float>(std::sqrt(std::sqrt(own * own + 2 * waves.slope_spread)));

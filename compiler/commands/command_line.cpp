@@ -7,6 +7,8 @@
 #include <cassert>
 #include <filesystem>
 #include <new>
+#include <string_view>
+#include <utility>
 
 #include "compiler/commands/run_paths.h"
 #include "compiler/contract/system/program_version.h"
@@ -23,8 +25,8 @@ int fail(const Error& error, const Console& console) {
 
 /// Declares one option of the table to CLI11.
 void declare(CLI::App& app, const Option& option) {
-  // a switch, or one that can have a value: --strict, --strict=CODE
-  if (option.value.empty() || option.value.starts_with("[=")) {
+  // a switch, or one that can have a value: --strict, --strict=CODE, --surroundings none
+  if (option.value.empty() || option.value.starts_with("[")) {
     app.add_flag(option.flags, option.help);
     return;
   }
@@ -190,6 +192,26 @@ Error without_value(const std::string& text) {
   return {text.substr(0, colon), fmt::format("expected {} after it, found nothing", text.substr(from, end - from))};
 }
 
+/// True if an option's value may be left out, and a word is it: the none of "--surroundings none".
+bool is_optional_value(std::span<const Verb> verbs, std::string_view flag, std::string_view word) {
+  const std::string value = fmt::format("[{}]", word);
+  return std::ranges::any_of(verbs, [&](const Verb& verb) {
+    return std::ranges::any_of(verb.options, [&](const Option& o) { return o.flags == flag && o.value == value; });
+  });
+}
+
+/// Returns the words with such values joined to their flags, as CLI11 reads them: --surroundings=none.
+std::vector<std::string> with_optional_values(std::span<const Verb> verbs, std::span<const char* const> words) {
+  std::vector<std::string> joined;
+  for (const char* word : words) {
+    if (!joined.empty() && is_optional_value(verbs, joined.back(), word))
+      joined.back() += fmt::format("={}", word);
+    else
+      joined.emplace_back(word);
+  }
+  return joined;
+}
+
 int run_words(std::span<const Verb> verbs, int argc, const char* const* argv, Console& console) {
   CLI::App app("citykiln compiles OpenStreetMap extracts and heightmaps to 3D city tiles", "citykiln");
   app.set_version_flag("--version", kProgramVersion);
@@ -201,7 +223,9 @@ int run_words(std::span<const Verb> verbs, int argc, const char* const* argv, Co
   if (words.empty() || has_only_json) return fail({"", "no verb is given; citykiln --help lists them"}, console);
 
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> read = with_optional_values(verbs, words);
+    std::ranges::reverse(read);  // CLI11 takes the first word from the end
+    app.parse(std::move(read));
     for (const Verb& verb : verbs) {
       if (app.got_subcommand(verb.name)) return run_verb(*app.get_subcommand(verb.name), verb, console);
     }

@@ -256,6 +256,15 @@ Result<Done> write_roots(Gathered& all, const Outputs& outputs, exporters::Outpu
   return Done{};
 }
 
+/// The land around the whole, as a single run writes it for .glb.
+Result<Done> write_land_around(Gathered& all, const CompileSpec& spec, exporters::OutputFolder& folder) {
+  if (!spec.outputs.glb || spec.outputs.surroundings == AroundWish::kNo) return Done{};
+  const auto file = outputs::write_glb_surroundings(all.scene, spec.outputs, spec.threads, folder);
+  if (!file) return file.error();
+  if (*file) all.files.files.push_back(**file);
+  return Done{};
+}
+
 Result<Done> write_out(Gathered& all, const CompileSpec& spec, const std::string& path) {
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(path);
   if (!folder) return folder.error();
@@ -271,6 +280,7 @@ Result<Done> write_out(Gathered& all, const CompileSpec& spec, const std::string
     if (!tiles.contains(name)) all.files.files.push_back({name, placed.file.bytes});
   }
   if (Result<Done> done = write_roots(all, spec.outputs, *folder); !done) return done;
+  if (Result<Done> done = write_land_around(all, spec, *folder); !done) return done;
   verify::HeightReport heights{verify::measure_heights(all.scene, spec.threads), {}};
   heights.recipes.clearances = verify::with_findings(std::move(heights.recipes.clearances), all.findings);
   const std::string report = outputs::report_json(all.scene.header, all.scene, report_of(all), all.files, spec.outputs,

@@ -37,7 +37,7 @@ struct PlanRequest {
 
 /// Checks that regions can have these outputs. Error: they do not have them yet.
 Result<Done> can_be_planned(const CompileSpec& spec) {
-  if (spec.outputs.surroundings && (spec.outputs.usd || spec.outputs.tiles3d))
+  if (spec.outputs.surroundings == AroundWish::kYes && (spec.outputs.usd || spec.outputs.tiles3d))
     return Error{"--surroundings", "a plan writes the land around the map as .glb only; leave usd and 3dtiles out"};
   if (!spec.outputs.manifest) return Error{"--emit", "a plan needs manifests; add kiln"};
   if (spec.outputs.page) return Error{"--emit", "a plan writes no page, which shows one run; leave page out"};
@@ -210,6 +210,8 @@ Result<Exit> plan_map(const PlanRequest& request, const Console& console) {
   if (!spec) return spec.error();
   if (const Result<Done> complete = check_complete(*spec); !complete) return complete.error();
   if (const Result<Done> can = can_be_planned(*spec); !can) return can.error();
+  if (spec->outputs.surroundings == AroundWish::kWherePossible && (spec->outputs.usd || spec->outputs.tiles3d))
+    console.print_line("note: a plan writes the land around the map as .glb only, without usd and 3dtiles");
   Report report;
   const Result<source::LonLatBox> extent = extent_of(*spec, report);
   if (!extent) return extent.error();

@@ -184,6 +184,23 @@ std::vector<std::optional<WholeTile>> whole_tiles(const scene::Scene& scene, std
   return whole;
 }
 
+Result<WrittenFile> write_around(bake::BakedTile tile, const scene::Header& header, const Outputs& outputs, int threads,
+                                 exporters::OutputFolder& folder) {
+  // one small file: not packed, and on no grid of the tiles
+  exporters::GlbOptions options = glb_options_of(outputs);
+  options.compression = Compression::kNone;
+  // nothing in it is of the map
+  for (bake::Primitive& primitive : tile.primitives) primitive.features.clear();
+  const exporters::EncodedTile encoded = exporters::encode_tile(std::move(tile), header, options, threads);
+  return write_output(exporters::kGlbSurroundingsName, encoded.glb, folder);
+}
+
+std::string no_surroundings_note(const scene::Header& header) {
+  return fmt::format("note: no surroundings are written: {}", scene::cylinder_of(header)
+                                                                  ? "there is no land around a map inside of a cylinder"
+                                                                  : "the manifest has none");
+}
+
 /// Bakes and writes the tiles, and reuses those that are complete.
 class TileWriter {
  public:
@@ -238,27 +255,23 @@ class TileWriter {
 
   // Writes the files that refer to others, after all tiles.
   Result<Done> finish(WrittenOutputs& written) {
-    if (outputs_.surroundings)
+    if (outputs_.surroundings != AroundWish::kNo)
       if (const Result<Done> done = write_surroundings(written); !done) return done;
     return outputs_.usd ? usd_.finish(written.files) : Done{};
   }
 
  private:
   Result<Done> write_surroundings(WrittenOutputs& written) {
+    if (!outputs_.usd && !outputs_.glb) return Done{};
     const std::optional<bake::BakedTile> tile = bake::bake_surroundings(scene_);
     if (!tile) {
-      written.notes.push_back(
-          "note: no surroundings are written: no heightmap knows the land 1 km around the map (--dem)");
+      written.notes.push_back(no_surroundings_note(scene_.header));
       return Done{};
     }
     if (outputs_.usd)
       if (const Result<Done> done = usd_.write_surroundings(*tile, written.files); !done) return done;
     if (!outputs_.glb) return Done{};
-    // one small file: not packed, and on no grid of the tiles
-    exporters::GlbOptions options = glb_options_of(outputs_);
-    options.compression = Compression::kNone;
-    const exporters::EncodedTile encoded = exporters::encode_tile(*tile, scene_.header, options, threads_);
-    const Result<WrittenFile> file = write_output(exporters::kGlbSurroundingsName, encoded.glb, folder_);
+    const Result<WrittenFile> file = write_around(*tile, scene_.header, outputs_, threads_, folder_);
     if (!file) return file.error();
     written.files.files.push_back(*file);
     return Done{};
@@ -418,6 +431,15 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
   if (done) return written;
   if (!folder.has_keyed_files()) return done.error();
   return Error{done.error().where, done.error().message + "; the tiles baked so far are kept for the same command"};
+}
+
+Result<std::optional<WrittenFile>> write_glb_surroundings(const scene::Scene& scene, const Outputs& outputs,
+                                                          int threads, exporters::OutputFolder& folder) {
+  std::optional<bake::BakedTile> tile = bake::bake_surroundings(scene);
+  if (!tile) return std::optional<WrittenFile>{};
+  Result<WrittenFile> file = write_around(std::move(*tile), scene.header, outputs, threads, folder);
+  if (!file) return file.error();
+  return std::optional(std::move(*file));
 }
 
 Result<Done> commit_outputs(const WrittenOutputs& written, const std::string& report_json, const scene::Header& header,

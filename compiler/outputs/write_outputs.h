@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,11 @@ struct WrittenOutputs {
 /// says so.
 Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads,
                                      exporters::OutputFolder& folder, Report& report, const OnProgress& on_progress);
+
+/// Bakes the land around a scene and writes it as glb/surroundings.glb; nothing where the header has none. Errors: the
+/// file cannot be written.
+Result<std::optional<WrittenFile>> write_glb_surroundings(const scene::Scene& scene, const Outputs& outputs,
+                                                          int threads, exporters::OutputFolder& folder);
 
 /// Writes findings.json and report.json, and replaces the earlier run in the folder. Errors: files that cannot be
 /// written or moved.

@@ -368,7 +368,7 @@ Result<std::vector<WrittenFile>> write_tiles3d(const scene::Scene& scene, const 
   Report repeated;  // what the tiles of .glb and USD count again
   Result<TilesetTile> root = writer.write(outputs.glb || outputs.usd ? repeated : report, on_progress);
   if (!root) return root.error();
-  if (outputs.surroundings)
+  if (outputs.surroundings != AroundWish::kNo)
     if (const Result<Done> done = add_surroundings(scene, maker, folder, *root, writer.files); !done)
       return done.error();
   const exporters::TilesetFacts facts = tileset_facts(scene.header, outputs, geoid);

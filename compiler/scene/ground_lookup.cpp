@@ -38,7 +38,7 @@ GroundPlace GroundLookup::at(Vec2 place) const {
   }
   const double terrain_m = map::height_m_at(tile.chunk->heights, place);
   if (top == nullptr) return {terrain_m, map::LandCoverClass::kUnknown};
-  return {top->level_m.value_or(terrain_m), top->surface};
+  return {top->level_m.value_or(terrain_m), top->surface, top};
 }
 
 bool GroundLookup::is_in_tile(Vec2 place) const {

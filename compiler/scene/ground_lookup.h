@@ -11,6 +11,7 @@ namespace citykiln::scene {
 struct GroundPlace {
   double height_m = 0;  ///< The height of standing water, else that of the terrain before grading.
   map::LandCoverClass cover{};
+  const ground::LandCoverPolygon* polygon = nullptr;  ///< The topmost one; null: none.
 };
 
 /// Answers queries for a scene with at least one chunk (the recipes of one tile). Refers to the scene, which must

@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/materials/noise.h"
 #include "compiler/surroundings/curvature.h"
+#include "compiler/surroundings/grid_lines.h"
 
 namespace citykiln::surroundings {
 namespace {
@@ -17,223 +19,432 @@ using materials::Material;
 using materials::MaterialMesh;
 
 constexpr double kHeightStep_m = 0x1p-7;
+// The distance by which vertices between cells leave the lattice, as a share of the smallest cell, so that fields and
+// woods have no steps.
+constexpr double kJitter = 0.22;
+// The height of a wood's edge, as a share of the wood's.
+constexpr double kWoodEdge = 0.6;
+// Land is rough where its middle is farther from its corners' mean than this share of the distance.
+constexpr double kRough = 0.006;
 
-// A triangle, and whether it hangs from the border.
-struct Face {
-  Triangle corners;
-  bool is_skirt = false;
-};
+double lowered_m(const Neighbourhood& neighbourhood, Vec2 place) {
+  return neighbourhood.is_curved ? drop_m(away_m(neighbourhood.extent, place)) : 0;
+}
+
+bool is_rough(const Neighbourhood& neighbourhood, const Box2& box) {
+  const Vec2 low = box.min, high = box.max, middle = box.centre();
+  const auto height_m = [&](double x, double y) { return neighbourhood.height_m_at({x, y}); };
+  const double mean_m =
+      (height_m(low.x, low.y) + height_m(high.x, low.y) + height_m(high.x, high.y) + height_m(low.x, high.y)) / 4;
+  return std::abs(height_m(middle.x, middle.y) - mean_m) > kRough * neighbourhood.away_m(box);
+}
+
+std::vector<Cell> cells_outside(const Surroundings& around, const Neighbourhood& neighbourhood) {
+  std::vector<Cell> cells =
+      cells_over(around.box(), {.finest_m = neighbourhood.finest_m,
+                                .away_m = neighbourhood.away_m,
+                                .is_rough = [&](const Box2& box) { return is_rough(neighbourhood, box); }});
+  std::erase_if(cells, [&](const Cell& cell) { return neighbourhood.is_in_tile(cell.box().centre()); });
+  return cells;
+}
+
+double cross_of(Vec2 a, Vec2 b, Vec2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
+
+// The height of a triangle at a place of the plane; empty beside it.
+std::optional<double> height_in(const std::array<Vec3, 3>& t, Vec2 p) {
+  const double area = cross_of(in_plan(t[0]), in_plan(t[1]), in_plan(t[2]));
+  if (area <= 0) return std::nullopt;
+  const double a = cross_of(in_plan(t[1]), in_plan(t[2]), p), b = cross_of(in_plan(t[2]), in_plan(t[0]), p),
+               c = cross_of(in_plan(t[0]), in_plan(t[1]), p);
+  const double least = -1e-9 * area;
+  if (a < least || b < least || c < least) return std::nullopt;
+  return (t[0].z * a + t[1].z * b + t[2].z * c) / area;
+}
+
+}  // namespace
 
 // The surface before it is divided by material.
-struct Sheet {
+struct AroundSurface::Sheet {
+  enum class FaceKind : std::uint8_t { kGround, kSkirt, kCanopy, kCanopySide };
+  struct Face {
+    Triangle corners;
+    std::uint32_t patch = 0;  // the number of its cell
+    FaceKind kind{};
+  };
+
+  std::vector<Cell> cells;
+  CellIndex index;
+  std::vector<Patch> patches;  // one per cell
   std::vector<Vec3> positions, normals;
   std::vector<bool> is_sea;
   std::vector<Face> faces;
+  std::vector<std::uint32_t> first_face;  // by cell, and the end; ground first
 };
 
+namespace {
+
+// Builds a sheet: a fan or two triangles for each cell.
+template <typename Sheet>
 class SheetBuilder {
  public:
-  SheetBuilder(const Surroundings& around, const Neighbourhood& neighbourhood)
-      : around_(around), neighbourhood_(neighbourhood), in_tile_((around.columns() - 1) * (around.rows() - 1)) {
-    for (std::size_t j = 0; j + 1 < around.rows(); ++j)
-      for (std::size_t i = 0; i + 1 < around.columns(); ++i)
-        in_tile_[cell(i, j)] = neighbourhood.is_in_tile((around.vertex(i, j) + around.vertex(i + 1, j + 1)) * 0.5);
-  }
+  SheetBuilder(const Surroundings& around, const Neighbourhood& neighbourhood, Sheet& sheet)
+      : around_(around), neighbourhood_(neighbourhood), sheet_(sheet) {}
 
-  Sheet build() {
-    for (std::size_t j = 0; j + 1 < around_.rows(); ++j)
-      for (std::size_t i = 0; i + 1 < around_.columns(); ++i)
-        if (!in_tile_[cell(i, j)]) add_cell(i, j);
+  void build() {
+    for (const Cell& cell : sheet_.cells) {
+      sheet_.patches.push_back(neighbourhood_.patch_of(cell));
+      for (const std::int32_t y : {cell.y_m, cell.y_m + cell.side_m})
+        for (const std::int32_t x : {cell.x_m, cell.x_m + cell.side_m}) {
+          std::int32_t& side_m = smallest_.try_emplace({x, y}, cell.side_m).first->second;
+          side_m = std::min(side_m, cell.side_m);
+        }
+    }
+    for (std::uint32_t i = 0; i < sheet_.cells.size(); ++i) {
+      sheet_.first_face.push_back(static_cast<std::uint32_t>(sheet_.faces.size()));
+      add_cell(i);
+    }
+    sheet_.first_face.push_back(static_cast<std::uint32_t>(sheet_.faces.size()));
     add_normals();
-    return std::move(sheet_);
   }
 
  private:
-  std::size_t cell(std::size_t i, std::size_t j) const { return j * (around_.columns() - 1) + i; }
+  using Face = typename Sheet::Face;
+  using FaceKind = typename Sheet::FaceKind;
+  using Place = std::pair<std::int32_t, std::int32_t>;
 
-  // @param i, j  -1 and the number of cells lie outside of the grid.
-  bool is_tile(std::ptrdiff_t i, std::ptrdiff_t j) const {
-    const auto columns = static_cast<std::ptrdiff_t>(around_.columns()) - 1;
-    const auto rows = static_cast<std::ptrdiff_t>(around_.rows()) - 1;
-    return i >= 0 && j >= 0 && i < columns && j < rows &&
-           in_tile_[cell(static_cast<std::size_t>(i), static_cast<std::size_t>(j))];
-  }
-
-  bool is_on_border(std::size_t i, std::size_t j) const {
-    const auto x = static_cast<std::ptrdiff_t>(i), y = static_cast<std::ptrdiff_t>(j);
-    return is_tile(x, y) || is_tile(x - 1, y) || is_tile(x, y - 1) || is_tile(x - 1, y - 1);
-  }
-
-  double lowered_m(Vec2 place) const {
-    return neighbourhood_.is_curved ? drop_m(away_m(neighbourhood_.extent, place)) : 0;
-  }
+  struct Outline {
+    std::vector<std::uint32_t> vertices;  // counter-clockwise from the south-western corner
+    std::vector<Vec2> outside;            // of the side after each vertex: a place beyond its middle
+    std::vector<bool> is_border;          // of the side after each vertex
+  };
 
   std::uint32_t add_vertex(Vec2 place, double height_m, bool is_sea) {
-    const double z = height_m - lowered_m(place);
+    const double z = height_m - lowered_m(neighbourhood_, place);
     sheet_.positions.push_back(at_height(place, std::floor(z / kHeightStep_m + 0.5) * kHeightStep_m));
     sheet_.is_sea.push_back(is_sea);
     return static_cast<std::uint32_t>(sheet_.positions.size() - 1);
   }
 
-  std::uint32_t border_vertex(Vec2 place) {
-    const auto [known, is_new] = on_border_.try_emplace({place.x, place.y});
+  std::uint32_t border_vertex(Place at) {
+    const auto [known, is_new] = vertices_.try_emplace(at);
     if (!is_new) return known->second;
+    const Vec2 place{static_cast<double>(at.first), static_cast<double>(at.second)};
     const BorderGround ground = neighbourhood_.on_border(place);
     return known->second = add_vertex(place, ground.height_m, ground.is_sea);
   }
 
-  std::uint32_t grid_vertex(std::size_t i, std::size_t j) {
-    if (is_on_border(i, j)) return border_vertex(around_.vertex(i, j));
-    const auto [known, is_new] = in_grid_.try_emplace(around_.index(i, j));
+  std::uint32_t lattice_vertex(Place at) {
+    const Vec2 place{static_cast<double>(at.first), static_cast<double>(at.second)};
+    if (neighbourhood_.away_m({place, place}) == 0) return border_vertex(at);
+    const auto [known, is_new] = vertices_.try_emplace(at);
     if (!is_new) return known->second;
-    const std::size_t at = around_.index(i, j);
-    const bool is_sea = around_.covers[at] == Cover::kSea;
-    return known->second = add_vertex(around_.vertex(i, j), around_.heights_m[at], is_sea);
+    const double reach_m = kJitter * smallest_.at(at);
+    const Vec2 moved = snapped_to(
+        kHeightStep_m, place + Vec2{materials::noise_at(place, 1, 1), materials::noise_at(place, 1, 2)} * reach_m);
+    const bool is_sea = sea_at(moved);
+    return known->second = add_vertex(moved, is_sea ? 0 : neighbourhood_.height_m_at(moved), is_sea);
   }
 
-  void add_cell(std::size_t i, std::size_t j) {
-    const auto x = static_cast<std::ptrdiff_t>(i), y = static_cast<std::ptrdiff_t>(j);
-    // south, east, north, west; corners from the south-western one on
-    const std::array<bool, 4> borders = {is_tile(x, y - 1), is_tile(x + 1, y), is_tile(x, y + 1), is_tile(x - 1, y)};
-    const std::array<std::uint32_t, 4> corners = {grid_vertex(i, j), grid_vertex(i + 1, j), grid_vertex(i + 1, j + 1),
-                                                  grid_vertex(i, j + 1)};
-    if (std::ranges::find(borders, true) == borders.end()) {
-      sheet_.faces.push_back({{corners[0], corners[1], corners[2]}});
-      sheet_.faces.push_back({{corners[0], corners[2], corners[3]}});
-      return;
+  bool sea_at(Vec2 place) const { return cover_at(around_, place) == Cover::kSea; }
+
+  // Adds the vertices from a on, before b: those of smaller cells on the other side.
+  void add_side(Place a, Place b, std::vector<std::uint32_t>& to) {
+    const Place middle{(a.first + b.first) / 2, (a.second + b.second) / 2};
+    const bool is_split =
+        middle != a && (a.first + b.first) % 2 == 0 && (a.second + b.second) % 2 == 0 && smallest_.contains(middle);
+    if (!is_split) return to.push_back(lattice_vertex(a));
+    add_side(a, middle, to), add_side(middle, b, to);
+  }
+
+  void add_border_side(Place a, Place b, std::vector<std::uint32_t>& to) {
+    const std::int32_t length_m = std::abs(b.first - a.first) + std::abs(b.second - a.second);
+    const int parts = std::max(1, static_cast<int>(std::ceil(length_m / kBorderStep_m)));
+    for (int part = 0; part < parts; ++part)
+      to.push_back(border_vertex(
+          {a.first + (b.first - a.first) * part / parts, a.second + (b.second - a.second) * part / parts}));
+  }
+
+  Outline outline_of(const Cell& cell) {
+    const std::int32_t s = cell.side_m;
+    const std::array<Place, 4> corners = {Place{cell.x_m, cell.y_m}, Place{cell.x_m + s, cell.y_m},
+                                          Place{cell.x_m + s, cell.y_m + s}, Place{cell.x_m, cell.y_m + s}};
+    constexpr std::array<Vec2, 4> kOut = {Vec2{0, -1}, Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}};
+    Outline outline;
+    for (std::size_t side = 0; side < 4; ++side) {
+      const Place a = corners[side], b = corners[(side + 1) % 4];
+      const Vec2 middle = Vec2{static_cast<double>(a.first + b.first), static_cast<double>(a.second + b.second)} * 0.5;
+      const bool is_border = neighbourhood_.is_in_tile(middle + kOut[side]);
+      const std::size_t first = outline.vertices.size();
+      is_border ? add_border_side(a, b, outline.vertices) : add_side(a, b, outline.vertices);
+      const std::size_t parts = outline.vertices.size() - first;
+      const Vec2 from{static_cast<double>(a.first), static_cast<double>(a.second)};
+      for (std::size_t part = 0; part < parts; ++part)
+        outline.outside.push_back(from + (middle - from) * (2 * (part + 0.5) / parts) + kOut[side]);
+      outline.is_border.insert(outline.is_border.end(), parts, is_border);
     }
-    add_fan(corners, borders);
+    return outline;
   }
 
-  // The vertices of a side on the border, its ends included.
-  std::vector<std::uint32_t> along(std::uint32_t from, std::uint32_t to) {
-    const Vec2 a = in_plan(sheet_.positions[from]), b = in_plan(sheet_.positions[to]);
-    const int parts = std::max(1, static_cast<int>(std::ceil(distance(a, b) / kBorderStep_m)));
-    std::vector<std::uint32_t> all = {from};
-    for (int part = 1; part < parts; ++part)
-      all.push_back(border_vertex(snapped_to(kHeightStep_m, a + (b - a) * (static_cast<double>(part) / parts))));
-    all.push_back(to);
-    return all;
+  void add_cell(std::uint32_t cell) {
+    const Outline outline = outline_of(sheet_.cells[cell]);
+    const std::vector<std::uint32_t>& v = outline.vertices;
+    if (v.size() == 4) {
+      sheet_.faces.push_back({{v[0], v[1], v[2]}, cell, FaceKind::kGround});
+      sheet_.faces.push_back({{v[0], v[2], v[3]}, cell, FaceKind::kGround});
+    } else {
+      add_fan(cell, outline);
+    }
+    for (std::size_t k = 0; k < v.size(); ++k)
+      if (outline.is_border[k]) add_skirt(cell, v[k], v[(k + 1) % v.size()]);
+    if (sheet_.patches[cell].raised_m > 0) add_canopy(cell, outline);
   }
 
-  void add_fan(const std::array<std::uint32_t, 4>& corners, const std::array<bool, 4>& borders) {
+  void add_fan(std::uint32_t cell, const Outline& outline) {
+    const std::vector<std::uint32_t>& v = outline.vertices;
     double height_m = 0;
     bool is_sea = true;
-    for (const std::uint32_t corner : corners) {
-      const Vec3 at = sheet_.positions[corner];
-      height_m += (at.z + lowered_m(in_plan(at))) / 4;
-      is_sea = is_sea && sheet_.is_sea[corner];
+    Vec2 middle;
+    const double share = 1.0 / static_cast<double>(v.size());
+    for (const std::uint32_t vertex : v) {
+      const Vec3 at = sheet_.positions[vertex];
+      height_m += (at.z + lowered_m(neighbourhood_, in_plan(at))) * share;
+      middle = middle + in_plan(at) * share;
+      is_sea = is_sea && sheet_.is_sea[vertex];
     }
-    const Vec2 middle = (in_plan(sheet_.positions[corners[0]]) + in_plan(sheet_.positions[corners[2]])) * 0.5;
-    const std::uint32_t centre = add_vertex(middle, is_sea ? 0 : height_m, is_sea);
-    for (std::size_t side = 0; side < 4; ++side) {
-      const std::uint32_t from = corners[side], to = corners[(side + 1) % 4];
-      const std::vector<std::uint32_t> all = borders[side] ? along(from, to) : std::vector{from, to};
-      for (std::size_t k = 0; k + 1 < all.size(); ++k) {
-        sheet_.faces.push_back({{centre, all[k], all[k + 1]}});
-        if (borders[side]) add_skirt(all[k], all[k + 1]);
-      }
-    }
+    const std::uint32_t centre = add_vertex(snapped_to(kHeightStep_m, middle), is_sea ? 0 : height_m, is_sea);
+    for (std::size_t k = 0; k < v.size(); ++k)
+      sheet_.faces.push_back({{centre, v[k], v[(k + 1) % v.size()]}, cell, FaceKind::kGround});
   }
 
   // Faces the tile: the mesh lies to the left of a → b.
-  void add_skirt(std::uint32_t a, std::uint32_t b) {
+  void add_skirt(std::uint32_t cell, std::uint32_t a, std::uint32_t b) {
     const std::uint32_t low_a = below(a), low_b = below(b);
-    sheet_.faces.push_back({{a, low_a, low_b}, true});
-    sheet_.faces.push_back({{a, low_b, b}, true});
+    sheet_.faces.push_back({{a, low_a, low_b}, cell, FaceKind::kSkirt});
+    sheet_.faces.push_back({{a, low_b, b}, cell, FaceKind::kSkirt});
   }
 
   std::uint32_t below(std::uint32_t vertex) {
     const auto [known, is_new] = below_.try_emplace(vertex);
     if (!is_new) return known->second;
-    sheet_.positions.push_back(sheet_.positions[vertex] - Vec3{0, 0, kSkirt_m});
-    sheet_.is_sea.push_back(sheet_.is_sea[vertex]);
-    return known->second = static_cast<std::uint32_t>(sheet_.positions.size() - 1);
+    return known->second = add_copy(vertex, -kSkirt_m);
+  }
+
+  std::uint32_t add_copy(std::uint32_t vertex, double above_m) {
+    const Vec3 at = sheet_.positions[vertex];
+    sheet_.positions.push_back({at.x, at.y, std::floor((at.z + above_m) / kHeightStep_m + 0.5) * kHeightStep_m});
+    sheet_.is_sea.push_back(false);
+    return static_cast<std::uint32_t>(sheet_.positions.size() - 1);
+  }
+
+  bool is_inside_wood(Vec2 vertex) const {
+    const double aside_m = neighbourhood_.finest_m / 2.0;
+    return std::ranges::all_of(std::array{Vec2{1, 1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{-1, -1}},
+                               [&](Vec2 aside) { return has_canopy(vertex + aside * aside_m); });
+  }
+
+  // A vertex of the canopy above one of the ground.
+  std::uint32_t raised(std::uint32_t vertex, double raised_m) {
+    const auto [known, is_new] = raised_.try_emplace(vertex);
+    if (!is_new) return known->second;
+    const Vec2 at = in_plan(sheet_.positions[vertex]);
+    const double factor = (is_inside_wood(at) ? 1 : kWoodEdge) + 0.3 * materials::noise_at(at, 1, 3);
+    return known->second = add_copy(vertex, raised_m * factor);
+  }
+
+  std::uint32_t foot(std::uint32_t vertex) {
+    const auto [known, is_new] = feet_.try_emplace(vertex);
+    return is_new ? known->second = add_copy(vertex, 0) : known->second;
+  }
+
+  bool has_canopy(Vec2 place) const {
+    const std::uint32_t cell = sheet_.index.at(place);
+    return cell != CellIndex::kNone && sheet_.patches.at(cell).raised_m > 0;
+  }
+
+  void add_canopy(std::uint32_t cell, const Outline& outline) {
+    const std::vector<std::uint32_t>& v = outline.vertices;
+    if (std::ranges::all_of(v, [&](std::uint32_t vertex) { return bool{sheet_.is_sea[vertex]}; })) return;
+    const double raised_m = sheet_.patches[cell].raised_m;
+    std::vector<std::uint32_t> tops;
+    for (const std::uint32_t vertex : v) tops.push_back(raised(vertex, raised_m));
+    bool is_inside = v.size() == 4;
+    for (std::size_t k = 0; k < v.size(); ++k) {
+      if (has_canopy(outline.outside[k])) continue;
+      is_inside = false;
+      const std::uint32_t foot_a = foot(v[k]), foot_b = foot(v[(k + 1) % v.size()]);
+      const std::uint32_t top_a = tops[k], top_b = tops[(k + 1) % v.size()];
+      sheet_.faces.push_back({{foot_a, foot_b, top_b}, cell, FaceKind::kCanopySide});
+      sheet_.faces.push_back({{foot_a, top_b, top_a}, cell, FaceKind::kCanopySide});
+    }
+    if (!is_inside) return add_canopy_fan(cell, tops, raised_m);
+    sheet_.faces.push_back({{tops[0], tops[1], tops[2]}, cell, FaceKind::kCanopy});
+    sheet_.faces.push_back({{tops[0], tops[2], tops[3]}, cell, FaceKind::kCanopy});
+  }
+
+  void add_canopy_fan(std::uint32_t cell, const std::vector<std::uint32_t>& tops, double raised_m) {
+    Vec3 middle;
+    for (const std::uint32_t vertex : tops)
+      middle = middle + sheet_.positions[vertex] * (1.0 / static_cast<double>(tops.size()));
+    sheet_.positions.push_back(snapped({middle.x, middle.y, middle.z + 0.15 * raised_m}));
+    sheet_.is_sea.push_back(false);
+    const auto centre = static_cast<std::uint32_t>(sheet_.positions.size() - 1);
+    for (std::size_t k = 0; k < tops.size(); ++k)
+      sheet_.faces.push_back({{centre, tops[k], tops[(k + 1) % tops.size()]}, cell, FaceKind::kCanopy});
   }
 
   // Means of the faces about a vertex, by their area. A skirt looks as the ground above it.
   void add_normals() {
     sheet_.normals.assign(sheet_.positions.size(), {});
-    for (const auto& [corners, is_skirt] : sheet_.faces) {
-      if (is_skirt) continue;
-      const Vec3 a = sheet_.positions[corners[0]];
-      const Vec3 normal = cross(sheet_.positions[corners[1]] - a, sheet_.positions[corners[2]] - a);
-      for (const std::uint32_t corner : corners) sheet_.normals[corner] = sheet_.normals[corner] + normal;
+    for (const Face& face : sheet_.faces) {
+      if (face.kind == FaceKind::kSkirt) continue;
+      const Vec3 a = sheet_.positions[face.corners[0]];
+      const Vec3 normal = cross(sheet_.positions[face.corners[1]] - a, sheet_.positions[face.corners[2]] - a);
+      for (const std::uint32_t corner : face.corners) sheet_.normals[corner] = sheet_.normals[corner] + normal;
     }
     for (const auto& [above, low] : below_) sheet_.normals[low] = sheet_.normals[above];
-    for (Vec3& normal : sheet_.normals) normal = unit(normal);
+    for (Vec3& normal : sheet_.normals) normal = normal == Vec3{} ? Vec3{0, 0, 1} : unit(normal);
   }
 
   const Surroundings& around_;
   const Neighbourhood& neighbourhood_;
-  std::vector<bool> in_tile_;
-  std::map<std::pair<double, double>, std::uint32_t> on_border_;  // vertices by place
-  std::map<std::size_t, std::uint32_t> in_grid_;                  // by index in the grid
-  std::map<std::uint32_t, std::uint32_t> below_;                  // by the vertex above
-  Sheet sheet_;
+  Sheet& sheet_;
+  std::map<Place, std::int32_t> smallest_;                        // of the corners of cells: the side of the smallest
+  std::map<Place, std::uint32_t> vertices_;                       // by place, before they are moved
+  std::map<std::uint32_t, std::uint32_t> below_, raised_, feet_;  // by the vertex of the ground
 };
 
 // Divides a sheet by material. Sea at the corner of a land face looks like land.
+template <typename Sheet>
 class Divider {
  public:
-  Divider(const Sheet& sheet, const Neighbourhood& neighbourhood) : sheet_(sheet) {
-    for (std::size_t i = 0; i < sheet.positions.size(); ++i)
-      looks_.push_back(neighbourhood.land_at(sheet.positions[i], sheet.normals[i]));
+  Divider(const Sheet& sheet, const Neighbourhood& neighbourhood) : sheet_(sheet), neighbourhood_(neighbourhood) {
+    // equal patches share vertices
+    std::map<Patch, std::uint32_t> numbers;
+    for (const Patch& patch : sheet.patches)
+      number_.push_back(numbers.try_emplace(patch, static_cast<std::uint32_t>(numbers.size())).first->second);
   }
 
   std::vector<MaterialMesh> divide() {
-    for (const Face& face : sheet_.faces) add(face.corners);
+    // canopies hide the ground below
+    for (const Face& face : sheet_.faces)
+      if (face.kind != FaceKind::kGround || !has_canopy(face)) add(face);
     std::vector<MaterialMesh> meshes;
     for (auto& [material, part] : parts_) meshes.push_back(std::move(part.mesh));
     return meshes;
   }
 
  private:
+  using Face = typename Sheet::Face;
+  using FaceKind = typename Sheet::FaceKind;
+  using Corner = std::pair<std::uint32_t, std::uint32_t>;  // vertex of the sheet, number of the patch
   struct Part {
     MaterialMesh mesh;
-    std::map<std::uint32_t, std::uint32_t> vertices;  // by that of the sheet
+    std::map<Corner, std::uint32_t> vertices;
   };
 
-  // The material of most corners; of the first one on land where all differ.
-  Material material_of(const Triangle& corners) const {
-    const auto at = [&](std::size_t i) { return looks_[corners[i]].material; };
-    const auto on_land = [&](std::size_t i) { return !sheet_.is_sea[corners[i]]; };
-    if (!on_land(0) && !on_land(1) && !on_land(2)) return Material::kSea;
-    if (on_land(1) && at(1) == at(2)) return at(1);
-    return on_land(0) ? at(0) : on_land(1) ? at(1) : at(2);
+  bool has_canopy(const Face& face) const {
+    const auto& [a, b, c] = face.corners;
+    const bool is_at_sea = sheet_.is_sea[a] && sheet_.is_sea[b] && sheet_.is_sea[c];
+    return sheet_.patches[face.patch].raised_m > 0 && !is_at_sea;
   }
 
-  void add(const Triangle& corners) {
-    const Material material = material_of(corners);
+  Material material_of(const Face& face) const {
+    const auto& [a, b, c] = face.corners;
+    const bool is_ground = face.kind == FaceKind::kGround || face.kind == FaceKind::kSkirt;
+    if (is_ground && sheet_.is_sea[a] && sheet_.is_sea[b] && sheet_.is_sea[c]) return Material::kSea;
+    const Vec3 middle = (sheet_.positions[a] + sheet_.positions[b] + sheet_.positions[c]) * (1.0 / 3);
+    const Vec3 normal = sheet_.normals[a] + sheet_.normals[b] + sheet_.normals[c];
+    return neighbourhood_.material_at(sheet_.patches[face.patch], middle, unit(normal));
+  }
+
+  void add(const Face& face) {
+    const Material material = material_of(face);
     Part& part = parts_[material];
     part.mesh.material = material;
     Triangle own{};
-    for (std::size_t i = 0; i < 3; ++i) own[i] = vertex(part, corners[i]);
+    for (std::size_t i = 0; i < 3; ++i) own[i] = vertex(part, face.corners[i], face.patch);
     part.mesh.mesh.triangles.push_back(own);
   }
 
-  std::uint32_t vertex(Part& part, std::uint32_t of_sheet) {
+  std::uint32_t vertex(Part& part, std::uint32_t of_sheet, std::uint32_t patch) {
     const auto next = static_cast<std::uint32_t>(part.mesh.mesh.positions.size());
-    const auto [known, is_new] = part.vertices.try_emplace(of_sheet, next);
+    const auto [known, is_new] = part.vertices.try_emplace({of_sheet, number_[patch]}, next);
     if (!is_new) return known->second;
-    const materials::SurfaceMaterial& look = looks_[of_sheet];
-    part.mesh.mesh.positions.push_back(sheet_.positions[of_sheet]);
-    part.mesh.mesh.normals.push_back(sheet_.normals[of_sheet]);
-    part.mesh.tints.push_back(look.material == part.mesh.material ? look.tint : materials::kNoTint);
+    const Vec3 at = sheet_.positions[of_sheet], normal = sheet_.normals[of_sheet];
+    part.mesh.mesh.positions.push_back(at);
+    part.mesh.mesh.normals.push_back(normal);
+    const bool has_tint = part.mesh.material != Material::kSea && part.mesh.material != Material::kWater;
+    part.mesh.tints.push_back(has_tint ? neighbourhood_.tint_at(sheet_.patches[patch], part.mesh.material, at, normal)
+                                       : materials::kNoTint);
     return next;
   }
 
   const Sheet& sheet_;
-  std::vector<materials::SurfaceMaterial> looks_;  // of land, one per vertex
+  const Neighbourhood& neighbourhood_;
+  std::vector<std::uint32_t> number_;  // of each cell's patch
   std::map<Material, Part> parts_;
 };
 
 }  // namespace
 
-std::vector<MaterialMesh> generate(const Surroundings& around, const Neighbourhood& neighbourhood) {
+AroundSurface::AroundSurface(const Surroundings& around, const Neighbourhood& neighbourhood)
+    : around_(around), neighbourhood_(neighbourhood) {
   assert(!around.is_empty() && is_sound(around));
-  const Sheet sheet = SheetBuilder(around, neighbourhood).build();
-  return Divider(sheet, neighbourhood).divide();
+  std::vector<Cell> cells = cells_outside(around, neighbourhood);
+  CellIndex index(cells);
+  auto sheet = std::make_unique<Sheet>(Sheet{std::move(cells), std::move(index), {}, {}, {}, {}, {}, {}});
+  sheet->patches.reserve(sheet->cells.size());
+  SheetBuilder<Sheet>(around, neighbourhood, *sheet).build();
+  sheet_ = std::move(sheet);
+}
+
+AroundSurface::~AroundSurface() = default;
+
+std::vector<MaterialMesh> AroundSurface::meshes() const { return Divider<Sheet>(*sheet_, neighbourhood_).divide(); }
+
+std::optional<double> AroundSurface::height_m_at(Vec2 place) const {
+  const auto in_cell = [&](std::uint32_t cell) -> std::optional<double> {
+    for (std::uint32_t f = sheet_->first_face[cell]; f < sheet_->first_face[cell + 1]; ++f) {
+      const Sheet::Face& face = sheet_->faces[f];
+      if (face.kind != Sheet::FaceKind::kGround) break;
+      const std::vector<Vec3>& at = sheet_->positions;
+      const auto height_m = height_in({at[face.corners[0]], at[face.corners[1]], at[face.corners[2]]}, place);
+      if (height_m) return height_m;
+    }
+    return std::nullopt;
+  };
+  const std::uint32_t own = sheet_->index.at(place);
+  if (own != CellIndex::kNone)
+    if (const auto height_m = in_cell(own)) return height_m;
+  // its vertices are moved, so a place may be in a triangle of a neighbour
+  const double side_m = own == CellIndex::kNone ? neighbourhood_.finest_m : sheet_->cells[own].side_m;
+  for (const Vec2 aside :
+       {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}, Vec2{1, 1}, Vec2{-1, 1}, Vec2{-1, -1}, Vec2{1, -1}}) {
+    const std::uint32_t beside = sheet_->index.at(place + aside * (kJitter * side_m));
+    if (beside == CellIndex::kNone || beside == own) continue;
+    if (const auto height_m = in_cell(beside)) return height_m;
+  }
+  return std::nullopt;
+}
+
+const Patch* AroundSurface::patch_at(Vec2 place) const {
+  const std::uint32_t cell = sheet_->index.at(place);
+  return cell == CellIndex::kNone ? nullptr : &sheet_->patches[cell];
+}
+
+double AroundSurface::distance_from_grid_m() const {
+  constexpr double kNear_m = 256;
+  double most_m = 0;
+  for (std::size_t row = 0; row < around_.rows(); ++row)
+    for (std::size_t column = 0; column < around_.columns(); ++column) {
+      const Vec2 p = around_.vertex(column, row);
+      if (neighbourhood_.away_m({p, p}) < kNear_m) continue;
+      const auto height_m = height_m_at(p);
+      if (!height_m) continue;
+      const double grid_m = around_.heights_m[around_.index(column, row)] - lowered_m(neighbourhood_, p);
+      most_m = std::max(most_m, std::abs(*height_m - grid_m));
+    }
+  return std::ceil(most_m);
 }
 
 }  // namespace citykiln::surroundings

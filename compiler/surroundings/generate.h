@@ -7,10 +7,15 @@
 //     ▒▒▒▒▒▒▒▒▒ tile
 #pragma once
 
+#include <array>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <vector>
 
+#include "compiler/map/land_cover_class.h"
 #include "compiler/materials/material_mesh.h"
+#include "compiler/surroundings/cells.h"
 #include "compiler/surroundings/recipe.h"
 
 namespace citykiln::surroundings {
@@ -21,24 +26,59 @@ struct BorderGround {
   bool is_sea = false;
 };
 
-/// The extent, its tiles and the materials of the land around them.
+/// The land cover of a cell.
+struct Patch {
+  map::LandCoverClass cover{};
+  std::array<double, 3> tint = {1, 1, 1};  ///< A factor of the class's linear colour, such as a field's.
+  double raised_m = 0;                     ///< The height of the canopy of a wood; 0: none.
+  auto operator<=>(const Patch&) const = default;
+};
+
+/// The extent, its tiles and the look of the land around them. Places are plane metres; heights are above sea level.
 struct Neighbourhood {
-  bool is_curved = true;  ///< True: land is lowered by the Earth's curvature. False: flat, to be bent afterwards.
-  Box2 extent;            ///< The extent; land beyond it is lowered.
-  std::function<bool(Vec2)> is_in_tile;         ///< True if a tile covers the cell of the grid with this centre.
+  bool is_curved = true;       ///< True: land is lowered by the Earth's curvature. False: flat, to be bent afterwards.
+  Box2 extent;                 ///< The extent; land beyond it is lowered.
+  std::int32_t finest_m = 32;  ///< The side of the cells beside tiles (CellSizes).
+  std::function<double(const Box2&)> away_m;    ///< The distance of a box from the tiles; 0 where they touch.
+  std::function<bool(Vec2)> is_in_tile;         ///< True if a tile covers a place that is on no tile's border.
   std::function<BorderGround(Vec2)> on_border;  ///< The ground of the tiles at a place on their border.
-  std::function<materials::SurfaceMaterial(Vec3, Vec3)> land_at;  ///< The material of land by place and unit normal.
+  std::function<double(Vec2)> height_m_at;      ///< The height of the land elsewhere.
+  std::function<Patch(const Cell&)> patch_of;   ///< The land cover of a cell.
+  std::function<materials::Material(const Patch&, Vec3, Vec3)> material_at;  ///< By middle and unit normal of a face.
+  /// The tint of a material at a vertex, with its place and unit normal.
+  std::function<materials::Tint(const Patch&, materials::Material, Vec3, Vec3)> tint_at;
 };
 
 /// The largest distance between vertices on the border of tiles, and the depth of the skirt there, which hides that
 /// graded ground beside a road is up to a few metres off the terrain.
 inline constexpr double kBorderStep_m = 16, kSkirt_m = 12;
 
-/// Returns the surface of all cells that no tile covers: one mesh for each material, with normals and tints per vertex.
-/// A triangle is sea if all its corners are sea, else land. Positions are multiples of 2^-7 m. Same bytes on every CPU.
-///
-/// Guarantees: no gap between two cells; on the border of tiles the heights of on_border(). O(n).
-/// @param around  Not empty; its lines include the borders of tiles.
-std::vector<materials::MaterialMesh> generate(const Surroundings& around, const Neighbourhood& neighbourhood);
+/// The surface of the land and sea around the tiles.
+class AroundSurface {
+ public:
+  /// @param around  Not empty.
+  AroundSurface(const Surroundings& around, const Neighbourhood& neighbourhood);
+  ~AroundSurface();
+
+  /// Returns the surface of all cells that no tile covers: one mesh for each material, with normals and tints per
+  /// vertex. A triangle is sea if all its corners are sea, else it has the look of its cell. Cells with a canopy are
+  /// raised by its height, and have sides. Positions are multiples of 2^-7 m. Same bytes on every CPU.
+  ///
+  /// Guarantees: no gap between two cells; on the border of tiles the heights of on_border(). O(n log n).
+  std::vector<materials::MaterialMesh> meshes() const;
+  /// Returns the height of the ground, canopies left out, in the frame of the mesh; empty in tiles and beyond the end.
+  std::optional<double> height_m_at(Vec2 place) const;
+  /// Returns the patch of the cell at a place; null in tiles and beyond the end.
+  const Patch* patch_at(Vec2 place) const;
+  /// The largest vertical distance of a vertex of the grid from the surface, rounded up to whole metres; vertices in
+  /// tiles, and within 256 m of them, are not counted.
+  double distance_from_grid_m() const;
+
+ private:
+  struct Sheet;
+  const Surroundings& around_;
+  const Neighbourhood& neighbourhood_;
+  std::unique_ptr<const Sheet> sheet_;
+};
 
 }  // namespace citykiln::surroundings

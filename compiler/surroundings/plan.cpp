@@ -102,16 +102,26 @@ std::vector<bool> sample(std::span<const RasterSampler> samplers, const map::Pla
   return known;
 }
 
-bool knows_far_places(const Surroundings& around, const std::vector<bool>& known, const Box2& extent) {
+// Gives the vertices in the extent its own heights, as known ones.
+void take_heights_of_extent(const Place& place, Surroundings& around, std::vector<bool>& known) {
   for (std::size_t row = 0; row < around.rows(); ++row)
-    for (std::size_t column = 0; column < around.columns(); ++column)
-      if (known[around.index(column, row)] && away_m(extent, around.vertex(column, row)) >= kLeastKnown_m) return true;
-  return false;
+    for (std::size_t column = 0; column < around.columns(); ++column) {
+      const Vec2 p = around.vertex(column, row);
+      if (!place.extent.contains(p)) continue;
+      const std::size_t at = around.index(column, row);
+      const bool has_height = place.heights != nullptr && !place.heights->heights.empty();
+      const double height_m = has_height ? std::floor(map::height_m_at(*place.heights, p) + 0.5) : 0;
+      around.heights_m[at] = static_cast<std::int32_t>(std::clamp(height_m, -kHighest_m, kHighest_m)), known[at] = true;
+    }
 }
 
 bool is_sea(const Place& place, Vec2 p, bool is_known, std::int32_t height_m) {
   if (!place.extent.contains(p)) return is_known && height_m <= 0;
-  return std::ranges::any_of(place.sea, [&](const auto& sea) { return ground::winding_number(sea, p) > 0; });
+  // polygons end at the extent's sides
+  constexpr double kInside_m = 0.5;
+  const Vec2 low = place.extent.min + Vec2{kInside_m, kInside_m}, high = place.extent.max - Vec2{kInside_m, kInside_m};
+  const Vec2 inside{std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y)};
+  return std::ranges::any_of(place.sea, [&](const auto& sea) { return ground::winding_number(sea, inside) > 0; });
 }
 
 void find_sea(const Place& place, const std::vector<bool>& known, Surroundings& around) {
@@ -168,7 +178,6 @@ void state_errors(std::span<const source::Raster> rasters, std::span<const Raste
 }  // namespace
 
 Result<Surroundings> plan(std::span<const source::Raster> rasters, const map::Plane& plane, const Place& place) {
-  if (rasters.empty()) return Surroundings();
   const Result<std::vector<RasterSampler>> samplers = map::samplers_of(rasters);
   if (!samplers) return samplers.error();
   Surroundings around{.x_m = lines_for(place.extent.min.x, place.extent.max.x, place.tile_m),
@@ -176,8 +185,8 @@ Result<Surroundings> plan(std::span<const source::Raster> rasters, const map::Pl
                       .heights_m = {},
                       .covers = {}};
   if (around.columns() > kMostLines || around.rows() > kMostLines) return Surroundings();
-  const std::vector<bool> known = sample(*samplers, plane, !place.sea.empty(), around);
-  if (!knows_far_places(around, known, place.extent)) return Surroundings();
+  std::vector<bool> known = sample(*samplers, plane, !place.sea.empty(), around);
+  if (std::ranges::find(known, true) == known.end()) take_heights_of_extent(place, around, known);
   around.covers.assign(around.heights_m.size(), Cover::kLand);
   if (!place.sea.empty()) find_sea(place, known, around);
   fill_unknown(known, around);

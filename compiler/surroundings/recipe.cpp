@@ -56,7 +56,8 @@ double height_m_at(const Surroundings& around, Vec2 place) {
 
 Cover cover_at(const Surroundings& around, Vec2 place) {
   assert(!around.is_empty());
-  return around.covers[around.index(between(around.x_m, place.x).line, between(around.y_m, place.y).line)];
+  const auto nearest = [](const Between& at) { return at.line + (at.share > 0.5 ? 1 : 0); };
+  return around.covers[around.index(nearest(between(around.x_m, place.x)), nearest(between(around.y_m, place.y)))];
 }
 
 }  // namespace citykiln::surroundings

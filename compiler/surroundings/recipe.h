@@ -50,7 +50,7 @@ inline constexpr std::size_t kMostLines = 4096;
 /// n).
 /// @param around  Not empty.
 double height_m_at(const Surroundings& around, Vec2 place);
-/// Returns the cover of the vertex south-west of a place; outside of the grid, of a vertex on its border.
+/// Returns the cover of the vertex nearest to a place; outside of the grid, of a vertex on its border.
 Cover cover_at(const Surroundings& around, Vec2 place);
 
 }  // namespace citykiln::surroundings

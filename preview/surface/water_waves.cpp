@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+
+#include "compiler/materials/noise.h"
 
 namespace citykiln::preview {
 namespace {
@@ -22,18 +25,33 @@ constexpr Wave kWaves[] = {{10.30, 5.93, 0.0, 0.045}, {2.10, 7.05, 1.7, 0.045}, 
                            {0.66, -0.09, 3.4, 0.026}, {0.205, 0.358, 1.1, 0.020}};
 constexpr double kFinest = 0.0039;
 
+// Crests wander, so that sines do not show as a comb: phases change by up to this angle over some wavelengths.
+constexpr double kWander_rad = 4.5, kWanderWaves = 4;
+// Waves of this many pixels are not seen, and waves of kSeenInFull are seen in full. Two samples a wave are too few.
+constexpr double kUnseen_px = 2, kSeenInFull_px = 8;
+
+// The length of a pixel in the direction of a wave.
+double length_along(const Footprint& footprint, Vec2 direction) {
+  const double along = dot(direction, footprint.along) * footprint.along_m,
+               across = cross(direction, footprint.along) * footprint.across_m;
+  return std::sqrt(along * along + across * across);
+}
+
 }  // namespace
 
-Waves waves_at(Vec2 place, double footprint_m) {
-  assert(footprint_m > 0);
+Waves waves_at(Vec2 place, const Footprint& footprint) {
+  assert(footprint.along_m > 0 && footprint.across_m > 0);
   double slope_x = 0, slope_y = 0, spread = kFinest;
+  std::uint64_t key = 0;
   for (const Wave& wave : kWaves) {
+    ++key;
     const double k = std::sqrt(wave.kx * wave.kx + wave.ky * wave.ky), length_m = 2 * std::numbers::pi / k;
-    // waves of four pixels and more are seen in full, waves of one pixel not at all
-    const double seen = std::clamp((length_m / footprint_m - 1) / 3, 0.0, 1.0);
+    const double pixels = length_m / length_along(footprint, Vec2{wave.kx, wave.ky} * (1 / k));
+    const double seen = std::clamp((pixels - kUnseen_px) / (kSeenInFull_px - kUnseen_px), 0.0, 1.0);
     spread += (1 - seen * seen) * wave.slope * wave.slope / 4;
     if (seen == 0) continue;
-    const double slope = seen * wave.slope * std::cos(wave.kx * place.x + wave.ky * place.y + wave.phase) / k;
+    const double wander = kWander_rad * materials::noise_at(place, kWanderWaves * length_m, key);
+    const double slope = seen * wave.slope * std::cos(wave.kx * place.x + wave.ky * place.y + wave.phase + wander) / k;
     slope_x += slope * wave.kx;
     slope_y += slope * wave.ky;
   }

@@ -11,9 +11,15 @@ struct Waves {
   double slope_spread = 0;  ///< Variance, in one direction, of the slope of all shorter waves.
 };
 
+/// The part of the surface that a pixel covers, in plan.
+struct Footprint {
+  Vec2 along{1, 0};                  ///< Unit; the direction of view.
+  double along_m = 1, across_m = 1;  ///< Lengths along it and across. > 0.
+};
+
 /// Returns the waves at a place of the plane, in metres. They depend on the place alone, and are smooth. The total
-/// variance is the same for any footprint.
-/// @param footprint_m  Length of the part of the surface that a pixel covers. > 0.
-Waves waves_at(Vec2 place, double footprint_m);
+/// variance is the same for any footprint. A wave is seen if a pixel is shorter than a part of it in the wave's
+/// direction: at grazing angles, waves along the view vanish before those across it.
+Waves waves_at(Vec2 place, const Footprint& footprint);
 
 }  // namespace citykiln::preview

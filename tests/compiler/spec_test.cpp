@@ -101,16 +101,34 @@ TEST(Spec, ParsesEverySetting) {
 
 TEST(Spec, ErrorsSayTheExpectedValue) {
   const std::pair<const char*, const char*> rows[] = {
-      {"bbox", "1,2,3"},    {"bbox", "3,1,2,2"}, {"bbox", "1,2,x,4"},   {"origin", "1"},    {"tile", "100"},
-      {"tile", "0"},        {"only", "1-2"},     {"emit", "obj"},       {"lods", "1,1"},    {"lods", "0,1"},
-      {"lods", ""},         {"lods", "0.1,500"}, {"lods", "1e9"},       {"target", "maya"}, {"split", "road"},
-      {"drive-on", "top"},  {"seed", "-1"},      {"threads", "-1"},     {"threads", "1.5"}, {"strict", "yes"},
-      {"dem", "a,bound=1"}, {"time", "noon"},    {"snow-line", "high"}, {"world", "torus"}, {"compress", "zip"},
-      {"fill", "all"}};
+      {"bbox", "1,2,3"},    {"bbox", "3,1,2,2"},     {"bbox", "1,2,x,4"},   {"origin", "1"},    {"tile", "100"},
+      {"tile", "0"},        {"only", "1-2"},         {"emit", "obj"},       {"lods", "1,1"},    {"lods", "0,1"},
+      {"lods", ""},         {"lods", "0.1,500"},     {"lods", "1e9"},       {"target", "maya"}, {"split", "road"},
+      {"drive-on", "top"},  {"seed", "-1"},          {"threads", "-1"},     {"threads", "1.5"}, {"strict", "yes"},
+      {"dem", "a,bound=1"}, {"time", "noon"},        {"snow-line", "high"}, {"world", "torus"}, {"compress", "zip"},
+      {"fill", "all"},      {"surroundings", "some"}};
   for (const auto& [name, text] : rows) {
     EXPECT_NE(objection(name, text).find("expected "), std::string::npos)
         << name << " " << text << ": " << objection(name, text);
   }
+}
+
+TEST(Spec, SurroundingsAreThereUnlessNoneAreWanted) {
+  CompileSpec spec;
+  EXPECT_EQ(spec.outputs.surroundings, AroundWish::kWherePossible);
+  for (const auto& [text, wish] :
+       {std::pair{"true", AroundWish::kYes}, std::pair{"none", AroundWish::kNo}, std::pair{"false", AroundWish::kNo}}) {
+    ASSERT_TRUE(apply(setting_named("surroundings"), text, spec)) << text;
+    EXPECT_EQ(spec.outputs.surroundings, wish) << text;
+  }
+}
+
+TEST(Spec, InsideOfACylinderSurroundingsAreRefusedOnlyIfAskedFor) {
+  CompileSpec spec;
+  spec.world = World::kCylinder;
+  EXPECT_TRUE(check_world(spec));
+  spec.outputs.surroundings = AroundWish::kYes;
+  EXPECT_FALSE(check_world(spec));
 }
 
 TEST(Spec, TextsOfTimeCloudsAndGeoidBecomeValuesAtOnce) {

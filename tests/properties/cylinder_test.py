@@ -69,7 +69,8 @@ class Cylinder(ProgramTest):
 
     def test_the_manifest_differs_by_its_sky_alone(self):
         flat = self.folder / "flat"
-        self.assertEqual(run(*MAP, "--lods", "0.5,2.5", "--compress", "none", "--target", "godot", "--emit", "glb", "--lights", 64, "-o", flat).returncode, 0)
+        self.assertEqual(run(*MAP, "--lods", "0.5,2.5", "--compress", "none", "--target", "godot", "--emit", "glb", "--lights", 64,
+                             "--surroundings", "none", "-o", flat).returncode, 0)
         levels = [r["tiles"] for r in (report_of(flat), report_of(self.town()))]
         self.assertEqual([t["file"] for t in levels[0]], [t["file"] for t in levels[1]])
         for plane, bent in zip(*levels):
@@ -90,6 +91,12 @@ class Cylinder(ProgramTest):
                    "-o", self.folder / "p.png")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("inside of a cylinder is baked before it is rendered", done.stdout + done.stderr)
+
+    def test_the_land_around_is_left_out_with_a_note(self):
+        done = run(*inside("--emit", "glb", "-o", self.folder / "note", levels_m="2.5"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("note: no surroundings are written: there is no land around a map inside of a cylinder", done.stdout + done.stderr)
+        self.assertFalse((self.folder / "note" / "glb" / "surroundings.glb").exists())
 
     def refused(self, arguments, *words):
         done = run(*arguments)

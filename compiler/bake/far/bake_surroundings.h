@@ -23,12 +23,11 @@ enum class EarthCurve {
 ///
 /// - On the border of a tile, heights are those of its terrain. Tiles of the extent without a chunk are part of the
 ///   land around.
-/// - Colours follow the land cover along the edge of the scene. Near the edge, land has the mean colour of that edge in
-///   its direction; farther away this fades into the mean of all directions. Woods end at the tree line
-///   (plants/tree_line.h); above it are meadow and rock, and snow above the snow line. Steep ground is rock.
-/// - error_m is the error of the grid of heights. There are no features.
+/// - Land cover goes on as at the edge (patchwork.h), with its colours there (far_land.h); with it buildings
+///   (far_buildings.h), and roads and rivers that leave the scene (far_ways.h).
+/// - error_m is the error of the grid of heights, plus the distance of the mesh from it. There are no features.
 ///
-/// Guarantees: same bytes on every CPU. Cannot fail. Cost: 0.2 s.
+/// Guarantees: same bytes on every CPU. Cannot fail. Cost: 0.5 s.
 std::optional<BakedTile> bake_surroundings(const scene::Scene& scene, EarthCurve curve = EarthCurve::kAsSeen);
 
 }  // namespace citykiln::bake

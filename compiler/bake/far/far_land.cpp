@@ -26,6 +26,8 @@ constexpr int kBlur = kDirections / 8;
 
 // Rock begins to show at 35°, and all is rock at 48°.
 constexpr double kFirstRockCosine = 0.819;
+// The colour of canopies relative to that of a wood's floor: crowns shade each other, and are greener.
+constexpr TintFactor kCrowns = {0.46, 0.62, 0.40};
 // Towns grow on land below 6°, and on none above 14°, a slope of 1 in 4.
 constexpr double kTownCosine = 0.9945, kTownEndsCosine = 0.970;
 // Between these belts rock grows to this share of level ground.
@@ -61,7 +63,8 @@ Colour in_month(Material material, plants::Month month) {
   return {colour[0] * tint.red, colour[1] * tint.green, colour[2] * tint.blue};
 }
 
-// The colour of a class at the origin: with straw and bare ground in dry climates, otherwise as in the month.
+}  // namespace
+
 Colour colour_of_cover(map::LandCoverClass cover, const scene::Header& header) {
   const climate::ClimateMix own(header.climate.origin_class);
   const ground::DryShares dry = ground::dry_shares(cover, own, local_month_of(header));
@@ -71,6 +74,8 @@ Colour colour_of_cover(map::LandCoverClass cover, const scene::Header& header) {
   const Colour soil = colour_of(Material::kDryGround);
   return {soil[0] * tint.red, soil[1] * tint.green, soil[2] * tint.blue};
 }
+
+namespace {
 
 bool is_built(LandCoverGroup group) {
   switch (group) {
@@ -199,17 +204,70 @@ FarLand far_land_of(const scene::GroundLookup& lookup, const scene::Header& head
   return land;
 }
 
+namespace {
+
+bool is_snow(const FarLand& land, Vec3 place, Vec3 normal) {
+  const GroundFace face{.surface = map::LandCoverClass::kMeadow, .normal = normal, .centre = place};
+  return material_of(face, land.header.snow_line_m, land.header.seed) == Material::kSnow;
+}
+
+plants::Habitat habitat_of(const FarLand& land, Vec3 place, Vec3 normal) {
+  return plants::habitat_at({}, land.header.origin.lat_deg, in_plan(place), place.z, normal, false);
+}
+
+// The colour far from the edge, without rock.
+Colour soft_colour(const FarLand& land, const plants::Habitat& habitat, Vec3 normal) {
+  const EdgeCover cover = cover_at(land, habitat.at);
+  return mixed(growing_at(land, cover, habitat), cover.built, built_share(cover, normal));
+}
+
+Colour times(const Colour& a, double red, double green, double blue) { return {a[0] * red, a[1] * green, a[2] * blue}; }
+
+materials::Tint tint_to(const Colour& colour, Material material) {
+  const Colour base = colour_of(material);
+  return bake::tint_of({colour[0] / base[0], colour[1] / base[1], colour[2] / base[2]}, {});
+}
+
+}  // namespace
+
 materials::SurfaceMaterial far_material_of(const FarLand& land, Vec3 place, Vec3 normal) {
   assert(!land.ring.empty());
-  const Vec2 at = in_plan(place);
-  const GroundFace face{.surface = map::LandCoverClass::kMeadow, .normal = normal, .centre = place};
-  if (material_of(face, land.header.snow_line_m, land.header.seed) == Material::kSnow) return {Material::kSnow};
-  const plants::Habitat habitat = plants::habitat_at({}, land.header.origin.lat_deg, at, place.z, normal, false);
-  const EdgeCover cover = cover_at(land, at);
-  const Colour soft = mixed(growing_at(land, cover, habitat), cover.built, built_share(cover, normal));
-  const Colour colour = mixed(soft, colour_of(Material::kRock), rock_share(habitat.belt_m, normal));
+  if (is_snow(land, place, normal)) return {Material::kSnow};
+  const plants::Habitat habitat = habitat_of(land, place, normal);
+  const Colour colour =
+      mixed(soft_colour(land, habitat, normal), colour_of(Material::kRock), rock_share(habitat.belt_m, normal));
   const Material base = base_of(land.header);
-  return {base, far_tint(colour, base, place_tint(at, Material::kMeadow, land.header.seed))};
+  return {base, far_tint(colour, base, place_tint(in_plan(place), Material::kMeadow, land.header.seed))};
+}
+
+Material material_of(const FarLand& land, const surroundings::Patch& patch, Vec3 place, Vec3 normal, double away_m) {
+  const bool is_shore = patch.cover == map::LandCoverClass::kSea;
+  if (map::values_of(patch.cover).group == LandCoverGroup::kWater && !is_shore) return Material::kWater;
+  if (is_snow(land, place, normal)) return Material::kSnow;
+  const Material base = base_of(land.header);
+  if (is_shore || base == Material::kDryGround || away_m > kOwnMaterial_m) return base;
+  const bool is_rocky = patch.raised_m == 0 && rock_share(habitat_of(land, place, normal).belt_m, normal) > 0.25;
+  return is_rocky ? base : map::values_of(patch.cover).material;
+}
+
+materials::Tint tint_of(const FarLand& land, const surroundings::Patch& patch, Material material, Vec3 place,
+                        Vec3 normal, double away_m) {
+  if (material == Material::kSnow) return materials::kNoTint;
+  if (patch.cover == map::LandCoverClass::kSea) return tint_to(colour_of(Material::kScree), material);
+  const map::LandCoverValues& values = map::values_of(patch.cover);
+  const plants::Habitat habitat = habitat_of(land, place, normal);
+  const TintFactor own_place = place_tint(in_plan(place), values.material, land.header.seed);
+  const TintFactor meadow_place = place_tint(in_plan(place), Material::kMeadow, land.header.seed);
+  const Colour own =
+      times(times(colour_of_cover(patch.cover, land.header), patch.tint[0], patch.tint[1], patch.tint[2]),
+            own_place.red, own_place.green, own_place.blue);
+  const Colour far = times(soft_colour(land, habitat, normal), meadow_place.red, meadow_place.green, meadow_place.blue);
+  const double light = 1 + 0.35 * materials::noise_at(in_plan(place), 30, 5);
+  const TintFactor crowns = patch.raised_m > 0 ? times(kCrowns, {light, light, light}) : TintFactor{};
+  const Colour soft =
+      mixed(times(own, crowns.red, crowns.green, crowns.blue), far, rises(kPatches_m, kPatchesEnd_m, away_m));
+  const double rock = patch.raised_m > 0 ? 0 : rock_share(habitat.belt_m, normal);
+  return tint_to(mixed(soft, colour_of(Material::kRock), rock), material);
 }
 
 }  // namespace citykiln::bake

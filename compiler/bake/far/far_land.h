@@ -6,6 +6,7 @@
 
 #include "compiler/materials/material.h"
 #include "compiler/scene/ground_lookup.h"
+#include "compiler/surroundings/generate.h"
 
 namespace citykiln::bake {
 
@@ -38,6 +39,25 @@ FarLand far_land_of(const scene::GroundLookup& lookup, const scene::Header& head
 /// @param place   Plane metres; z is the height above sea level.
 /// @param normal  Unit length.
 materials::SurfaceMaterial far_material_of(const FarLand& land, Vec3 place, Vec3 normal);
+
+/// The material of a face of the land around: of its patch near the edge, farther out the one of far_material_of().
+/// Steep or high land near the edge is as far land.
+/// @param place   Plane metres; z is the height above sea level.
+/// @param normal  Unit length.
+/// @param away_m  The distance from the tiles.
+materials::Material material_of(const FarLand& land, const surroundings::Patch& patch, Vec3 place, Vec3 normal,
+                                double away_m);
+/// The tint that gives a material the colour of the land around. Beside the edge that is the colour of the ground of
+/// tiles; between kPatches_m and kPatchesEnd_m it fades into the colour of far_material_of().
+materials::Tint tint_of(const FarLand& land, const surroundings::Patch& patch, materials::Material material, Vec3 place,
+                        Vec3 normal, double away_m);
+/// The colour of a class at the origin in the scene's month: linear reflectance.
+Colour colour_of_cover(map::LandCoverClass cover, const scene::Header& header);
+
+/// The distances from the edge up to which land has the full colour of its patch, and from which it has none of it.
+inline constexpr double kPatches_m = 600, kPatchesEnd_m = 5000;
+/// The distance up to which faces have the material of their patch.
+inline constexpr double kOwnMaterial_m = 1500;
 
 /// The distance from the edge at which half the difference between the colour of a direction and the mean colour is
 /// left.

@@ -36,6 +36,8 @@ Result<CompileSpec> spec_for(const Plan& plan, const PlannedRegion& region, cons
   if (!spec) return spec;
   spec->only = regions::tiles_of(plan.grid, region.key);
   spec->outputs.folder = outputs_path(plan_folder, region.key);
+  // gather writes the land around the whole
+  spec->outputs.surroundings = AroundWish::kNo;
   return spec;
 }
 

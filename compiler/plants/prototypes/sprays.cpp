@@ -17,12 +17,12 @@ using materials::MaterialMesh;
 
 struct Spray {
   std::string_view name;
-  int leaves;
+  int twigs, leaves;
   double length, width, lean, spread;
 };
 
 constexpr Spray kSprays[] = {
-#define SPRAY(name, leaves, length, width, lean, spread) {name, leaves, length, width, lean, spread},
+#define SPRAY(name, twigs, leaves, length, width, lean, spread) {name, twigs, leaves, length, width, lean, spread},
 #include "lsystems/species/species.inc"
 };
 
@@ -85,6 +85,20 @@ void add_leaves(Shaded& shaded, const Spray& spray, double leaf_share, const Spr
   add_leaf(shaded.by_shade[0], on.stalk, on.turned({0, 1 - 0.6 * spray.length}), kTwig * length(on.along), 0);
 }
 
+// The leaves of a spray: of one twig, or of twigs on both sides of a longer one.
+void add_spray(Shaded& shaded, const Spray& spray, double leaf_share) {
+  constexpr double kTwigLength = 0.46, kTwigLean = 0.12;
+  if (spray.twigs == 1) return add_leaves(shaded, spray, leaf_share, {}, RandomSequence(1, StableId{}, "spray"));
+  add_leaf(shaded.by_shade[0], {0, 0}, {0, 1 - kTwigLength}, kTwig, 0);
+  for (int i = 0; i < spray.twigs; ++i) {
+    const RandomSequence draw(1, stable_id(StableId{}, "twig", static_cast<std::uint64_t>(i)), "spray");
+    const bool is_tip = i + 1 == spray.twigs;
+    const double side = is_tip ? 0 : i % 2 == 0 ? 1 : -1, place = i / (spray.twigs - 1.0);
+    const Vec2 out = direction_of(0.25 + side * kTwigLean * draw.between(0.8, 1.3, 90)) * kTwigLength;
+    add_leaves(shaded, spray, leaf_share, {{0, place * (1 - kTwigLength)}, {out.x * spray.spread, out.y}}, draw);
+  }
+}
+
 // Sprays that point away from the middle, evenly over the ellipse in the picture (a sunflower's seeds).
 void add_clump(Shaded& shaded, const Spray& spray, double leaf_share) {
   constexpr double kLong = 0.34, kGoldenTurn = 0.381966;
@@ -123,7 +137,7 @@ impostor::Picture picture_of_spray(std::string_view name, materials::Material ma
   Shaded shaded;
   const Spray* spray = spray_called(name);
   if (spray != nullptr && is_clump) add_clump(shaded, *spray, leaf_share);
-  if (spray != nullptr && !is_clump) add_leaves(shaded, *spray, leaf_share, {}, RandomSequence(1, StableId{}, "spray"));
+  if (spray != nullptr && !is_clump) add_spray(shaded, *spray, leaf_share);
   if (spray == nullptr) name.empty() ? add_unit_card(shaded) : add_disc(shaded);
   std::vector<MaterialMesh> meshes;
   for (std::size_t s = 0; s < kShades.size(); ++s)

@@ -98,14 +98,43 @@ TEST(PlanSurroundings, BesideTheExtentHeightsAreThoseOfTheHeightmap) {
     }
 }
 
-TEST(PlanSurroundings, WithoutHeightmapsOrKnowledgeOfTheLandAroundNothingIsPlanned) {
-  EXPECT_TRUE(planned({}).is_empty());
-  EXPECT_EQ(planned({}), Surroundings());
+TEST(PlanSurroundings, WithoutHeightmapsTheLandGoesOnAtTheHeightsOfTheExtent) {
+  const Surroundings level = planned({});
+  ASSERT_FALSE(level.is_empty());
+  EXPECT_TRUE(is_sound(level));
+  EXPECT_EQ(std::ranges::count(level.heights_m, 0), std::ssize(level.heights_m));
+  const map::Heightfield heights{
+      .min = {-2048, -2048}, .step_m = {4096, 4096}, .columns = 2, .rows = 2, .heights = {6400, 6400, 6400, 6400}};
+  Place place = kPlace;
+  place.heights = &heights;
+  const Surroundings high = planned({}, place);
+  EXPECT_EQ(std::ranges::count(high.heights_m, 100), std::ssize(high.heights_m));
+}
+
+TEST(PlanSurroundings, WithoutHeightmapsTheSeaGoesOnBeyondTheEdge) {
+  Place place = kPlace;
+  place.sea = {{.id = {{OsmType::kWay, 1}, 0},
+                .surface = map::LandCoverClass::kSea,
+                .rings = {{{-1664, -1664}, {2048, -1664}, {2048, 0}, {-1664, 0}}}}};
+  const Surroundings around = planned({}, place);
+  for (const double x : {-9000.0, 0.0, 9000.0}) {
+    EXPECT_EQ(cover_at(around, {x, -1000}), Cover::kSea) << x;
+    EXPECT_EQ(cover_at(around, {x, -20000}), Cover::kSea) << x;
+    EXPECT_EQ(cover_at(around, {x, 800}), Cover::kLand) << x;
+    EXPECT_EQ(cover_at(around, {x, 20000}), Cover::kLand) << x;
+  }
+}
+
+TEST(PlanSurroundings, HeightmapsOfTheExtentAloneGoOnBeyondIt) {
   // 42.49 to 42.52 by 1.5 to 1.53 is not more than the extent
   source::Raster small = raster_of(hills_m, 1.502, 1.542);
   small.from_grid[3] = 42.517, small.rows = 6;
   small.heights_m.resize(static_cast<std::size_t>(small.rows) * small.columns);
-  EXPECT_TRUE(planned({small}).is_empty());
+  const Surroundings around = planned({small});
+  ASSERT_FALSE(around.is_empty());
+  const auto [low_m, high_m] = std::ranges::minmax(around.heights_m);
+  EXPECT_GT(low_m, 400);
+  EXPECT_LT(high_m, 2500);
 }
 
 TEST(PlanSurroundings, WhereNoHeightIsKnownNoWallStands) {

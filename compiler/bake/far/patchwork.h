@@ -1,0 +1,48 @@
+// The land cover around a scene: the cover along its edge, mirrored outwards.
+//
+//     ┌──────────┐
+//     │ scene    │    a place beyond the edge has the cover of the place as far inside of it: at the edge land goes on
+//     │     a  b │ b  a    without a step. Noise, which grows with the distance, moves places, so that it does not look
+//     │          │         mirrored.
+//     └──────────┘
+#pragma once
+
+#include "compiler/bake/ground/ground_tint.h"
+#include "compiler/scene/ground_lookup.h"
+#include "compiler/surroundings/generate.h"
+
+namespace citykiln::bake {
+
+/// The depth of the land along the edge that is mirrored.
+inline constexpr double kMirrored_m = 600;
+/// The distance from the edge up to which woods are canopies, and the height of these.
+inline constexpr double kCanopies_m = 1500, kCanopy_m = 11;
+
+/// The land cover around a scene.
+class Patchwork {
+ public:
+  /// @param lookup, header  Must outlive this object. The header has a grid of heights (Header::around).
+  Patchwork(const scene::GroundLookup& lookup, const scene::Header& header);
+
+  /// Returns the place in the scene that a place beyond its edge mirrors. Noise is not applied.
+  Vec2 mirrored(Vec2 place) const;
+  /// Returns by how much noise moves a place before it is mirrored: 0 at the edge.
+  Vec2 shift_at(Vec2 place) const;
+  /// Returns the box around the scene's tiles, at whose sides it is mirrored.
+  const Box2& box() const { return lookup_.box(); }
+  /// Returns the land cover of a cell: sea where the header's grid has sea; lakes only where land is level; no roads,
+  /// buildings or sports grounds. Beyond kPatchesEnd_m all is meadow, which no colour depends on there.
+  surroundings::Patch patch_of(const surroundings::Cell& cell, double away_m) const;
+
+ private:
+  bool is_usable(const scene::GroundPlace& ground) const;
+  bool is_lake(Vec2 from, Vec2 to, double away_m) const;
+  bool is_level(Vec2 place) const;
+  surroundings::Patch town_around(Vec2 from) const;
+  surroundings::Patch patch_from(const scene::GroundPlace& ground, double height_m, double away_m) const;
+
+  const scene::GroundLookup& lookup_;
+  const scene::Header& header_;
+};
+
+}  // namespace citykiln::bake
