@@ -97,6 +97,22 @@ std::vector<Vec3> SceneGrid::points() const {
   return points;
 }
 
+std::vector<SceneGrid::BuiltPoint> SceneGrid::built_points() const {
+  std::vector<BuiltPoint> points;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (columns_[i].built_m2 <= 0 || columns_[i].low_m > columns_[i].high_m) continue;
+    for (const double z : {columns_[i].low_m, columns_[i].high_m})
+      points.push_back({at_height(middle_of(i), z), columns_[i].built_m2});
+  }
+  return points;
+}
+
+double SceneGrid::top_m() const {
+  double top_m = -kFarBelow;
+  for (const Column& column : columns_) top_m = std::max(top_m, column.high_m);
+  return std::isfinite(top_m) ? top_m : 0;
+}
+
 double SceneGrid::built_about(std::size_t column, int radius) const {
   const int x = static_cast<int>(column) % kAcross, y = static_cast<int>(column) / kAcross;
   double sum = 0;

@@ -23,6 +23,15 @@ class SceneGrid {
   /// Returns the lowest and the highest point of every column that contains positions. So all land has the same weight,
   /// however dense its mesh is.
   std::vector<Vec3> points() const;
+  /// A point of a column, and the area of walls and roofs in it.
+  struct BuiltPoint {
+    Vec3 at;
+    double built_m2;
+  };
+  /// Returns the lowest and the highest point of every column in which something is built.
+  std::vector<BuiltPoint> built_points() const;
+  /// Returns the highest z of all columns; 0 without positions.
+  double top_m() const;
   /// Returns the core: the middle of the most densely built square of some 300 m, at the height of the ground. If
   /// nothing is built, the middle of the scene.
   Vec3 core_point() const { return core_; }

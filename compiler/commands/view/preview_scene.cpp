@@ -221,6 +221,7 @@ Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnPro
     Result<TileTree> tree = read_tile_tree(request.load, on_progress);
     if (!tree) return tree.error();
     scene.loaded.header = header_of(tree->manifest_path, tree->coarse);
+    scene.sky = sky_of(request.load, scene.loaded.header);
     scene.tree = std::move(*tree);
     return scene;
   }
