@@ -72,12 +72,20 @@ struct Frontage {
   int sunlit() const { return sunlit_left + sunlit_right; }
 };
 
+// True if the ground below a place is a street: not a yard, a lawn or a path in it.
+bool is_on_street(const ViewScene& scene, Vec3 from) {
+  const World& world = scene.look.world;
+  const auto hit = world.first_hit(from + Vec3{0, 0, 8} - world.origin(), {0, 0, -1});
+  return hit && (is_street(hit->material) || hit->material == Material::kConcrete || hit->material == Material::kPaint);
+}
+
 Frontage frontage_along(const ViewScene& scene, Vec3 eye, Vec3 direction, double ahead_m) {
   Frontage found{.ahead_m = ahead_m};
   std::set<OsmId> buildings;
   for (const double station_m : kStations_m) {
     if (station_m > ahead_m - 1) break;
     const Vec3 from = eye + direction * station_m;
+    if (!is_on_street(scene, from)) continue;
     const auto left = wall_at(scene, from, left_of(direction)), right = wall_at(scene, from, left_of(direction) * -1);
     found.both += left && right ? 1.0 / kStations_m.size() : 0;
     found.either += left || right ? 1.0 / kStations_m.size() : 0;
@@ -110,8 +118,11 @@ double worth_of_light(const ViewScene& scene, const Frontage& found, Vec3 direct
 }
 
 double worth_of(const ViewScene& scene, const Frontage& found, Vec3 direction) {
-  constexpr double kAlley_m = 5, kLane_m = 8, kLongEnough_m = 70;
-  const double width = found.width_m < kAlley_m ? 0.2 : found.width_m < kLane_m ? 0.6 : 1;
+  constexpr double kAlley_m = 6, kLane_m = 9, kBroad_m = 30, kLongEnough_m = 70;
+  const double width = found.width_m < kAlley_m   ? 0.15
+                       : found.width_m < kLane_m  ? 0.5
+                       : found.width_m > kBroad_m ? 0.6
+                                                  : 1;
   const double many = 0.4 + 0.6 * std::min(static_cast<double>(found.buildings) / 8, 1.0);
   const double length = std::sqrt(std::min(found.ahead_m / kLongEnough_m, 1.0));
   return (found.both + 0.2 * found.either + 0.02) * width * many * length * worth_of_light(scene, found, direction);
@@ -162,8 +173,9 @@ std::optional<Camera> view_along(const ViewScene& scene, Counts counts, int most
       const double ahead_m = scene.look.walk_m(*eye, bearing(number), kFarEnough_m);
       if (ahead_m < kLeastAhead_m) continue;
       const Frontage found = frontage_along(scene, *eye, bearing(number), ahead_m);
-      const double value = worth_of(scene, found, bearing(number));
-      if (value <= most || (found.both < 0.5 && is_wide_area(scene, *eye, bearing(number)))) continue;
+      const double wide = is_wide_area(scene, *eye, bearing(number)) ? 0.3 : 1;
+      const double value = worth_of(scene, found, bearing(number)) * wide;
+      if (value <= most || (wide < 1 && found.both < 0.25)) continue;
       if (const auto camera = composed(scene, *eye, bearing(number), found)) most = value, best = camera;
     }
   }
