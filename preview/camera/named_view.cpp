@@ -131,7 +131,7 @@ double built_radius_m(const SceneGrid& grid, Vec3 core) {
 // How much of a picture is filled by what is built, and by land; less where the scene ends below the horizon. -1: the
 // eye is too near to something, or below it.
 double worth_of_filling(const ViewScene& scene, const Camera& camera) {
-  constexpr double kTooNear_m = 50, kLand = 0.35, kVoid = 1;
+  constexpr double kTooNear = 0.4, kLand = 0.35, kVoid = 1;
   constexpr int kColumns = 8, kRows = 6;
   const World& world = scene.look.world;
   if (!scene.look.is_under_the_sky(camera.eye)) return -1;
@@ -143,7 +143,7 @@ double worth_of_filling(const ViewScene& scene, const Camera& camera) {
       const double x = (2 * (i + 0.5) / kColumns - 1) * slope * kAspect, y = (2 * (j + 0.5) / kRows - 1) * slope;
       const Vec3 ray = unit(forward + right * x + cross(right, forward) * y);
       const auto hit = world.first_hit(camera.eye - world.origin(), ray);
-      if (hit && hit->distance_m < kTooNear_m) return -1;
+      if (hit && hit->distance_m < kTooNear * length(camera.look_at - camera.eye)) return -1;
       if (hit) worth += is_built(hit->material) ? 1 : kLand;
       if (!hit && ray.z < -0.02) worth -= kVoid;
     }
@@ -163,7 +163,7 @@ double worth_of_sun_for(const std::optional<Vec3>& to_sun, const Camera& camera)
 Camera low_view(const ViewScene& scene) {
   constexpr int kSides = 16;
   // some 15 degrees down, as a town is seen from a hill
-  constexpr double kNearest_m = 180, kFarthest_m = 560, kRise = 0.27, kStoreys = 1.6, kLowFov_deg = 40;
+  constexpr double kNearest_m = 180, kFarthest_m = 560, kRise = 0.27, kStoreys = 2.4, kLowFov_deg = 40;
   const SceneGrid& grid = scene.grid;
   const Vec3 ground = grid.core_point();
   const double tall_m = std::max(0.0, grid.highest_m(in_plan(ground)) - ground.z);
