@@ -240,6 +240,16 @@ std::shared_ptr<const preview::Clouds> clouds_of(const PreviewScene& scene, cons
                                            request.load.threads);
 }
 
+// Clears the haze of a view that shows land from afar, so that a large extent is as clear as a small one: one sees at
+// least 20 times as far as the place looked at. Does nothing if the haze was asked for.
+void clear_haze(const PreviewRequest& request, const preview::Camera& camera, sky::Sky& sky) {
+  constexpr double kTimes = 20;
+  if (!request.camera.finds_view() || request.load.air.visibility_km || request.load.air.turbidity) return;
+  if (sky.visibility_km < sky::Sky{}.visibility_km) return;
+  const double wanted_km = kTimes * length(camera.look_at - camera.eye) / 1000;
+  sky.visibility_km = std::max(sky.visibility_km, std::min(wanted_km, sky::kClearest_km));
+}
+
 // The light of a scene, for the first camera.
 preview::Lights lights_of(const PreviewScene& scene, const preview::Camera& camera, const PreviewRequest& request) {
   if (scene.sky.inside) return preview::Lights(preview::InsideLights(scene.sky), scene.lamps);
@@ -291,6 +301,7 @@ Result<Exit> run_preview(const PreviewRequest& request, const Console& console) 
                  "shows worlds in the plane, found one inside of a cylinder; give -o FILE.png instead"};
   if (!request.is_interactive && leave_out_hiding_land(*scene, *cameras))
     console.print_line("note: the land around the map would hide it from here and is left out");
+  clear_haze(request, cameras->front(), scene->sky);
   const preview::Lights lights =
       *environment ? preview::Lights(**environment, scene->lamps) : lights_of(*scene, cameras->front(), request);
   const Stage stage{request, *scene, lights, console, options_of(request)};

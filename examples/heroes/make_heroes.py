@@ -16,12 +16,13 @@ import time
 
 @dataclasses.dataclass
 class Place:
-    """A world by `citykiln invent`: its kind, seed, side in metres, and where on the Earth it stands."""
+    """A world by `citykiln invent`: kind, seed, side in metres, place on the Earth; and options of `compile`."""
 
     kind: str
     seed: int
     size_m: int
     lon_lat: str
+    options: str = ""
 
 
 @dataclasses.dataclass
@@ -36,8 +37,8 @@ class Hero:
 
 PLACES = {
     "germany": Place("town", 3, 1024, "12.3,48.7"),
-    "greece": Place("village", 5, 1024, "23.9,38.1"),
-    "norway": Place("town", 8, 1024, "10.8,60.2"),
+    "greece": Place("town", 5, 1024, "23.9,38.1"),
+    "finland": Place("town", 8, 1024, "25.7,65.0", "--time 2026-01-20T10:20"),
     "illinois": Place("city", 4, 1536, "-87.7,41.9"),
     "arizona": Place("town", 6, 1024, "-112.0,33.5"),
     "brazil": Place("city", 9, 1280, "-46.6,-23.5"),
@@ -45,17 +46,16 @@ PLACES = {
     "japan": Place("town", 7, 1024, "139.6,35.7"),
     "singapore": Place("city", 1, 1280, "103.8,1.35"),
     "australia": Place("town", 12, 1024, "151.1,-33.8"),
-    "poland": Place("forest", 11, 768, "17.0,51.1"),
 }
 
 HEROES = {
     "europe_street_day": Hero("germany", "street", "2026-06-21T08:40"),
     "europe_village_evening": Hero("greece", "low", "2026-07-10T16:10"),
-    "europe_snow": Hero("norway", "street", "2026-01-20T11:10"),
-    "europe_town_fog": Hero("example", "low", "2026-10-04T06:20", "--fog 0.35 --visibility 12"),
+    "europe_snow": Hero("finland", "street", "2026-01-20T10:20"),
+    "europe_town_fog": Hero("example", "low", "2026-10-04T06:50", "--fog 0.15"),
     "europe_town_night": Hero("example", "street", "2026-06-21T22:30"),
     "north_america_dusk": Hero("illinois", "low", "2026-06-22T01:45"),
-    "north_america_suburb_day": Hero("arizona", "overview", "2026-03-21T16:30"),
+    "north_america_suburb_day": Hero("arizona", "low", "2026-03-21T16:30"),
     "south_america_day": Hero("brazil", "low", "2026-01-15T19:30", "--clouds broken"),
     "africa_street_day": Hero("nigeria", "street", "2026-02-10T08:30"),
     "asia_street_dusk": Hero("japan", "street", "2026-04-10T09:22"),
@@ -72,7 +72,7 @@ def compile_commands(citykiln, out, place):
     return [
         f"{citykiln} invent --kind {world.kind} --seed {world.seed} --size {world.size_m} --place={world.lon_lat} "
         f"-o {out}/{place}/world --quiet",
-        f"{citykiln} compile --spec {out}/{place}/world/spec.json --emit kiln -o {out}/{place} --quiet",
+        f"{citykiln} compile --spec {out}/{place}/world/spec.json --emit kiln {world.options} -o {out}/{place} --quiet",
     ]
 
 

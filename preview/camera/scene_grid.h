@@ -50,6 +50,8 @@ class SceneGrid {
   std::size_t column_at(Vec2 at) const;
   Vec2 middle_of(std::size_t column) const;
   void add(const bake::BakedTile& tile, const bake::Primitive& primitive);
+  // Adds the area of a triangle with the sides u and v from a to the columns that it is in.
+  void add_built(Vec3 a, Vec3 u, Vec3 v);
   void find_core();
   double built_about(std::size_t column, int radius) const;
 

@@ -25,7 +25,7 @@ constexpr int kStreetPlaces = 260;
 
 // Distances ahead at which walls to both sides are looked for.
 constexpr std::array kStations_m = {4.0, 8.0, 13.0, 19.0, 26.0, 34.0, 44.0, 56.0};
-constexpr double kFarSide_m = 22;
+constexpr double kFarSide_m = 18;
 
 // Walls are looked for above cars, fences and hedges, and above shop windows.
 constexpr std::array kWallHeights_m = {3.5, 6.5};
@@ -65,6 +65,7 @@ std::optional<Wall> wall_at(const ViewScene& scene, Vec3 from, Vec3 side) {
 struct Frontage {
   double ahead_m = 0;
   double both = 0, either = 0;  // shares of the stations that have walls on both sides, and on one
+  double near = 0;              // share of the first four stations that have a wall
   std::size_t buildings = 0;
   int walls = 0, sunlit_left = 0, sunlit_right = 0;
   double width_m = 2 * kFarSide_m, left_m = kFarSide_m, right_m = kFarSide_m;  // the least
@@ -89,6 +90,7 @@ Frontage frontage_along(const ViewScene& scene, Vec3 eye, Vec3 direction, double
     const auto left = wall_at(scene, from, left_of(direction)), right = wall_at(scene, from, left_of(direction) * -1);
     found.both += left && right ? 1.0 / kStations_m.size() : 0;
     found.either += left || right ? 1.0 / kStations_m.size() : 0;
+    found.near += (left || right) && station_m <= kStations_m[3] ? 0.25 : 0;
     if (left) ++found.walls, found.left_m = std::min(found.left_m, left->far_m), buildings.insert(left->building);
     if (right) ++found.walls, found.right_m = std::min(found.right_m, right->far_m), buildings.insert(right->building);
     found.sunlit_left += left && left->is_sunlit ? 1 : 0, found.sunlit_right += right && right->is_sunlit ? 1 : 0;
@@ -125,7 +127,10 @@ double worth_of(const ViewScene& scene, const Frontage& found, Vec3 direction) {
                                                   : 1;
   const double many = 0.4 + 0.6 * std::min(static_cast<double>(found.buildings) / 8, 1.0);
   const double length = std::sqrt(std::min(found.ahead_m / kLongEnough_m, 1.0));
-  return (found.both + 0.2 * found.either + 0.02) * width * many * length * worth_of_light(scene, found, direction);
+  // walls near the eye fill most of the picture
+  const double near = 0.3 + 0.7 * found.near;
+  return (found.both + 0.2 * found.either + 0.02) * near * width * many * length *
+         worth_of_light(scene, found, direction);
 }
 
 // The directions in which one sees farthest, at most 4: those that see farther than their neighbours.
@@ -223,7 +228,7 @@ Camera view_above_core(const ViewScene& scene) {
 }  // namespace
 
 bool is_free_in_front(const ViewProbe& look, const Camera& camera) {
-  constexpr double kAround_m = 2, kMiddle_m = 4;
+  constexpr double kAround_m = 2, kMiddle_m = 7;
   for (const double lower_m : {0.0, 0.5, 1.1})
     if (look.room_m(camera.eye - Vec3{0, 0, lower_m}, kAround_m) < kAround_m) return false;
   const Vec3 forward = unit(camera.look_at - camera.eye), right = unit(cross(forward, {0, 0, 1}));

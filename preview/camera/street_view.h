@@ -22,7 +22,7 @@ struct ViewScene {
 inline constexpr double kEye_m = 1.7;
 
 /// Returns true if a person sees freely from a place: nothing is within 2 m on any side, from the knees to the eyes,
-/// and nothing within 4 m in the middle of the picture.
+/// and nothing within 7 m in the middle of the picture.
 bool is_free_in_front(const ViewProbe& look, const Camera& camera);
 
 /// Returns a copy of a level view, turned so that what was in its middle is at a third of the picture's width.
@@ -40,7 +40,7 @@ Camera turned_by_a_third(const Camera& camera, int side);
 ///
 /// Of the places on streets nearest to the core, at most 260, at least 15 m apart, each is tried along the directions
 /// in which one sees farthest. The best has the largest product of: the share of the way ahead that has buildings on
-/// both sides within 22 m; the number of these buildings, up to 8; the sunlit share of their walls, if the sun is up;
+/// both sides within 18 m; the walls near the eye; the number of these buildings, up to 8; the sunlit share of their walls, if the sun is up;
 /// the distance seen ahead; less for alleys, and for looking into the sun. The picture is turned to the sunlit side.
 ///
 /// Deterministic. Cost: some 100,000 rays.

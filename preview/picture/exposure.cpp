@@ -77,7 +77,7 @@ double metered_exposure(const Image& image) {
   const double stops = corrected_stops(std::log2(kMeanLuminance / geometric_mean(pixels)));
   const double factor = std::exp2(std::clamp(stops, -10.0, 20.0));
   // at most this many stops less, so that lamps and lit windows keep their colours
-  constexpr double kMostProtected = 0.35;
+  constexpr double kMostProtected = 0.6;
   const double brightest = highlights(image) * factor;
   return factor * std::clamp(kHighlights / std::max(brightest, 1e-12), kMostProtected, 1.0);
 }

@@ -23,9 +23,9 @@ constexpr double kDarkest_ev = -12.47393, kBrightest_ev = 4.026069;
 constexpr double kPunch = 1.22, kVividness = 1.3;
 
 // In the sky's unit, a clear zenith of 1, a matt surface of reflectance 0.18 in the midday sun has about 1.1. This
-// exposure maps it some 0.8 stops above middle grey, for streets that are half in the shade; white walls in the sun are
+// exposure maps it about a stop above middle grey, for streets that are half in the shade; white walls in the sun are
 // two stops above it, where the curve still tells them apart.
-constexpr double kExposure = 0.3;
+constexpr double kExposure = 0.34;
 
 double times(const Row& row, const Row& v) { return row[0] * v[0] + row[1] * v[1] + row[2] * v[2]; }
 Row times(const Matrix& m, const Row& v) { return {times(m[0], v), times(m[1], v), times(m[2], v)}; }
