@@ -26,8 +26,8 @@ struct Sky {
   double ground_m = 0;         ///< Mean height of the ground above sea level. Heights of named clouds are above it.
   std::vector<CloudLayer> clouds{};
   std::optional<Inside> inside{};  ///< Set if the world is the inside of a cylinder.
-  bool clouds_are_default =
-      false;  ///< True: nobody asked for the clouds. Pictures show them, outputs have no files of them.
+  /// True: the user gave no clouds. Pictures show those of `clouds`, outputs have no files of them.
+  bool clouds_are_default = false;
   bool operator==(const Sky&) const = default;
 };
 

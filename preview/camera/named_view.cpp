@@ -44,7 +44,7 @@ struct Weighted {
   double weight;
 };
 
-// What a picture shows, and the share of it that may lie outside each side.
+// The points that a picture shows, and the share of them that may lie outside each side.
 struct Subject {
   std::vector<Weighted> points;
   double outside;
@@ -56,7 +56,7 @@ Subject whole_of(const SceneGrid& grid) {
   return all;
 }
 
-// What is built, or the whole scene if that is next to nothing.
+// Returns what is built, or the whole scene if that is next to nothing.
 Subject built_part_of(const SceneGrid& grid) {
   constexpr std::size_t kLeast = 8;
   Subject built{.points = {}, .outside = kOutlying};

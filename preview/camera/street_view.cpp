@@ -61,7 +61,7 @@ std::optional<Wall> wall_at(const ViewScene& scene, Vec3 from, Vec3 side) {
   return std::nullopt;
 }
 
-// What is along a street, seen from a place in a direction.
+// The buildings along a street, seen from a place in a direction.
 struct Frontage {
   double ahead_m = 0;
   double both = 0, either = 0;  // shares of the stations that have walls on both sides, and on one

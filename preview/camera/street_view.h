@@ -10,7 +10,7 @@
 
 namespace citykiln::preview {
 
-/// What views are chosen from.
+/// The tiles, and what is known of them, from which views are chosen.
 struct ViewScene {
   std::span<const bake::BakedTile> tiles;
   const SceneGrid& grid;
@@ -38,8 +38,8 @@ Camera turned_by_a_third(const Camera& camera, int side);
 /// 4. over open land, towards what stands there
 /// 5. at the core (SceneGrid::core_point()), above everything that is there
 ///
-/// Of the places on streets nearest to the core, at most 260, at least 15 m apart, each is tried along the directions
-/// in which one sees farthest. The best has the largest product of: the share of the way ahead that has buildings on
+/// The places are those on streets nearest to the core, at most 260, at least 15 m apart. Each is tried along the
+/// directions in which one sees farthest. The best has the largest product of: the share of the way ahead that has buildings on
 /// both sides within 18 m; the walls near the eye; the number of these buildings, up to 8; the sunlit share of their walls, if the sun is up;
 /// the distance seen ahead; less for alleys, and for looking into the sun. The picture is turned to the sunlit side.
 ///
