@@ -136,7 +136,9 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
     if (const Result<Done> fits = fits_into(spec.cylinder, extent, recipes); !fits) return fits.error();
     sky.inside = sky::plan_inside(spec.cylinder, extent);
   }
-  sky.clouds = sky::requested_clouds(spec.clouds, sky.ground_m, spec.seed);
+  sky.clouds_are_default = !spec.clouds && spec.world != World::kCylinder;
+  if (spec.world != World::kCylinder)
+    sky.clouds = sky::requested_clouds(spec.clouds.value_or(sky::fair_clouds()), sky.ground_m, spec.seed);
   scene::Header header{.origin = plane.origin(),
                        .extent = extent,
                        .tile_m = spec.tile_m,

@@ -270,7 +270,10 @@ Result<Done> set_ground_albedo(CompileSpec& spec, std::string_view text) {
 }
 
 Result<Done> set_clouds(CompileSpec& spec, std::string_view text) {
-  return put(sky::read_clouds(std::string(text)), spec.clouds);
+  Result<std::vector<sky::CloudRequest>> layers = sky::read_clouds(std::string(text));
+  if (!layers) return layers.error();
+  spec.clouds = std::move(*layers);
+  return Done{};
 }
 
 Result<Done> set_seed(CompileSpec& spec, std::string_view text) {
@@ -386,7 +389,7 @@ constexpr Setting kSettings[] = {
      default_of_sky<&sky::Sky::turbidity>},
     {"ground-albedo", "X", "share of light that the land around reflects into the air, 0 to 1 (default: {})", false,
      set_ground_albedo, default_of_sky<&sky::Sky::ground_albedo>},
-    {"clouds", "clear|fair|broken|overcast|FILE.json", "clouds of the sky, by name or in layers (default: clear)",
+    {"clouds", "clear|fair|broken|overcast|FILE.json", "clouds of the sky, by name or in layers, also as files of outputs (default: fair, in the manifest alone)",
      false, set_clouds},
     {"seed", "N", "seed of all random choices, a whole number (default: {})", false, set_seed,
      [](const CompileSpec& spec) { return fmt::format("{}", spec.seed); }},

@@ -102,7 +102,8 @@ struct CompileSpec {
   map::Cylinder cylinder{};         ///< For World::kCylinder.
   std::optional<sky::Moment> time;  ///< The time of the sky; see sky::plan().
   sky::AirSettings air;
-  std::vector<sky::CloudRequest> clouds;
+  /// The layers of clouds. Empty: fair weather, which previews show; outputs then have no files of clouds.
+  std::optional<std::vector<sky::CloudRequest>> clouds;
   int threads = 0;  ///< 0: all processors. Does not change outputs.
   Strictness strict;
   Outputs outputs;

@@ -38,8 +38,8 @@ struct Exposure {
 
   /// Returns the factor of a picture.
   double of(const preview::Image& image, const sky::Sky& sky) const {
-    if (!is_given) return preview::exposure_under(sky, image);
-    return factor * (is_auto ? preview::auto_exposure(image) : preview::adapted_exposure(sky));
+    const bool is_metered = !is_given || is_auto;
+    return factor * (is_metered ? preview::metered_exposure(image) : preview::adapted_exposure(sky));
   }
 };
 
@@ -79,6 +79,7 @@ std::vector<preview::Metadata> metadata_of(const preview::Image& image, const pr
           {"LensDiameter", fmt::format("{}", camera.lens_radius_m * 2)},
           {"Time", sky::text_of(sky.time)},
           {"Exposure", fmt::format("{}", exposure)},
+          {"ExposureValue", fmt::format("{:.1f}", preview::exposure_value(exposure))},
           {"Samples", made.least_samples == made.most_samples
                           ? fmt::format("{}", made.most_samples)
                           : fmt::format("{} to {}", made.least_samples, made.most_samples)}};
@@ -150,6 +151,13 @@ struct FrameCamera {
   const preview::Camera &in_plane, &in_world;
 };
 
+// The picture that a file shows: a .png has its white balance, an .exr has the light itself.
+preview::Image balanced(const Stage& stage, const preview::Image& image, const std::string& path) {
+  preview::Image shown = image;
+  if (path.ends_with(".png")) preview::balance(shown, preview::white_balance(stage.lights.white()));
+  return shown;
+}
+
 // Renders one frame and writes it. `exposure` is the factor of all frames, decided by the first one.
 Result<preview::Image> render_frame(const Stage& stage, const LitWorld& lit, const FrameCamera& camera,
                                     const std::string& path, std::optional<double>& exposure) {
@@ -157,8 +165,8 @@ Result<preview::Image> render_frame(const Stage& stage, const LitWorld& lit, con
   if (stage.request.is_denoised) image = preview::denoise(image, stage.options.threads);
   if (!exposure) exposure = stage.request.exposure.of(image, stage.scene.sky);
   preview::expose(image, *exposure);
-  const Result<Done> written =
-      preview::write_image(image, path, metadata_of(image, camera.in_plane, stage.scene.sky, *exposure));
+  const Result<Done> written = preview::write_image(balanced(stage, image, path), path,
+                                                    metadata_of(image, camera.in_plane, stage.scene.sky, *exposure));
   if (!written) return written.error();
   return image;
 }
@@ -232,6 +240,16 @@ std::shared_ptr<const preview::Clouds> clouds_of(const PreviewScene& scene, cons
                                            request.load.threads);
 }
 
+// Clears the haze of a view that shows land from afar, so that a large extent is as clear as a small one: one sees at
+// least 20 times as far as the place looked at. Does nothing if the haze was asked for.
+void clear_haze(const PreviewRequest& request, const preview::Camera& camera, sky::Sky& sky) {
+  constexpr double kTimes = 20;
+  if (!request.camera.finds_view() || request.load.air.visibility_km || request.load.air.turbidity) return;
+  if (sky.visibility_km < sky::Sky{}.visibility_km) return;
+  const double wanted_km = kTimes * length(camera.look_at - camera.eye) / 1000;
+  sky.visibility_km = std::max(sky.visibility_km, std::min(wanted_km, sky::kClearest_km));
+}
+
 // The light of a scene, for the first camera.
 preview::Lights lights_of(const PreviewScene& scene, const preview::Camera& camera, const PreviewRequest& request) {
   if (scene.sky.inside) return preview::Lights(preview::InsideLights(scene.sky), scene.lamps);
@@ -266,16 +284,16 @@ Result<Exit> run_preview(const PreviewRequest& request, const Console& console) 
   const Result<std::vector<preview::Camera>> cameras = cameras_of(request.camera, *scene, console);
   if (!cameras) return cameras.error();
   scene->for_views = {};
-  if (scene->recipes)
-    scene->panes = preview::lit_panes_of(*scene->recipes, preview::eyes_of(*cameras), request.load.threads);
   if (scene->tree) {
     // a window's camera goes anywhere
     const std::span<const preview::Camera> seen =
         request.is_interactive ? std::span<const preview::Camera>() : *cameras;
     const Viewing viewing{seen, request.size.width, request.size.height};
     if (const Result<Done> read = load_levels(*scene, wanted, viewing, on_progress); !read) return read.error();
-    console.print_line(levels_text(scene->loaded.tiles));
+    if (!scene->recipes) console.print_line(levels_text(scene->loaded.tiles));
   }
+  if (scene->recipes)
+    scene->panes = preview::lit_panes_of(*scene->recipes, preview::eyes_of(*cameras), request.load.threads);
   bend_tiles(*scene);
   if (!scene->note.empty()) console.print_line(scene->note);
   if (scene->loaded.cylinder && request.is_interactive)
@@ -283,6 +301,7 @@ Result<Exit> run_preview(const PreviewRequest& request, const Console& console) 
                  "shows worlds in the plane, found one inside of a cylinder; give -o FILE.png instead"};
   if (!request.is_interactive && leave_out_hiding_land(*scene, *cameras))
     console.print_line("note: the land around the map would hide it from here and is left out");
+  clear_haze(request, cameras->front(), scene->sky);
   const preview::Lights lights =
       *environment ? preview::Lights(**environment, scene->lamps) : lights_of(*scene, cameras->front(), request);
   const Stage stage{request, *scene, lights, console, options_of(request)};
@@ -310,7 +329,7 @@ std::vector<Option> tile_options(LoadRequest& load, CellRequest& cells) {
        store_bytes(cells.budget_bytes)},
       {"--level", "N",
        "level of detail of a folder's tiles, 0 is the finest (default: for each tile the coarsest that --pixel-error "
-       "allows)",
+       "allows; the recipes of its manifest if the finest are too coarse)",
        false, store_whole(load.level, 0)},
       {"--only", "X_Y[,X_Y...]", "only these tiles, such as 0_0,0_-1 (default: all)", true,
        [&](const std::string& t) { return add_tiles(t, load.only); }},
@@ -394,7 +413,7 @@ std::vector<Option> light_options(PreviewRequest& request) {
       {"--fog", "SHARE",
        "fog fills valleys up to the height below which this share of a manifest's ground is, such as 0.2", false,
        store_number(request.fog_share, {0, 1, true})},
-      {"--clouds", "clear|fair|broken|overcast|FILE.json", "clouds of the sky (default: the scene's, or clear)", false,
+      {"--clouds", "clear|fair|broken|overcast|FILE.json", "clouds of the sky (default: the scene's, or fair)", false,
        store_parsed(request.load.clouds, sky::read_clouds)},
       {"--cloud-light", "approximate|paths",
        "paths: each ray to a cloud follows light through its droplets, a slow and noisy reference "
@@ -412,8 +431,7 @@ std::vector<Option> picture_options(PreviewRequest& request) {
       {"--size", "WxH", "size in pixels (default: 1280x720)", false, store_size(request.size)},
       {"--exposure", "STOPS|X|auto",
        "brightness: stops with a sign, such as +1 or -0.5, or a factor without, on top of the adaptation of eyes to "
-       "the dark; auto is by the picture's own brightness, auto+1 a stop more (default: by day +0, and more in deep "
-       "shade; auto by night)",
+       "the dark; auto is metered as by a camera, auto+1 a stop more (default: auto)",
        false, store_exposure(request.exposure)},
       {"--keep-frames", "", "pictures of --path or --turntable that are there already are not rendered again", false,
        store_switch(request.keeps_frames)},

@@ -84,7 +84,7 @@ Result<Done> write_usd_clouds(std::span<const sky::LayerParticles> layers, Vec3 
 }
 
 // Writes the clouds over the scene's extent (sky::clouds_over) once for all tiles: glb/clouds.glb for .glb,
-// usd/clouds.usdc and usd/clouds.vdb for USD. Writes nothing for a clear sky.
+// usd/clouds.usdc and usd/clouds.vdb for USD. Writes nothing for a clear sky, or for clouds that were not asked for.
 //
 // The cells of the surface are 4 times the coarsest tolerance, within 40 to 400 m, and larger if the surface would
 // have more than some 400,000 triangles. Voxels are cells rounded to whole metres, doubled until there are at most
@@ -95,7 +95,7 @@ Result<Done> write_clouds(const scene::Scene& scene, const Outputs& outputs, int
                           std::vector<std::string>& notes) {
   const auto& layers = scene.header.sky.clouds;
   const Box2& extent = scene.header.extent;
-  if (layers.empty() || extent.is_empty() || !(outputs.glb || outputs.usd)) return Done{};
+  if (!sky::has_cloud_files(scene.header.sky) || extent.is_empty() || !(outputs.glb || outputs.usd)) return Done{};
   const sky::CloudMeasures measures = sky::measures_over(layers, extent);
   const double cell = cell_m(measures, outputs.tolerances_m.back());
   const std::vector<sky::LayerParticles> particles = sky::clouds_over(layers, extent, cell / 2, threads);

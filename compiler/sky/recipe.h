@@ -26,8 +26,13 @@ struct Sky {
   double ground_m = 0;         ///< Mean height of the ground above sea level. Heights of named clouds are above it.
   std::vector<CloudLayer> clouds{};
   std::optional<Inside> inside{};  ///< Set if the world is the inside of a cylinder.
+  /// True: the user gave no clouds. Pictures show those of `clouds`, outputs have no files of them.
+  bool clouds_are_default = false;
   bool operator==(const Sky&) const = default;
 };
+
+/// True if outputs contain the clouds: there are some, and they were asked for.
+inline bool has_cloud_files(const Sky& sky) { return !sky.clouds.empty() && !sky.clouds_are_default; }
 
 /// True if the sun has set: its upper limb, with refraction, is below the horizon.
 inline bool is_night(const Sky& sky) { return sky.to_sun.z < -0.00466; }

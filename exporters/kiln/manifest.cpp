@@ -105,7 +105,7 @@ flatbuffers::Offset<fbs::Sky> sky_of(flatbuffers::FlatBufferBuilder& builder, co
   const auto clouds = builder.CreateVector(layers);
   const auto inside = inside_of(builder, sky);
   return fbs::CreateSky(builder, time, sun, sky.turbidity, sky.visibility_km, sky.ground_albedo, moon,
-                        std::llround(sky.moon_lit * 0x1p20), pole, equinox, sky.ground_m, clouds, inside);
+                        std::llround(sky.moon_lit * 0x1p20), pole, equinox, sky.ground_m, clouds, inside, sky.clouds_are_default);
 }
 
 flatbuffers::Offset<fbs::Index> index_of(flatbuffers::FlatBufferBuilder& builder, const scene::Scene& scene,
@@ -323,7 +323,8 @@ std::optional<sky::Sky> plain(const fbs::Sky& s) {
                .to_pole = *pole,
                .to_equinox = *equinox,
                .ground_m = s.ground_m(),
-               .clouds = clouds_of(s)};
+               .clouds = clouds_of(s),
+               .clouds_are_default = s.clouds_are_default()};
   if (s.inside() != nullptr && !(sky.inside = plain(*s.inside()))) return std::nullopt;
   return is_sound(sky) ? std::optional(sky) : std::nullopt;
 }

@@ -240,7 +240,7 @@ std::vector<std::byte> encode_scene(std::span<const UsdTile> tiles, const scene:
   writer.write_lines(hint_of(bounds));
   write_lights(writer, header.sky);
   if (around != nullptr) write_payload(writer, "surroundings", kUsdSurroundingsName, around->bounds, around->origin);
-  if (!header.sky.clouds.empty()) writer.write_lines(kCloudsPrim);
+  if (sky::has_cloud_files(header.sky)) writer.write_lines(kCloudsPrim);
   writer.begin_prim({.type = "Xform", .name = "tiles", .kind = "group"});
   for (const UsdTile& tile : tiles) write_tile_prim(writer, tile);
   writer.end_prim(), writer.end_prim();

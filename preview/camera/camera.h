@@ -32,10 +32,13 @@ struct Camera {
 /// Returns a camera of the plane inside of a cylinder: its poses are bent point by point, and its vertical turned.
 Camera bent(Camera camera, const map::Cylinder& cylinder);
 
-/// Returns a camera that shows a scene from a view by name: "overview" (from the south-east, all of it), "street",
-/// "top", "north", "south", "east", "west", "low"; and "square", "river", "hilltop", "roofs", "skyline", which a scene
-/// may lack (place_views.h). The camera depends only on the tiles' content. Errors: an unknown name, with the known
-/// ones in the message; a scene without such a place.
-Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::string& name);
+/// Returns a camera that shows a scene from a view by name: "street" (street_view.h); "low", over the roofs into the
+/// densest part; "overview" (from the south-east, what is built); "top", "north", "south", "east", "west" (all of the
+/// scene); and "square", "water" or "river", "park", "hilltop", "roofs", "skyline", which a scene may lack
+/// (place_views.h). No eye is below the ground or under a roof. The camera depends only on the tiles' content and the
+/// sun. Errors: an unknown name, with the known ones in the message; a scene without such a place.
+/// @param to_sun  Unit; views are lit from the side where there is a choice. Empty: the sun is down.
+Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::string& name,
+                          std::optional<Vec3> to_sun = {});
 
 }  // namespace citykiln::preview

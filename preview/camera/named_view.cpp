@@ -1,66 +1,15 @@
-// Views from outside have a fixed direction, and their distance is computed so that the scene fills the picture. Views
-// inside the scene are chosen among candidate places.
+// Views from outside have a fixed direction, and their distance is computed so that their subject fills the picture.
+// Views inside the scene are chosen among candidate places.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "preview/camera/camera.h"
 #include "preview/camera/place_views.h"
-#include "preview/camera/scene_grid.h"
-#include "preview/camera/view_probe.h"
+#include "preview/camera/street_view.h"
 
 namespace citykiln::preview {
 namespace {
-
-// ---- street view ----------------------------------------------------------------------------------------------------
-
-// Eye height of a person on a step.
-constexpr double kEye_m = 2.4;
-constexpr double kFov_deg = 60;
-
-constexpr int kPlaces = 64;
-
-// Smallest distance between candidates.
-constexpr double kApart_m = 12;
-
-// The score of a view: length along the street, walls on both sides, and space between them.
-double worth(const ViewProbe& look, Vec3 eye, int direction) {
-  constexpr double kFarEnough_m = 150, kNearEnough_m = 60, kTooNear_m = 15, kWide_m = 9;
-  const double ahead = look.walk_m(eye, horizontal(direction), kFarEnough_m);
-  if (ahead < kTooNear_m) return 0;
-  double room = kWide_m;
-  for (const int aside : {-6, -4, 4, 6})
-    room = std::min(room, look.sight_m(eye, horizontal(direction + aside), kWide_m));
-  int walls = 0;
-  for (const int aside : {-4, -3, -2, -1, 1, 2, 3, 4})
-    walls += look.meets_building(eye, unit(horizontal(direction + aside) + Vec3{0, 0, 0.12}), kNearEnough_m) ? 1 : 0;
-  // squared, so that alleys, which show two walls only, score low
-  return ahead * (1 + walls) * room * room;
-}
-
-// Returns a camera on a street. Without streets it is at the core. Total. Cost: one World.
-//
-// Method: 64 places on streets, the nearest to the scene's core that are at least 12 m apart, are each tried in 24
-// directions by rays at eye height. The best view is long, and has walls on both sides and free sky.
-Camera street_view(std::span<const bake::BakedTile> tiles, const SceneGrid& grid) {
-  constexpr double kElbowRoom_m = 1;
-  const Vec3 core = grid.core_point();
-  const World world(tiles, core);
-  const ViewProbe look{world};
-  Camera best{core + Vec3{0, 0, kEye_m}, core + Vec3{0, 40, kEye_m}, kFov_deg};
-  double most = 0;
-  for (const Vec3& place : places_near(tiles, core, is_street, kApart_m, kPlaces)) {
-    const Vec3 eye = place + Vec3{0, 0, kEye_m};
-    // not under a bridge, a roof or a tree, and not close to a wall
-    if (look.sight_m(eye, {0, 0, 1}, 100) < 100 || look.room_m(eye, kElbowRoom_m) < kElbowRoom_m) continue;
-    for (int direction = 0; direction < kDirections; ++direction) {
-      const double value = worth(look, eye, direction);
-      if (value > most) most = value, best = {eye, eye + horizontal(direction) * 40 + Vec3{0, 0, 2}, kFov_deg};
-    }
-  }
-  return best;
-}
 
 // The aspect ratio for which the view fits; wider pictures show more at the sides.
 constexpr double kAspect = 16.0 / 9;
@@ -72,21 +21,58 @@ constexpr double kOutside = 0.0005;
 // The share of the picture that the scene fills.
 constexpr double kMargin = 0.94;
 
+// The share of what is built that may lie outside each side of the picture: single houses far from all others.
+constexpr double kOutlying = 0.03;
+
 struct View {
   const char* name;
   Vec3 towards_eye;  ///< From the scene.
   double fov_deg;
+  bool is_of_built_part = false;  ///< False: the whole scene fits into the picture.
 };
 
-constexpr View kOutsideViews[] = {
-    {"overview", {0.52, -0.85, 0.62}, 35}, {"top", {0, 0, 1}, 35},    {"north", {0, 1, 0.5}, 35},
-    {"south", {0, -1, 0.5}, 35},           {"east", {1, 0, 0.5}, 35}, {"west", {-1, 0, 0.5}, 35}};
+constexpr View kOutsideViews[] = {{"overview", {0.52, -0.85, 0.5}, 35, true},
+                                  {"top", {0, 0, 1}, 35},
+                                  {"north", {0, 1, 0.5}, 35},
+                                  {"south", {0, -1, 0.5}, 35},
+                                  {"east", {1, 0, 0.5}, 35},
+                                  {"west", {-1, 0, 0.5}, 35}};
 
-// The largest of the values without the share that may lie outside.
-double largest_inside(std::vector<double>& values) {
-  const auto nth = values.end() - 1 - static_cast<std::ptrdiff_t>(kOutside * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
+// A point that a picture shows, and how much it counts.
+struct Weighted {
+  Vec3 at;
+  double weight;
+};
+
+// The points that a picture shows, and the share of them that may lie outside each side.
+struct Subject {
+  std::vector<Weighted> points;
+  double outside;
+};
+
+Subject whole_of(const SceneGrid& grid) {
+  Subject all{.points = {}, .outside = kOutside};
+  for (const Vec3& at : grid.points()) all.points.push_back({at, 1});
+  return all;
+}
+
+// Returns what is built, or the whole scene if that is next to nothing.
+Subject built_part_of(const SceneGrid& grid) {
+  constexpr std::size_t kLeast = 8;
+  Subject built{.points = {}, .outside = kOutlying};
+  for (const auto& [at, built_m2] : grid.built_points()) built.points.push_back({at, built_m2});
+  return built.points.size() < kLeast ? whole_of(grid) : built;
+}
+
+// The value that all but a share of the weights do not exceed.
+double largest_inside(std::vector<std::pair<double, double>>& weighted_values, double outside) {
+  std::ranges::sort(weighted_values, std::ranges::greater{});
+  double all = 0;
+  for (const auto& [value, weight] : weighted_values) all += weight;
+  double left = all * outside;
+  for (const auto& [value, weight] : weighted_values)
+    if (left -= weight; left < 0) return value;
+  return weighted_values.back().first;
 }
 
 // Two opposite planes of the frustum, moved until they touch the points: the position of the eye across the view, and
@@ -95,13 +81,13 @@ struct Wedge {
   double across, along;
 };
 
-Wedge wedge_about(const std::vector<Vec3>& points, Vec3 across, Vec3 forward, double half_slope) {
-  std::vector<double> plus, minus;
-  for (const Vec3& p : points) {
-    plus.push_back(dot(p, across) - half_slope * dot(p, forward));
-    minus.push_back(-dot(p, across) - half_slope * dot(p, forward));
+Wedge wedge_about(const Subject& subject, Vec3 across, Vec3 forward, double half_slope) {
+  std::vector<std::pair<double, double>> plus, minus;
+  for (const auto& [p, weight] : subject.points) {
+    plus.emplace_back(dot(p, across) - half_slope * dot(p, forward), weight);
+    minus.emplace_back(-dot(p, across) - half_slope * dot(p, forward), weight);
   }
-  const double a = largest_inside(plus), b = largest_inside(minus);
+  const double a = largest_inside(plus, subject.outside), b = largest_inside(minus, subject.outside);
   return {(a - b) / 2, -(a + b) / (2 * half_slope)};
 }
 
@@ -110,11 +96,13 @@ Camera outside_view(const SceneGrid& grid, const View& view) {
              pole = view.towards_eye.x == 0 && view.towards_eye.y == 0 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
   const Vec3 right = unit(cross(forward, pole)), up = cross(right, forward);
   const double slope = std::tan(view.fov_deg * std::numbers::pi / 360) * kMargin;
-  const std::vector<Vec3> points = grid.points();
-  const Wedge sideways = wedge_about(points, right, forward, slope * kAspect),
-              upright = wedge_about(points, up, forward, slope);
+  const Subject subject = view.is_of_built_part ? built_part_of(grid) : whole_of(grid);
+  const Wedge sideways = wedge_about(subject, right, forward, slope * kAspect),
+              upright = wedge_about(subject, up, forward, slope);
   const double along = std::min(sideways.along, upright.along);
-  const Vec3 eye = right * sideways.across + up * upright.across + forward * along;
+  Vec3 eye = right * sideways.across + up * upright.across + forward * along;
+  // above all land that rises between the eye and what is built
+  eye = eye - forward * (std::max(0.0, grid.top_m() + 30 - eye.z) / -forward.z);
   return {eye, eye + forward * std::max(1.0, dot(grid.core_point() - eye, forward)), view.fov_deg};
 }
 
@@ -131,59 +119,112 @@ double clear_height_m(const SceneGrid& grid, Vec2 from, Vec3 target) {
   return height;
 }
 
-// A view over the roofs into the densest part, from the side that needs the least height; from the south-west on ties.
-Camera low_view(const SceneGrid& grid) {
-  constexpr Vec2 kSides[] = {{-0.6, -0.8}, {0.7, -0.7}, {0, -1}, {-1, 0}, {1, 0}, {-0.7, 0.7}, {0.7, 0.7}, {0, 1}};
+// The distance from the core within which most of what is built lies.
+double built_radius_m(const SceneGrid& grid, Vec3 core) {
+  constexpr double kMost = 0.7;
+  std::vector<std::pair<double, double>> distances;
+  for (const auto& [at, built_m2] : grid.built_points())
+    distances.emplace_back(distance(in_plan(at), in_plan(core)), built_m2);
+  return distances.empty() ? 0 : largest_inside(distances, 1 - kMost);
+}
+
+// How much of a picture is filled by what is built, and by land; less where the scene ends below the horizon. -1: the
+// eye is too near to something, or below it.
+double worth_of_filling(const ViewScene& scene, const Camera& camera) {
+  constexpr double kTooNear = 0.4, kLand = 0.35, kVoid = 1;
+  constexpr int kColumns = 8, kRows = 6;
+  const World& world = scene.look.world;
+  if (!scene.look.is_under_the_sky(camera.eye)) return -1;
+  const Vec3 forward = unit(camera.look_at - camera.eye), right = unit(cross(forward, {0, 0, 1}));
+  const double slope = std::tan(camera.vertical_fov_deg * std::numbers::pi / 360);
+  double worth = 0;
+  for (int i = 0; i < kColumns; ++i)
+    for (int j = 0; j < kRows; ++j) {
+      const double x = (2 * (i + 0.5) / kColumns - 1) * slope * kAspect, y = (2 * (j + 0.5) / kRows - 1) * slope;
+      const Vec3 ray = unit(forward + right * x + cross(right, forward) * y);
+      const auto hit = world.first_hit(camera.eye - world.origin(), ray);
+      if (hit && hit->distance_m < kTooNear * length(camera.look_at - camera.eye)) return -1;
+      if (hit) worth += is_built(hit->material) ? 1 : kLand;
+      if (!hit && ray.z < -0.02) worth -= kVoid;
+    }
+  return std::max(worth / (kColumns * kRows), 1e-3);
+}
+
+// How well the light of the sun shows what a camera sees: best from the side and a little from behind.
+double worth_of_sun_for(const std::optional<Vec3>& to_sun, const Camera& camera) {
+  if (!to_sun) return 1;
+  const Vec3 forward = unit(camera.look_at - camera.eye);
+  const double ahead = dot(unit(Vec3{to_sun->x, to_sun->y, 0}), unit(Vec3{forward.x, forward.y, 0}));
+  return ahead > 0.5 ? 0.75 : ahead > 0.1 ? 0.9 : ahead < -0.85 ? 0.92 : 1;
+}
+
+// A view over the roofs into the densest part, from the side and distance that fill the picture best with what is
+// built; from the south-west on ties.
+Camera low_view(const ViewScene& scene) {
+  constexpr int kSides = 16;
   // some 15 degrees down, as a town is seen from a hill
-  constexpr double kAway_m = 550, kRise = 0.27, kStoreys = 1.6;
+  constexpr double kNearest_m = 180, kFarthest_m = 560, kRise = 0.27, kStoreys = 2.4, kLowFov_deg = 40;
+  const SceneGrid& grid = scene.grid;
   const Vec3 ground = grid.core_point();
   const double tall_m = std::max(0.0, grid.highest_m(in_plan(ground)) - ground.z);
-  const double away_m = std::max(kAway_m, kStoreys * tall_m);
+  const double usual_m = std::clamp(1.3 * built_radius_m(grid, ground), kNearest_m, kFarthest_m);
   const Vec3 target = ground + Vec3{0, 0, tall_m / 3};
-  Camera best{{}, target, 45};
-  best.eye.z = std::numeric_limits<double>::infinity();
-  for (const Vec2 side : kSides) {
-    const Vec2 from = in_plan(target) + unit(side) * away_m;
-    const double height = std::max(target.z + kRise * away_m, clear_height_m(grid, from, target));
-    // prefer an earlier side unless another needs 20 m less
-    if (height < best.eye.z - 20) best.eye = at_height(from, height);
-  }
-  return best;
+  std::optional<Camera> best;
+  double most = -2;
+  for (int side = 0; side < kSides; ++side)
+    for (const double share : {1.0, 0.7}) {
+      const double angle = (10 + side) * 2 * std::numbers::pi / kSides;  // from the south-west on
+      const double away_m = std::max(usual_m * share, kStoreys * tall_m);
+      const Vec2 from = in_plan(target) + Vec2{std::cos(angle), std::sin(angle)} * away_m;
+      const double height_m = std::max(target.z + kRise * away_m, clear_height_m(grid, from, target));
+      const Camera camera{at_height(from, height_m), target, kLowFov_deg};
+      // a steep view shows roofs only
+      const double steep = (height_m - target.z) / away_m;
+      const double worth = worth_of_filling(scene, camera) * worth_of_sun_for(scene.to_sun, camera) *
+                           std::min(1.0, 0.45 / std::max(steep, 0.01));
+      if (worth > most * 1.02 + 1e-9 || !best) most = worth, best = camera;
+    }
+  return *best;
 }
 
 // Views of places that not every scene has.
 struct PlaceView {
   const char* name;
-  std::optional<Camera> (*find)(std::span<const bake::BakedTile> tiles, const SceneGrid& grid);
+  std::optional<Camera> (*find)(const ViewScene& scene);
   const char* lack;
 };
 
 constexpr PlaceView kPlaceViews[] = {
     {"square", square_view, "there is no open paved place in this scene"},
-    {"river", river_view, "there is no open water in this scene"},
+    {"water", water_view, "there is no open water in this scene"},
+    {"river", water_view, "there is no open water in this scene"},
+    {"park", park_view, "there is no lawn with trees in this scene"},
     {"hilltop", hilltop_view, "there is no hill in this scene from which its middle can be seen"},
     {"roofs", roofs_view, "nothing is built in this scene"},
     {"skyline", skyline_view, "nothing tall is built in this scene"}};
 
+std::string known_views() {
+  std::string known = "street, low";
+  for (const View& view : kOutsideViews) known += std::string(", ") + view.name;
+  for (const PlaceView& view : kPlaceViews) known += std::string(", ") + view.name;
+  return known;
+}
+
 }  // namespace
 
-Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::string& name) {
+Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::string& name, std::optional<Vec3> to_sun) {
   const SceneGrid grid(tiles);
-  if (name == "street") return street_view(tiles, grid);
-  if (name == "low") return low_view(grid);
-  std::string known = "street, low";
-  for (const View& view : kOutsideViews) {
+  for (const View& view : kOutsideViews)
     if (name == view.name) return outside_view(grid, view);
-    known += std::string(", ") + view.name;
-  }
-  for (const PlaceView& view : kPlaceViews) {
-    if (name == view.name) {
-      const std::optional<Camera> camera = view.find(tiles, grid);
-      return camera ? Result(*camera) : Error{"--view " + name, view.lack};
-    }
-    known += std::string(", ") + view.name;
-  }
-  return Error{"--view " + name, "expected one of " + known};
+  const auto place = std::ranges::find(kPlaceViews, name, &PlaceView::name);
+  if (name != "street" && name != "low" && place == std::end(kPlaceViews))
+    return Error{"--view " + name, "expected one of " + known_views()};
+  const World world(tiles, grid.core_point());
+  const ViewScene scene{tiles, grid, ViewProbe{world}, to_sun};
+  if (name == "street") return street_view(scene);
+  if (name == "low") return low_view(scene);
+  const std::optional<Camera> camera = place->find(scene);
+  return camera ? Result(*camera) : Error{"--view " + name, place->lack};
 }
 
 }  // namespace citykiln::preview

@@ -81,9 +81,19 @@ void SceneGrid::add(const bake::BakedTile& tile, const bake::Primitive& primitiv
   for (const auto& t : primitive.triangles) {
     const Vec3 a = point_of(tile, primitive.positions[t[0]]), b = point_of(tile, primitive.positions[t[1]]);
     const Vec3 c = point_of(tile, primitive.positions[t[2]]);
-    if (is_finite(a) && is_finite(b) && is_finite(c))
-      columns_[column_at(in_plan(a + b + c) * (1.0 / 3))].built_m2 += length(cross(b - a, c - a)) / 2;
+    if (is_finite(a) && is_finite(b) && is_finite(c)) add_built(a, b - a, c - a);
   }
+}
+
+void SceneGrid::add_built(Vec3 a, Vec3 u, Vec3 v) {
+  constexpr double kMostParts = 16;
+  const double column_m = std::max({box_.width() / kAcross, box_.height() / kAcross, 1.0});
+  const double longest = std::max({length(u), length(v), length(u - v)});
+  const int n = static_cast<int>(std::clamp(std::ceil(longest / column_m), 1.0, kMostParts));
+  const double part_m2 = length(cross(u, v)) / (n * (n + 1.0));
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; i + j < n; ++j)
+      columns_[column_at(in_plan(a + u * ((i + 1.0 / 3) / n) + v * ((j + 1.0 / 3) / n)))].built_m2 += part_m2;
 }
 
 std::vector<Vec3> SceneGrid::points() const {
@@ -95,6 +105,22 @@ std::vector<Vec3> SceneGrid::points() const {
   }
   if (points.empty()) points = {{box_.min.x, box_.min.y, 0}, {box_.max.x, box_.max.y, 10}};
   return points;
+}
+
+std::vector<SceneGrid::BuiltPoint> SceneGrid::built_points() const {
+  std::vector<BuiltPoint> points;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (columns_[i].built_m2 <= 0 || columns_[i].low_m > columns_[i].high_m) continue;
+    for (const double z : {columns_[i].low_m, columns_[i].high_m})
+      points.push_back({at_height(middle_of(i), z), columns_[i].built_m2});
+  }
+  return points;
+}
+
+double SceneGrid::top_m() const {
+  double top_m = -kFarBelow;
+  for (const Column& column : columns_) top_m = std::max(top_m, column.high_m);
+  return std::isfinite(top_m) ? top_m : 0;
 }
 
 double SceneGrid::built_about(std::size_t column, int radius) const {

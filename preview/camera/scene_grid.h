@@ -23,6 +23,15 @@ class SceneGrid {
   /// Returns the lowest and the highest point of every column that contains positions. So all land has the same weight,
   /// however dense its mesh is.
   std::vector<Vec3> points() const;
+  /// A point of a column, and the area of walls and roofs in it.
+  struct BuiltPoint {
+    Vec3 at;
+    double built_m2;
+  };
+  /// Returns the lowest and the highest point of every column in which something is built.
+  std::vector<BuiltPoint> built_points() const;
+  /// Returns the highest z of all columns; 0 without positions.
+  double top_m() const;
   /// Returns the core: the middle of the most densely built square of some 300 m, at the height of the ground. If
   /// nothing is built, the middle of the scene.
   Vec3 core_point() const { return core_; }
@@ -41,6 +50,8 @@ class SceneGrid {
   std::size_t column_at(Vec2 at) const;
   Vec2 middle_of(std::size_t column) const;
   void add(const bake::BakedTile& tile, const bake::Primitive& primitive);
+  // Adds the area of a triangle with the sides u and v from a to the columns that it is in.
+  void add_built(Vec3 a, Vec3 u, Vec3 v);
   void find_core();
   double built_about(std::size_t column, int radius) const;
 

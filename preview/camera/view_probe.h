@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,11 @@ inline constexpr int kDirections = 24;
 /// around.
 Vec3 horizontal(int direction);
 
+/// True for materials of the ground that one can stand on: land, paved ground, markings, snow. Not water.
+bool is_ground(materials::Material material);
+/// True for materials of plants: bark, leaves, hedges.
+bool is_plant(materials::Material material);
+
 /// Rays in a world. Positions are plane metres, directions are unit vectors.
 struct ViewProbe {
   const World& world;
@@ -27,6 +33,13 @@ struct ViewProbe {
   bool meets_building(Vec3 from, Vec3 direction, double near) const;
   /// Returns the least sight_m() of all level directions.
   double room_m(Vec3 from, double limit) const;
+  /// True if nothing is above a place: a ray upwards meets only the sky.
+  bool is_under_the_sky(Vec3 from) const;
+  /// Returns the place at a height above the topmost ground at `at`, where a person or a tripod stands in the open: a
+  /// ray upwards meets only the sky, a ray downwards the ground. Empty: there is no ground, or something is above the
+  /// place.
+  /// @param from_m  A height above all surfaces.
+  std::optional<Vec3> place_above_ground(Vec2 at, double above_m, double from_m) const;
   /// Returns the free distance ahead of a person, at most `limit` metres: the least sight_m() at eye height, 1.2 m
   /// lower (where a parapet or rising ground may be in the way), and a few degrees to both sides.
   double walk_m(Vec3 eye, Vec3 direction, double limit) const;
@@ -36,10 +49,10 @@ struct ViewProbe {
 /// rays hits nothing.
 double farthest_in_picture_m(const World& world, const Camera& camera);
 
-/// Returns the middles of triangles, the nearest to `core` first, at least `apart_m` apart, at most `count`. O(n log
-/// n).
-/// @param counts  True for the materials whose triangles are considered.
+/// Returns places on triangles, the nearest to `core` first, at least `apart_m` apart, at most `count`. Large triangles
+/// have several places. O(n log n).
+/// @param counts  True for the primitives whose triangles are considered.
 std::vector<Vec3> places_near(std::span<const bake::BakedTile> tiles, Vec3 core,
-                              const std::function<bool(materials::Material)>& counts, double apart_m, int count);
+                              const std::function<bool(const bake::Primitive&)>& counts, double apart_m, int count);
 
 }  // namespace citykiln::preview

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "compiler/geometry/trig.h"
+#include "compiler/props/luminaire.h"
 
 namespace citykiln::preview {
 namespace {
@@ -75,6 +76,19 @@ Lights::Lights(const EnvironmentMap& map, std::vector<StreetLamp> lamps)
 
 Lights::Lights(const InsideLights& inside, std::vector<StreetLamp> lamps)
     : table_({0, 1}, 1, {{0, 0, 0}}), inside_(inside), lamps_(std::move(lamps)) {}
+
+Rgb Lights::white() const {
+  // about 20 lx: below, lamps light what is seen
+  constexpr double kLeast = 1e-3;
+  if (inside_ || is_map_) return {};
+  if (luminance(model_.white_ground) >= kLeast) return model_.white_ground;
+  Rgb sum{};
+  for (const StreetLamp& lamp : lamps_) {
+    const auto [r, g, b] = props::black_body_colour(lamp.light.temperature_k);
+    sum = sum + Rgb{r, g, b} * lamp.light.lumen;
+  }
+  return sum;
+}
 
 Rgb Lights::falling(Vec3 from, Vec3 direction) const {
   if (inside_) return inside_->hull(from, direction).radiance;

@@ -37,6 +37,9 @@ class Lights {
   explicit Lights(const EnvironmentMap& map, std::vector<StreetLamp> lamps = {});
 
   Rgb sun_radiance() const { return model_.sun_radiance; }
+  /// Returns the colour of the light outside, of any brightness: by day and in twilight that of level white ground, by
+  /// night that of all lamps. Black if there is none: without lamps, inside of a cylinder, with an environment map.
+  Rgb white() const;
   const std::vector<StreetLamp>& lamps() const { return lamps_; }
   /// Returns the lines of light inside of a cylinder; null in other worlds.
   const InsideLights* inside() const { return inside_ ? &*inside_ : nullptr; }

@@ -4,45 +4,96 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
+#include <vector>
 
+#include "compiler/sky/generate.h"
 #include "preview/picture/tone_map.h"
-#include "preview/rgb.h"
 
 namespace citykiln::preview {
 
 namespace {
 
-// Returns how many stops the geometric mean luminance is below kMeanLuminance; 0 for a black picture. The brightest
-// fiftieth of the pixels, and those without light, do not count.
-double stops_below_mean(const Image& image) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3) {
-    const double value = luminance({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]});
-    if (std::isfinite(value) && value > 0) values.push_back(value);
-  }
-  if (values.empty()) return 0;
-  std::ranges::sort(values);
+// A pixel of a picture for the meter.
+struct MeteredPixel {
+  double luminance, weight;
+};
+
+// Returns the pixels that the meter counts, the darkest first: pixels in the middle have the most weight, those at the
+// corners about a seventh of it. The brightest fiftieth, and those without light, do not count.
+std::vector<MeteredPixel> metered_pixels(const Image& image) {
+  std::vector<MeteredPixel> pixels;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const auto i =
+          (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) * 3;
+      const double value = luminance({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]});
+      const double aside = (2 * x + 1.0) / image.width - 1, up = (2 * y + 1.0) / image.height - 1;
+      if (std::isfinite(value) && value > 0) pixels.push_back({value, std::exp(-aside * aside - up * up)});
+    }
+  std::ranges::sort(pixels, {}, &MeteredPixel::luminance);
+  if (pixels.empty()) return pixels;
   // a night sky says nothing about the brightness of a street
   constexpr double kBlack = 1.0 / 300;
-  const double bright = values[values.size() * 9 / 10];
-  values.resize(std::max<std::size_t>(values.size() * 49 / 50, 1));
-  values.erase(values.begin(), std::ranges::lower_bound(values, std::min(bright * kBlack, values.back())));
-  double sum = 0;
-  for (const double value : values) sum += std::log2(value);
-  const double mean = std::exp2(sum / static_cast<double>(values.size()));
-  return std::log2(kMeanLuminance / mean);
+  const double bright = pixels[pixels.size() * 9 / 10].luminance;
+  pixels.resize(std::max<std::size_t>(pixels.size() * 49 / 50, 1));
+  const double least = std::min(bright * kBlack, pixels.back().luminance);
+  pixels.erase(pixels.begin(), std::ranges::lower_bound(pixels, least, {}, &MeteredPixel::luminance));
+  return pixels;
+}
+
+double geometric_mean(std::span<const MeteredPixel> pixels) {
+  double sum = 0, weight = 0;
+  for (const MeteredPixel& pixel : pixels) sum += std::log2(pixel.luminance) * pixel.weight, weight += pixel.weight;
+  return std::exp2(sum / weight);
+}
+
+// Returns the luminance that all but the brightest 1.5 % of the pixels do not exceed.
+double highlights(const Image& image) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3)
+    if (const double v = luminance({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]}); std::isfinite(v))
+      values.push_back(v);
+  if (values.empty()) return 0;
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(static_cast<double>(values.size() - 1) * 0.985);
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+// Returns the stops by which a photographer corrects a picture that the meter finds this many stops below the mean: a
+// dark one stays darker, by up to 3 of 10 stops, and snow stays bright.
+double corrected_stops(double stops_below) {
+  constexpr double kNight_stops = 10, kDarker = 0.3, kBright = 0.5;
+  if (stops_below < 0) return stops_below * kBright;
+  return stops_below * (1 - kDarker * std::min(stops_below / kNight_stops, 1.0));
 }
 
 }  // namespace
 
-double auto_exposure(const Image& image) {
-  const double stops = stops_below_mean(image);
-  return std::exp2(std::clamp(stops > 0 ? stops * 3 / 4 : stops, -10.0, 20.0));
+double metered_exposure(const Image& image) {
+  const std::vector<MeteredPixel> pixels = metered_pixels(image);
+  if (pixels.empty()) return 1;
+  const double stops = corrected_stops(std::log2(kMeanLuminance / geometric_mean(pixels)));
+  const double factor = std::exp2(std::clamp(stops, -10.0, 20.0));
+  // at most this many stops less, so that lamps and lit windows keep their colours
+  constexpr double kMostProtected = 0.6;
+  const double brightest = highlights(image) * factor;
+  return factor * std::clamp(kHighlights / std::max(brightest, 1e-12), kMostProtected, 1.0);
 }
 
-double day_exposure(const Image& image, double adapted) {
-  return std::max(adapted, std::exp2(stops_below_mean(image) - kShade_stops));
+double exposure_value(double factor) {
+  constexpr double kMeter = 100 / 12.5;  // of reflected light, ISO 2720
+  return std::log2(kMeter * kMeanLuminance * sky::kUnitLuminance_cd_m2 / factor);
+}
+
+Rgb white_balance(const Rgb& white) {
+  constexpr double kShare = 0.5, kLeast = 0.6, kMost = 1.7;
+  const double grey = luminance(white);
+  if (!(grey > 0) || white[0] <= 0 || white[1] <= 0 || white[2] <= 0) return {1, 1, 1};
+  Rgb gains;
+  for (std::size_t c = 0; c < 3; ++c) gains[c] = std::clamp(std::pow(grey / white[c], kShare), kLeast, kMost);
+  return gains;
 }
 
 double adapted_exposure(const sky::Sky& sky) {
@@ -61,11 +112,6 @@ double adapted_exposure(const sky::Sky& sky) {
       std::lerp(below->second, above->second, (height_deg - below->first) / (above->first - below->first)));
 }
 
-double exposure_under(const sky::Sky& sky, const Image& image) {
-  return sky::is_night(sky) && !sky::are_lines_lit(sky) ? auto_exposure(image)
-                                                        : day_exposure(image, adapted_exposure(sky));
-}
-
 bool is_black(const Image& image) {
   double sums[3] = {};
   for (std::size_t i = 0; i < image.rgb.size(); ++i) sums[i % 3] += image.rgb[i];
@@ -73,6 +119,10 @@ bool is_black(const Image& image) {
   const float mean[] = {static_cast<float>(sums[0] / pixels), static_cast<float>(sums[1] / pixels),
                         static_cast<float>(sums[2] / pixels)};
   return std::ranges::max(tone_map(mean)) < 3;
+}
+
+void balance(Image& image, const Rgb& gains) {
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] *= static_cast<float>(gains[i % 3]);
 }
 
 void expose(Image& image, double factor) {

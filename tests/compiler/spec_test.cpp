@@ -137,7 +137,7 @@ TEST(Spec, TextsOfTimeCloudsAndGeoidBecomeValuesAtOnce) {
   ASSERT_TRUE(apply(setting_named("clouds"), "broken", spec));
   ASSERT_TRUE(apply(setting_named("geoid-height"), "47.50", spec));
   EXPECT_EQ(spec.time, *sky::parse_time("2026-06-21T13:00:00Z"));
-  EXPECT_EQ(spec.clouds.size(), 2U);
+  EXPECT_EQ(spec.clouds->size(), 2U);
   EXPECT_EQ(spec.outputs.geoid, (map::GeoidSource{"47.50", 47.5}));
 }
 

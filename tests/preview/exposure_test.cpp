@@ -15,19 +15,56 @@ Image grey(double luminance) {
   return image;
 }
 
-TEST(DayExposure, IsThatOfAdaptedEyesInTheLight) {
-  EXPECT_EQ(day_exposure(grey(kMeanLuminance), 1), 1);
-  EXPECT_EQ(day_exposure(grey(kMeanLuminance * std::exp2(-kShade_stops) * 1.01), 1), 1);
-  // at dusk eyes have adapted, and the picture is as bright as by day
-  EXPECT_EQ(day_exposure(grey(kMeanLuminance / 16), 16), 16);
+TEST(MeteredExposure, BringsAPictureByDayToItsMean) {
+  EXPECT_NEAR(metered_exposure(grey(kMeanLuminance)), 1, 1e-6);
+  // two stops of shade are lifted by nearly two
+  EXPECT_NEAR(std::log2(metered_exposure(grey(kMeanLuminance / 4))), 1.88, 0.01);
 }
 
-TEST(DayExposure, LeavesDeepShadeTwoStopsDarkerThanLight) {
-  for (const double luminance : {0.1, 0.01, 1e-4})
-    EXPECT_NEAR(luminance * day_exposure(grey(luminance), 1), kMeanLuminance / 4, 1e-6);
+TEST(MeteredExposure, LeavesNightsDarkAndSnowBright) {
+  EXPECT_NEAR(std::log2(metered_exposure(grey(kMeanLuminance / 1024))), 7, 0.01);
+  EXPECT_NEAR(std::log2(metered_exposure(grey(kMeanLuminance * 4))), -1, 0.01);
 }
 
-TEST(DayExposure, OfABlackPictureIsThatOfAdaptedEyes) { EXPECT_EQ(day_exposure(grey(0), 1), 1); }
+TEST(MeteredExposure, OfDarkerPicturesIsNeverLess) {
+  for (double stops = -4; stops < 9; stops += 0.25)
+    EXPECT_LE(metered_exposure(grey(std::exp2(-stops))), metered_exposure(grey(std::exp2(-stops - 0.25)))) << stops;
+}
+
+TEST(MeteredExposure, OfABlackPictureIsOne) { EXPECT_EQ(metered_exposure(grey(0)), 1); }
+
+TEST(MeteredExposure, WeighsTheMiddleMost) {
+  Image image = grey(0.1);
+  const auto lighten = [&](int x, int y) {
+    Image lighter = image;
+    for (int i = 0; i < 12; ++i) lighter.rgb[static_cast<std::size_t>(((y + i / 6) * 8 + x) * 3 + i % 6)] = 0.5;
+    return metered_exposure(lighter);
+  };
+  EXPECT_LT(lighten(3, 3), lighten(0, 0));
+  EXPECT_LT(lighten(0, 0), metered_exposure(image));
+}
+
+TEST(MeteredExposure, KeepsLampsFromBurning) {
+  Image night = grey(1e-3);
+  for (std::size_t i = 0; i < 9; ++i) night.rgb[i] = 3;
+  const double plain = metered_exposure(grey(1e-3)), lamps = metered_exposure(night);
+  EXPECT_LT(lamps, plain);
+  EXPECT_GE(lamps, 0.4 * plain);
+}
+
+TEST(ExposureValue, IsThatOfAHandheldMeter) {
+  // "sunny 16": 1/125 s at f/16 is EV 15
+  EXPECT_NEAR(exposure_value(1), 15.5, 0.1);
+  EXPECT_NEAR(exposure_value(4), exposure_value(1) - 2, 1e-9);
+}
+
+TEST(WhiteBalance, HalfCorrectsTheLight) {
+  const Rgb warm = {2, 1, 0.5}, gains = white_balance(warm);
+  EXPECT_NEAR(gains[0] * warm[0] / (gains[1] * warm[1]), std::sqrt(2.0), 1e-9);
+  for (const Rgb& white : {Rgb{1, 1, 1}, Rgb{0.01, 0.01, 0.01}})
+    for (const double gain : white_balance(white)) EXPECT_NEAR(gain, 1, 1e-9);
+  for (const double gain : white_balance({0, 0, 0})) EXPECT_EQ(gain, 1);
+}
 
 TEST(Exposure, FollowsTheSunDown) {
   const auto at = [](double z) { return adapted_exposure({{}, {0, 0, z}, 2.6}); };
@@ -35,13 +72,6 @@ TEST(Exposure, FollowsTheSunDown) {
   EXPECT_NEAR(at(0), std::exp2(3.6), 1e-4);
   EXPECT_NEAR(at(-0.5), std::exp2(9.4), 1e-4);
   for (double z = -0.2; z < 0.4; z += 0.01) EXPECT_GE(at(z), at(z + 0.01)) << z;
-}
-
-TEST(Exposure, IsAutomaticByNightOnly) {
-  const sky::Sky day{{}, {0, 0, 1}, 2.6}, night{{}, {0, 0, -1}, 2.6};
-  EXPECT_EQ(exposure_under(night, grey(1e-4)), auto_exposure(grey(1e-4)));
-  EXPECT_EQ(exposure_under(day, grey(1e-4)), day_exposure(grey(1e-4), 1));
-  EXPECT_NE(auto_exposure(grey(1e-4)), day_exposure(grey(1e-4), 1));
 }
 
 }  // namespace

@@ -45,6 +45,13 @@ TEST(ToneMap, ASunlitGreyWallIsALittleAboveMiddleGrey) {
   EXPECT_LT(shown[0], 220);
 }
 
+// White walls in the midday sun have up to 3.7, and shade a fiftieth of it.
+TEST(ToneMap, NeitherWhiteWallsBurnNorShadeIsCrushed) {
+  EXPECT_LT(toned(3.7f, 3.5f, 3.1f)[0], 235);
+  EXPECT_GT(toned(3.7f, 3.7f, 3.7f)[0], toned(3.0f, 3.0f, 3.0f)[0] + 4);
+  EXPECT_GT(toned(0.07f, 0.07f, 0.07f)[0], 12);
+}
+
 TEST(ToneMap, NotFiniteOrNegativeIsBlack) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), far = std::numeric_limits<float>::infinity();
   for (const float v : {nan, -nan, far, -far, -1.0f}) EXPECT_EQ(toned(v, v, v), (Bytes{0, 0, 0})) << v;

@@ -27,11 +27,16 @@ class Clouds(ProgramTest):
             self.assertGreater((whole / name).stat().st_size, 20000, name)
 
     def test_a_clear_sky_has_no_files_and_layers_take_few_bytes(self):
-        clear = self.compiled("clear", *SPEC, "--emit", "kiln,glb,usd", "--only", "-1_-1")
+        clear = self.compiled("clear", *SPEC, "--emit", "kiln,glb,usd", "--only", "-1_-1", "--clouds", "clear")
         self.assertEqual(self.hashes(clear), {})
         self.assertNotIn("clouds", (clear / "usd/scene.usda").read_text())
         broken = self.compiled("broken", *SPEC, "--emit", "kiln", "--only", "-1_-1", "--clouds", "broken")
         self.assertLess((broken / "scene.kiln").stat().st_size - (clear / "scene.kiln").stat().st_size, 300)
+
+    def test_clouds_that_nobody_asked_for_are_in_the_manifest_alone(self):
+        usual = self.compiled("usual", *SPEC, "--emit", "kiln,glb,usd", "--only", "-1_-1")
+        self.assertEqual(self.hashes(usual), {})
+        self.assertNotIn("clouds", (usual / "usd/scene.usda").read_text())
 
     def test_bad_layers_are_refused_in_one_line(self):
         bad = {"text": "{", "unknown": '{"layers": [{"kind": "fog"}]}', "upside down": '{"layers": [{"kind": "cirrus", "base": 3000, "top": 9}]}',

@@ -156,10 +156,17 @@ preview::Camera on_ground(preview::Camera camera, const PreviewScene& scene, con
   return camera;
 }
 
+// The direction of the sun; empty while it is too low to light streets, and inside of a cylinder.
+std::optional<Vec3> sun_over(const PreviewScene& scene) {
+  constexpr double kLowest = 0.05;
+  const sky::Sky& sky = scene.sky;
+  return sky.inside || scene.loaded.cylinder || sky.to_sun.z < kLowest ? std::nullopt : std::optional(sky.to_sun);
+}
+
 Result<preview::Camera> still_camera(const CameraRequest& request, const PreviewScene& scene, const Points& points,
                                      const GroundHeight& ground_m) {
   if (points.eye) return preview::Camera{*points.eye, *points.look_at};
-  const Result<preview::Camera> camera = preview::named_view(scene.view_tiles(), request.view);
+  const Result<preview::Camera> camera = preview::named_view(scene.view_tiles(), request.view, sun_over(scene));
   if (!camera) return camera.error();
   return on_ground(*camera, scene, ground_m);
 }
@@ -194,8 +201,8 @@ Result<std::vector<preview::Camera>> cameras_of(const CameraRequest& request, co
 std::vector<Option> camera_options(CameraRequest& request) {
   return {
       {"--view", "NAME",
-       "overview, street, square, river, hilltop, roofs, skyline, low, top, north, south, east or west (default: "
-       "overview)",
+       "overview, street, square, water, park, hilltop, roofs, skyline, low, top, north, south, east or west "
+       "(default: overview)",
        false, store_text(request.view)},
       {"--eye", "X,Y,Z",
        "place of the viewer in plane metres, such as 0,-200,150, or 0,-200,+2 for 2 m above the ground; needs --look",

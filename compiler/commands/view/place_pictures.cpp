@@ -117,7 +117,7 @@ Result<Done> write_picture(const Studio& studio, const preview::World& world, co
   const preview::Camera camera = camera_for(world, studio.scene, place);
   preview::Image image =
       preview::denoise(preview::render(world, studio.lights, camera, studio.options), studio.options.threads);
-  preview::expose(image, preview::exposure_under(studio.scene.header.sky, image));
+  preview::expose(image, preview::metered_exposure(image));
   return preview::write_image(image, place.picture);
 }
 

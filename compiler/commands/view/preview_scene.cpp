@@ -212,6 +212,46 @@ std::optional<double> PreviewScene::ground_height_m(Vec2 place) const {
   return highest;
 }
 
+namespace {
+
+// Sets the recipes that are rendered, with their sky, lamps and surroundings.
+void take_recipes(scene::Scene recipes, const SceneRequest& request, PreviewScene& scene) {
+  scene.loaded.header = recipes.header, scene.sky = recipes.header.sky;
+  look_around(recipes, request, scene);
+  if (sky::are_lamps_lit(scene.sky)) scene.lamps = preview::lamps_of(recipes, request.load.threads);
+  scene.recipes = std::move(recipes);
+}
+
+// The number of leaves of a tree that are too coarse for the viewers.
+std::size_t too_coarse(const TileNode& node, const Viewers& viewers) {
+  if (node.children.empty()) return node.path.empty() || is_fine_for(viewers, node) ? 0 : 1;
+  std::size_t count = 0;
+  for (const TileNode& child : node.children) count += too_coarse(child, viewers);
+  return count;
+}
+
+// Replaces a tree by the recipes of its manifest if some of its tiles are too coarse at their finest level. Returns
+// false if they are fine, or if there are no recipes of the same frame.
+bool take_recipes_where_coarse(const SceneRequest& request, const Viewers& viewers, PreviewScene& scene) {
+  const TileTree& tree = *scene.tree;
+  if (viewers.eyes.empty() || tree.is_on_ellipsoid || tree.cylinder || request.needs_tiles) return false;
+  const std::size_t coarse = too_coarse(tree.root, viewers);
+  std::error_code none;
+  if (coarse == 0 || !std::filesystem::exists(tree.manifest_path, none)) return false;
+  LoadRequest load = request.load;
+  load.paths = {tree.manifest_path};
+  Result<scene::Scene> recipes = read_scene(load);
+  if (!recipes) return false;
+  scene.note =
+      fmt::format("recipes of {}: its tiles at {} of {} places are coarser than {} pixels; --level N shows tiles",
+                  tree.manifest_path, coarse, scene.tree->coarse.size(), viewers.pixel_error);
+  scene.tree.reset();
+  take_recipes(std::move(*recipes), request, scene);
+  return true;
+}
+
+}  // namespace
+
 Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnProgress& on_progress) {
   const bool is_manifest = request.load.paths.size() == 1 && request.load.paths.front().ends_with(".kiln");
   if (request.fog_share && !is_manifest)
@@ -221,6 +261,7 @@ Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnPro
     Result<TileTree> tree = read_tile_tree(request.load, on_progress);
     if (!tree) return tree.error();
     scene.loaded.header = header_of(tree->manifest_path, tree->coarse);
+    scene.sky = sky_of(request.load, scene.loaded.header);
     scene.tree = std::move(*tree);
     return scene;
   }
@@ -238,11 +279,7 @@ Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnPro
   }
   if (cells) {
     scene.note.clear();
-    std::optional<scene::Scene>& recipes = cells;
-    scene.loaded.header = recipes->header, scene.sky = recipes->header.sky;
-    look_around(*recipes, request, scene);
-    if (sky::are_lamps_lit(scene.sky)) scene.lamps = preview::lamps_of(*recipes, request.load.threads);
-    scene.recipes = std::move(*recipes);
+    take_recipes(std::move(*cells), request, scene);
   } else {
     Result<Loaded> loaded = load_tiles(load, on_progress);
     if (!loaded) return loaded.error();
@@ -264,6 +301,7 @@ Result<Done> load_levels(PreviewScene& scene, const SceneRequest& request, const
   Viewers viewers = viewers_of(viewing, request.cells.pixel_error);
   if (scene.tree->cylinder)
     for (Vec3& eye : viewers.eyes) eye = map::at(*scene.tree->cylinder, eye).at;
+  if (take_recipes_where_coarse(request, viewers, scene)) return Done{};
   const auto is_fine = [&](const TileNode& node) { return !viewers.eyes.empty() && is_fine_for(viewers, node); };
   Result<Loaded> loaded = load_contents(*scene.tree, contents_of(scene.tree->root, is_fine), on_progress);
   if (!loaded) return loaded.error();

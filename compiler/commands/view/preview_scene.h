@@ -64,8 +64,9 @@ struct SceneRequest {
 Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnProgress& on_progress);
 
 /// Reads the tiles of `scene.tree`: for each place the coarsest level whose error is at most the pixel error in every
-/// picture; without cameras the finest level. Then sets sky and lamps. Does nothing for other scenes. Errors: files
-/// that cannot be read.
+/// picture; without cameras the finest level. If there is none for some place, and the manifest is beside the tiles,
+/// the scene gets its recipes instead, and a note says so. Then sets sky and lamps. Does nothing for other scenes.
+/// Errors: files that cannot be read.
 Result<Done> load_levels(PreviewScene& scene, const SceneRequest& request, const Viewing& viewing,
                          const OnProgress& on_progress);
 

@@ -26,7 +26,7 @@ CloudRequest above_ground(const CloudLayer& layer) { return {layer, true, true};
 
 std::optional<std::vector<CloudRequest>> named(const std::string& name) {
   if (name == "clear") return std::vector<CloudRequest>{};
-  if (name == "fair") return std::vector{above_ground(kFair)};
+  if (name == "fair") return fair_clouds();
   if (name == "broken") return std::vector{above_ground(kBroken), above_ground(kHigh)};
   if (name == "overcast") return std::vector{above_ground(kOvercast)};
   return std::nullopt;
@@ -99,6 +99,8 @@ Result<std::vector<CloudRequest>> read_file(const std::string& path) {
 }
 
 }  // namespace
+
+std::vector<CloudRequest> fair_clouds() { return {above_ground(kFair)}; }
 
 Result<std::vector<CloudRequest>> read_clouds(const std::string& name_or_path) {
   if (auto layers = named(name_or_path)) return std::move(*layers);

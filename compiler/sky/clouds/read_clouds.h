@@ -29,6 +29,8 @@ struct CloudRequest {
 /// Errors, each in one line: a file that is missing, malformed or larger than 64 kB; an unknown key; a number out of
 /// its limits.
 Result<std::vector<CloudRequest>> read_clouds(const std::string& name_or_path);
+/// Returns the layers of the name "fair".
+std::vector<CloudRequest> fair_clouds();
 
 /// Returns the layers over a scene.
 ///
