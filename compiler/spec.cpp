@@ -130,7 +130,8 @@ Result<Done> fits_cylinder(const CompileSpec& spec) {
   if (outputs.surroundings == AroundWish::kYes)
     return Error{"--surroundings", "there is no land around a map inside of a cylinder"};
   if (outputs.geoid) return Error{"--geoid-height", "is for the ellipsoid; leave it out inside of a cylinder"};
-  if (spec.clouds && !spec.clouds->empty()) return Error{"--clouds", "there are no clouds inside of a cylinder; leave it out"};
+  if (spec.clouds && !spec.clouds->empty())
+    return Error{"--clouds", "there are no clouds inside of a cylinder; leave it out"};
   return Done{};
 }
 

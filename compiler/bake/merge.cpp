@@ -99,10 +99,15 @@ void merge(PrimitiveMap& merged, const LayeredMesh& part, Vec3 origin, std::uint
 
 std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tolerance_m,
                                                const materials::TextureCache& textures) {
+  using materials::ColourSource;
   std::set<materials::Material> shown;
   const auto look_at = [&](const std::vector<Primitive>& primitives) {
-    for (const Primitive& p : primitives)
-      if (!p.uvs.empty() && p.colour_source == materials::ColourSource::kByMaterial) shown.insert(p.material);
+    for (const Primitive& p : primitives) {
+      // previews show the grain of what lies below markings
+      const bool is_shown = p.colour_source == ColourSource::kByMaterial ||
+                            (tile.viewpoint && p.colour_source == ColourSource::kByMarkingAtlas);
+      if (!p.uvs.empty() && is_shown) shown.insert(p.material);
+    }
   };
   look_at(tile.primitives);
   for (const InstancedMesh& instanced : tile.instanced) look_at(instanced.primitives);

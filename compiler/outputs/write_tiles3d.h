@@ -30,7 +30,8 @@ Result<map::Geoid> geoid_of(const scene::Header& header, const Outputs& outputs)
 ///   levels of 2.5 m.
 /// - error_m of each tile is at least the error of its content, and larger than the errors of its children.
 /// - Outputs::lights are lights of all levels of a tile.
-/// - Unless Outputs::surroundings is kNo, where the header has land around, the root has no content and two children: the tree and
+/// - Unless Outputs::surroundings is kNo, where the header has land around, the root has no content and two children:
+/// the tree and
 ///   that land.
 ///
 /// Returns the files that were written; none if the scene has no chunk. Errors: a file that cannot be written; those of

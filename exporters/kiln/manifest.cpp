@@ -105,7 +105,8 @@ flatbuffers::Offset<fbs::Sky> sky_of(flatbuffers::FlatBufferBuilder& builder, co
   const auto clouds = builder.CreateVector(layers);
   const auto inside = inside_of(builder, sky);
   return fbs::CreateSky(builder, time, sun, sky.turbidity, sky.visibility_km, sky.ground_albedo, moon,
-                        std::llround(sky.moon_lit * 0x1p20), pole, equinox, sky.ground_m, clouds, inside, sky.clouds_are_default);
+                        std::llround(sky.moon_lit * 0x1p20), pole, equinox, sky.ground_m, clouds, inside,
+                        sky.clouds_are_default);
 }
 
 flatbuffers::Offset<fbs::Index> index_of(flatbuffers::FlatBufferBuilder& builder, const scene::Scene& scene,

@@ -43,7 +43,7 @@ void stretch(Shape& shape, std::size_t axis, double factor) {
   shape.scope.size_m[axis] *= factor;
 }
 
-Shape rounded(const Shape& shape) {
+Shape with_rounded_sides(const Shape& shape) {
   Shape result = shape;
   for (const std::size_t axis : axes_in_face(shape))
     stretch(result, axis, rounded_side_m(shape.scope.size_m[axis]) / shape.scope.size_m[axis]);
@@ -98,7 +98,7 @@ std::optional<ElementPlace> element_place(Execution& execution, const Body& body
   if (!may_be_element(shape.scope.size_m[x]) || !may_be_element(shape.scope.size_m[y])) return std::nullopt;
   const DisplacementBound bound = displacement_bound(execution, ranges_of(execution), body);
   if (!bound.survives || bound.moved.largest_m() + shape.deviation_m > run.options.tolerance_m) return std::nullopt;
-  return ElementPlace{rounded(shape), bound.moved};
+  return ElementPlace{with_rounded_sides(shape), bound.moved};
 }
 
 NodeTrace replace_by_element(Run& run, Shape&& rectangle, const ElementPlace& place, std::size_t first) {

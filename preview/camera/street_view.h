@@ -39,9 +39,10 @@ Camera turned_by_a_third(const Camera& camera, int side);
 /// 5. at the core (SceneGrid::core_point()), above everything that is there
 ///
 /// The places are those on streets nearest to the core, at most 260, at least 15 m apart. Each is tried along the
-/// directions in which one sees farthest. The best has the largest product of: the share of the way ahead that has buildings on
-/// both sides within 18 m; the walls near the eye; the number of these buildings, up to 8; the sunlit share of their walls, if the sun is up;
-/// the distance seen ahead; less for alleys, and for looking into the sun. The picture is turned to the sunlit side.
+/// directions in which one sees farthest. The best has the largest product of: the share of the way ahead that has
+/// buildings on both sides within 18 m; the walls near the eye; the number of these buildings, up to 8; the sunlit
+/// share of their walls, if the sun is up; the distance seen ahead; less for alleys, and for looking into the sun. The
+/// picture is turned to the sunlit side.
 ///
 /// Deterministic. Cost: some 100,000 rays.
 Camera street_view(const ViewScene& scene);

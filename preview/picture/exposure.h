@@ -17,9 +17,9 @@ inline constexpr double kHighlights = 12;
 /// Returns the factor of exposure that a camera's meter finds: it brings the geometric mean luminance of the picture,
 /// weighted towards its middle, near kMeanLuminance. Darker pictures stay darker, by up to 3 of 10 stops that
 /// they lack by night, and brighter ones, such as of snow, keep half of their stops. If more than 1.5 % of the pixels
-/// would then be brighter than kHighlights, the factor is less, by at most 0.75 stops: lamps do not burn out. The factor
-/// is from 2^-12 to 2^20, and 1 for a black picture. Three kinds of pixels do not count for the mean: the brightest
-/// fiftieth, those without light, and those darker than 1/300 of the 90th percentile.
+/// would then be brighter than kHighlights, the factor is less, by at most 0.75 stops: lamps do not burn out. The
+/// factor is from 2^-12 to 2^20, and 1 for a black picture. Three kinds of pixels do not count for the mean: the
+/// brightest fiftieth, those without light, and those darker than 1/300 of the 90th percentile.
 double metered_exposure(const Image& image);
 
 /// Returns the exposure value (EV at ISO 100) of a camera that exposes as a factor does; 15.5 for 1.

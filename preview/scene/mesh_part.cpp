@@ -98,12 +98,14 @@ std::array<double, 3> apply_material(Hit& hit, const HitTriangle& t, const Textu
   return apply_image(hit, t, footprint, texture);
 }
 
-// Sets normal and roughness of the material below markings, and gives their colour its grain. Coordinates on the atlas
-// are metres too, and jump back by the length of a layout.
-void apply_under_markings(Hit& hit, const HitTriangle& t, const TextureFootprint& footprint,
-                          const MaterialTexture& texture, std::array<double, 3>& colour) {
-  constexpr double kPeriod_m = 12;
+// Sets normal and roughness of the material below markings, and gives their colour its grain. It lies by the plan:
+// places on the atlas depend on what else is there. Tiles and cells begin at multiples of the period.
+void apply_under_markings(Hit& hit, const HitTriangle& t, TextureFootprint footprint, const MeshPart& part,
+                          std::array<double, 3>& colour) {
+  constexpr double kPeriod_m = 16;
   if (footprint.is_rough) return;
+  const MaterialTexture& texture = *part.material_texture;
+  footprint.centre = in_plan(hit.position - part.offset);
   if (texture.has_normals()) apply_normal_map(hit, t, texture.normal(footprint, kPeriod_m), {});
   hit.roughness = static_cast<float>(texture.roughness(footprint, kPeriod_m));
   const auto& own = values_of(texture.texture().material).base_colour;
@@ -159,7 +161,7 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<double, 3>& w
     if (part.marking_atlas != nullptr) colour = part.marking_atlas->mean(texture_footprint_of(t, ray));
     const TextureFootprint footprint = scaled_footprint_of(t, ray);
     if (part.marking_atlas != nullptr && part.material_texture != nullptr)
-      apply_under_markings(hit, t, footprint, *part.material_texture, colour);
+      apply_under_markings(hit, t, footprint, part, colour);
     else if (part.material_texture != nullptr)
       colour = apply_material(hit, t, footprint, *part.material_texture);
     if (part.cutout != nullptr) colour = apply_image(hit, t, footprint, *part.cutout, ray.direction);
@@ -217,6 +219,7 @@ MeshPart mesh_part_of(const bake::Primitive& primitive, Vec3 offset, const MipTe
   assert(primitive.normals.size() == primitive.positions.size());
   using materials::ColourSource;
   MeshPart part{&primitive, {}};
+  part.offset = offset;
   if (primitive.colour_source == ColourSource::kByMarkingAtlas) part.marking_atlas = marking_atlas;
   if (primitive.colour_source == ColourSource::kByAtlas && !primitive.uvs.empty()) part.facade_atlas = facade_atlas;
   if (part.facade_atlas != nullptr) part.pictures = face_rectangles(primitive, facade_atlas->atlas().colour);

@@ -31,6 +31,7 @@ struct MeshPart {
   std::vector<std::uint32_t> emitters{};
   /// The tile's features, which the primitive's vertices index. Null: the hits of this part have no feature.
   const std::vector<OsmId>* features = nullptr;
+  Vec3 offset{};  ///< The tile's origin in the frame of the world.
 };
 
 /// The cone of directions that a ray stands for, at its hit.

@@ -94,6 +94,8 @@ TEST(Spec, ParsesEverySetting) {
                                                       {"ground-albedo", "0.3"},
                                                       {"clouds", "fair"},
                                                       {"surroundings", "true"},
+                                                      {"materials", "a"},
+                                                      {"textures", "fine"},
                                                       {"lights", "20"}};
   for (const auto& [name, text] : rows) EXPECT_EQ(objection(name, text), "") << name;
   EXPECT_EQ(std::size(rows), settings().size()) << "a setting without a row here";

@@ -133,7 +133,7 @@ class BadTags(ProgramTest):
     def test_tiles_are_complete_and_strict_fails(self):
         bad = self.written(WAYS)
         out = self.compiled("out", bad, "--lods", "0.5")
-        tiles = list(out.glob("glb/*.glb"))
+        tiles = list(out.glob("glb/*_L0.glb"))
         self.assertTrue(tiles)
         self.assertEqual(len(tiles), len(report_of(out)["tiles"]))
         done = run("check", out)

@@ -170,7 +170,7 @@ class Runs(ProgramTest):
     def test_levels_of_an_earlier_run_are_gone(self):
         out = self.town("out", "1,2,4")
         self.town("out", "2.5")
-        self.assertEqual({path.name.split("_L")[1] for path in (out / "glb").iterdir()}, {"0.glb"})
+        self.assertEqual({path.name.split("_L")[-1] for path in (out / "glb").iterdir()}, {"0.glb", "surroundings.glb"})
         self.assertEqual(contents(out), contents(self.whole("2.5")))
 
     def test_strange_files_stay_and_are_named(self):

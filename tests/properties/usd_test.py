@@ -92,7 +92,7 @@ class WhatUsdSays(ProgramTest):
 
     def test_every_layer_states_the_attribution(self):
         layers = [p for p in (self.town / "usd").rglob("*.usd?")]
-        self.assertEqual(len(layers), 1 + 4 + 8)
+        self.assertEqual(len(layers), 1 + 4 + 8 + 1)  # the scene, tiles, levels, the land around
         for path in layers:
             self.assertEqual(read_layer(path).metadata["customLayerData"]["attribution"], "© OpenStreetMap contributors")
 

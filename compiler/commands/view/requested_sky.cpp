@@ -11,7 +11,8 @@ sky::Sky sky_of(const LoadRequest& request, const std::optional<scene::Header>& 
     sky::Sky planned = sky::plan(header ? header->origin : LonLat{0, 45}, request.time);
     planned.turbidity = sky.turbidity, planned.visibility_km = sky.visibility_km;
     planned.ground_albedo = sky.ground_albedo, planned.ground_m = sky.ground_m;
-    planned.clouds = std::move(sky.clouds), planned.clouds_are_default = sky.clouds_are_default, planned.inside = std::move(sky.inside);
+    planned.clouds = std::move(sky.clouds), planned.clouds_are_default = sky.clouds_are_default,
+    planned.inside = std::move(sky.inside);
     sky = std::move(planned);
   }
   sky::set_air(request.air, sky);

@@ -544,7 +544,7 @@ class Page(ProgramTest):
             self.assertLess(max(node), len(names))
 
     def test_says_what_is_around(self):
-        self.assertIsNone(Manifest((self.compiled("crossing", GOLDEN / "crossing" / "map.osm", "--emit", "kiln") / "scene.kiln").read_bytes()).around)
+        self.assertIsNone(Manifest((self.compiled("crossing", GOLDEN / "crossing" / "map.osm", "--emit", "kiln", "--surroundings", "none") / "scene.kiln").read_bytes()).around)
         heights = self.folder / "wide.asc"
         rows = [[round(100 + 40 * math.sin(x / 3) + y) for x in range(60)] for y in range(60)]
         lon, lat = centre_of(GOLDEN / "crossing" / "map.osm")
