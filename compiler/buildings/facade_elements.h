@@ -13,7 +13,7 @@
 
 namespace citykiln::buildings {
 
-/// The size of a texel on the pictures of elements: six to kElementStep_m. Frames are three texels wide.
+/// The side of a texel on the pictures of elements, metres: kElementStep_m is six texels. Frames are three texels wide.
 inline constexpr double kElementTexel_m = grammars::kElementStep_m / 6;
 
 /// An element as seen straight on.
@@ -26,7 +26,7 @@ struct DrawnElement {
 /// alone, so it does not matter which building draws it. Memory: 20 bytes a texel, some 100 kB for a window.
 class ElementPictures {
  public:
-  /// Returns an element as drawn. The reference is valid as long as the pictures.
+  /// Returns an element as drawn. The reference is valid while this object exists.
   /// @param surfaces  By index into Derivation::appearances.
   const DrawnElement& drawn(const grammars::Element& element,
                             const std::vector<materials::SurfaceMaterial>& surfaces) const;

@@ -241,9 +241,9 @@ std::shared_ptr<const preview::Clouds> clouds_of(const PreviewScene& scene, cons
 }
 
 // Clears the haze of a view that shows land from afar, so that a large extent is as clear as a small one: one sees at
-// least 20 times as far as the place looked at. Does nothing if the haze was asked for.
+// least 50 times as far as the place looked at. Does nothing if the haze was asked for.
 void clear_haze(const PreviewRequest& request, const preview::Camera& camera, sky::Sky& sky) {
-  constexpr double kTimes = 20;
+  constexpr double kTimes = 50;
   if (!request.camera.finds_view() || request.load.air.visibility_km || request.load.air.turbidity) return;
   if (sky.visibility_km < sky::Sky{}.visibility_km) return;
   const double wanted_km = kTimes * length(camera.look_at - camera.eye) / 1000;

@@ -20,24 +20,28 @@ Field combined(std::uint32_t side_px, Of of) {
   return field;
 }
 
-/// Returns a field with mean 0, of which `deviations` standard deviations are 1. Constant fields become 0.
+/// Returns a field scaled so that its mean is 0 and its standard deviation is 1 / deviations. Constant fields become 0.
 Field normalised(Field field, double deviations);
 
-/// Returns a field without most of what is wider than a tenth of the side, which would make the repetition visible from
-/// afar.
+/// Returns a field without most of its variation over more than a tenth of the side, by which one sees from afar that
+/// it repeats.
 Field fine(const Field& field);
 
 /// Returns the fields of a pattern: its tone, normalised and clamped to -1 … 1, and its relief, normalised.
 PatternFields tones(const Field& tone, const Field& relief);
 /// Returns tones() of the fine part of the tone.
 PatternFields fine_tones(const Field& tone, const Field& relief);
+/// Returns fine_tones() of a field that is both tone and relief.
 PatternFields fine_tones(const Field& both);
 
-/// Returns a ramp from 0 to 1 of a width around `at`.
+/// Returns 0 below at - width / 2, 1 above at + width / 2, and a straight ramp between.
 double step(double value, double at, double width);
 
 // The patterns of units in courses (pattern_courses.cpp), of sheets (pattern_sheets.cpp) and of single strokes
 // (pattern_strokes.cpp): the fields of a square, as generate_pattern() returns them.
+// @param px             The side of the square in texels.
+// @param key            The random seed.
+// @param across, along  The numbers of units along a side.
 PatternFields bricks(Bond bond, std::uint32_t across, std::uint32_t along, std::uint32_t px, std::uint64_t key);
 PatternFields ashlar(std::uint32_t px, std::uint64_t key);
 PatternFields rubble(std::uint32_t px, std::uint64_t key);

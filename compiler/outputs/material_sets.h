@@ -24,9 +24,10 @@ struct MaterialSet {
 ///     material,size_m,credit,licence
 ///     flemish_brick,2.5,Jane Doe,CC0
 ///
-/// Sides become the nearest power of two, at most `most_px`; the size becomes the nearest whole fraction of 64 m, after
-/// which texture coordinates repeat; colours are scaled in linear light, so that their mean is that of the material, as
-/// tints of buildings and coarse levels need it. Occlusion darkens colours. Displacement gives normals where none are.
+/// Sides become the nearest power of two, at most `most_px`; size_m becomes the nearest 64 m / n
+/// with a whole number n, since texture coordinates repeat after 64 m. Linear colours are scaled until their mean is
+/// the colour of the material, which tints of buildings and coarse levels assume. Occlusion darkens colours.
+/// Displacement gives normals where none are.
 ///
 /// Errors, a line for each picture, row or folder that is wrong, with what was expected: a material that has no texture
 /// in citykiln; a missing row, colour or table; a picture that cannot be decoded, is not square, or not as large as the

@@ -18,8 +18,8 @@ class TextureChoice {
   /// @param seed  The header's.
   TextureChoice(const Outputs& outputs, std::uint64_t seed, std::vector<MaterialSet> sets);
 
-  /// Replaces textures as the settings say. Normals and roughness are kept only at tolerances where those of citykiln
-  /// are shown.
+  /// Replaces textures as the settings say. Normals and roughness are left out of tiles that are too coarse for those
+  /// of citykiln (Detail::kGroundNormals).
   void apply(bake::BakedTile& tile) const;
   /// A hash of what is replaced; 0 if nothing is.
   std::uint64_t hash() const { return hash_; }

@@ -1,8 +1,8 @@
 // Divides the land around the tiles of a scene into squares that grow with their distance from the tiles.
 //
-//     ┌───────┬───────┐      a square is split into four until its side is at most an eighth of its distance, a
-//     │       │   │   │      sixteenth where the land is rough, or the finest side beside the tiles
-//     │       ├───┼─┬─┤
+//     ┌───────┬───────┐      A square is split into four until its side is at most an eighth of its distance from the
+//     │       │   │   │      tiles: a sixteenth where the land is rough, a fifth where it is smooth and far. Squares
+//     │       ├───┼─┬─┤      beside tiles have the finest side.
 //     │       │   ├─┼─▒ tile
 //     └───────┴───┴─┴─▒
 #pragma once

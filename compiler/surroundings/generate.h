@@ -49,14 +49,14 @@ struct Neighbourhood {
   std::function<materials::Tint(const Patch&, materials::Material, Vec3, Vec3)> tint_at;
 };
 
-/// The largest distance between vertices on the border of tiles, and the depth of the skirt there, which hides that
-/// graded ground beside a road is up to a few metres off the terrain.
+/// The largest distance between vertices on the border of tiles, and the depth of the skirt there. The skirt
+/// hides differences of a few metres between the ground graded for roads and the terrain.
 inline constexpr double kBorderStep_m = 16, kSkirt_m = 12;
 
 /// The surface of the land and sea around the tiles.
 class AroundSurface {
  public:
-  /// @param around  Not empty.
+  /// @param around  Not empty. Both must outlive this object.
   AroundSurface(const Surroundings& around, const Neighbourhood& neighbourhood);
   ~AroundSurface();
 
@@ -64,7 +64,7 @@ class AroundSurface {
   /// vertex. A triangle is sea if all its corners are sea, else it has the look of its cell. Cells with a canopy are
   /// raised by its height, and have sides. Positions are multiples of 2^-7 m. Same bytes on every CPU.
   ///
-  /// Guarantees: no gap between two cells; on the border of tiles the heights of on_border(). O(n log n).
+  /// Guarantees: no gap between two cells; on the border of tiles the heights of on_border(). O(n log n) for n cells.
   std::vector<materials::MaterialMesh> meshes() const;
   /// Returns the height of the ground, canopies left out, in the frame of the mesh; empty in tiles and beyond the end.
   std::optional<double> height_m_at(Vec2 place) const;

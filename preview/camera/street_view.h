@@ -25,7 +25,8 @@ inline constexpr double kEye_m = 1.7;
 /// and nothing within 7 m in the middle of the picture.
 bool is_free_in_front(const ViewProbe& look, const Camera& camera);
 
-/// Returns a copy of a level view, turned so that what was in its middle is at a third of the picture's width.
+/// Returns a copy of a level view, turned so that what was in its middle is a third of the picture's width from
+/// one side.
 /// @param side  1: at the left third, so that more of the right is seen; -1: at the right third.
 Camera turned_by_a_third(const Camera& camera, int side);
 
@@ -41,7 +42,7 @@ Camera turned_by_a_third(const Camera& camera, int side);
 /// The places are those on streets nearest to the core, at most 260, at least 15 m apart. Each is tried along the
 /// directions in which one sees farthest. The best has the largest product of: the share of the way ahead that has
 /// buildings on both sides within 18 m; the walls near the eye; the number of these buildings, up to 8; the sunlit
-/// share of their walls, if the sun is up; the distance seen ahead; less for alleys, and for looking into the sun. The
+/// share of their walls, if the sun is up; the distance seen ahead. Alleys, and views into the sun, count less. The
 /// picture is turned to the sunlit side.
 ///
 /// Deterministic. Cost: some 100,000 rays.

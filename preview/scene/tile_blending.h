@@ -23,11 +23,11 @@ BlendedPatches patches_at(Vec2 at_m, double side_m, double period_m);
 /// The patch with the largest share, alone.
 BlendedPatches largest_only(const BlendedPatches& patches);
 
-/// Blends colours of a texture so that contrast and colours stay: histograms are made normal distributions, which are
-/// blended with their variance kept, and turned back.
+/// Blends colours of a texture so that contrast and colours stay: each channel is mapped to a normal distribution,
+/// blended with its variance kept, and mapped back by a table for each mip level.
 ///
 /// Source: Heitz and Neyret, "High-Performance By-Example Noise using a Histogram-Preserving Blending Operator", HPG
-/// 2018; each channel alone, with inverse tables filtered for each mip level as there.
+/// 2018.
 class BlendedColours {
  public:
   /// @param image  A square whose side is a power of two.

@@ -23,9 +23,10 @@ std::optional<Pane> pane_of(const Vec3 (&triangle)[3]);
 /// Returns the normal of window glass at a place: panes are slightly out of plane and bent, so that reflections of
 /// straight lines break from pane to pane.
 ///
-/// Panes are taken to be 1.5 m wide and 1.8 m high on a grid, whatever the mesh is: their plane is off by up to 5 mrad
-/// and their edges are bent by as much.
-/// @param normal  Unit. Returned unchanged if it is steeper than 45 degrees.
+/// Panes are taken to be 1.5 m wide and 1.8 m high on a grid, whatever the mesh is: the normal tilts by up to 5 mrad
+/// from pane to pane, and by up to 5 mrad more from the middle of a pane to its edges.
+/// @param normal  Unit. Returned unchanged if it points up or down by more than 45 degrees, as on a skylight.
+/// @param at      The place in the frame of the world, metres.
 Vec3 out_of_plane(Vec3 normal, Vec3 at);
 
 /// A path of light from outside through the pane to a surface of the room, and from there, perhaps by one more surface,

@@ -11,13 +11,15 @@ namespace citykiln::bake {
 
 /// The largest number of mirrored buildings, of 8 to 10 triangles each: those nearest to the edge are kept.
 inline constexpr std::size_t kMostFarBuildings = 1000;
-/// The distance from the edge up to which there are any.
+/// The largest distance of a mirrored building from the edge, metres: noise moves some farther than kMirrored_m.
 inline constexpr double kFarBuildings_m = 1500;
 
-/// Returns the buildings within kMirrored_m of the edge of a scene, mirrored as its land cover is (patchwork.h): boxes
-/// about the longest edge of their footprint, with its area, the heights, materials and tints of their walls, and a
-/// gable where they have a pitched roof. Only on land of towns, industry, farms and gardens that is not steep; none
-/// below 30 m² or above 32 m. One mesh for each material. O(buildings).
+/// Returns the buildings within kMirrored_m of the edge of a scene, mirrored as its land cover is (patchwork.h).
+///
+/// Each becomes a box along the longest edge of its footprint, with the footprint's area, and the height, material and
+/// tint of its walls. A building with a pitched roof gets a gable roof. Buildings stand only on land of towns,
+/// industry, farms and gardens that is not steep. Buildings with a footprint below 30 m², and buildings above 32 m, are
+/// left out. One mesh for each material. O(buildings).
 std::vector<materials::MaterialMesh> far_buildings(const scene::Scene& scene, const Patchwork& patchwork,
                                                    const surroundings::AroundSurface& surface);
 

@@ -10,9 +10,9 @@
 namespace citykiln::bake {
 
 /// Returns a strip for each street, railway and watercourse on the ground that crosses the edge of a scene. It goes on
-/// in the direction in which the road leaves, 350 m for service roads to 1,600 m for motorways, on the ground, and ends
-/// early at water, at tiles and where the land rises by more than 1 in 6. Its colour fades into that of the land;
-/// watercourses taper. One mesh for roads, one for water; either may be missing. O(roads).
+/// along the ground in the direction in which the way leaves, for 350 m (service roads) to 1,600 m (motorways). It
+/// stops earlier at water, at a tile, and where the slope of the land exceeds 1:6. The colour of roads fades into that
+/// of the land; watercourses become narrower. One mesh for roads, one for water; either may be missing. O(roads).
 std::vector<materials::MaterialMesh> far_ways(const scene::Scene& scene, const FarLand& land,
                                               const surroundings::AroundSurface& surface);
 

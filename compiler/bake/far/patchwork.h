@@ -1,9 +1,9 @@
 // The land cover around a scene: the cover along its edge, mirrored outwards.
 //
 //     ┌──────────┐
-//     │ scene    │    a place beyond the edge has the cover of the place as far inside of it: at the edge land goes on
-//     │     a  b │ b  a    without a step. Noise, which grows with the distance, moves places, so that it does not look
-//     │          │         mirrored.
+//     │ scene    │         A place some metres beyond the edge has the cover of the place as many metres inside of it,
+//     │     a  b │ b  a    so the cover does not change at the edge. An offset by noise, which grows with the distance,
+//     │          │         hides the symmetry.
 //     └──────────┘
 #pragma once
 
@@ -13,10 +13,12 @@
 
 namespace citykiln::bake {
 
-/// The depth of the land along the edge that is mirrored.
+/// The depth of the land along the edge that is mirrored, metres.
 inline constexpr double kMirrored_m = 600;
-/// The distance from the edge up to which woods are canopies, and the height of these.
-inline constexpr double kCanopies_m = 1500, kCanopy_m = 11;
+/// The distance from the edge up to which woods have canopies, metres.
+inline constexpr double kCanopies_m = 1500;
+/// The height of canopies, metres.
+inline constexpr double kCanopy_m = 11;
 
 /// The land cover around a scene.
 class Patchwork {
@@ -31,7 +33,8 @@ class Patchwork {
   /// Returns the box around the scene's tiles, at whose sides it is mirrored.
   const Box2& box() const { return lookup_.box(); }
   /// Returns the land cover of a cell: sea where the header's grid has sea; lakes only where land is level; no roads,
-  /// buildings or sports grounds. Beyond kPatchesEnd_m all is meadow, which no colour depends on there.
+  /// buildings or sports grounds. Beyond kPatchesEnd_m all is meadow: colours do not depend on the cover
+  /// there.
   surroundings::Patch patch_of(const surroundings::Cell& cell, double away_m) const;
 
  private:

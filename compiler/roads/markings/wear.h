@@ -6,9 +6,10 @@
 
 namespace citykiln::roads {
 
-/// Returns the wear of a strip as marks: bands that tyres polish, 1.5 m apart (the track of cars) in the middle of each
-/// lane; drops of oil between them; dirt along kerbs; the seam between lanes that were laid one by one. None for strips
-/// that are not asphalt or have no traffic lanes. Symmetric, so that a strip looks alike in both directions.
+/// Returns the wear of a strip as marks: two bands that tyres polish in each lane, whose middles are 1.5 m apart (the
+/// track of cars); drops of oil between them; dirt along kerbs; the seam between lanes that were laid one by one. None
+/// for strips that are not asphalt or have no traffic lanes. Symmetric about the axis of the strip, which looks alike
+/// in both directions.
 Marks wear_of(const MarkingLayout& layout);
 
 }  // namespace citykiln::roads
