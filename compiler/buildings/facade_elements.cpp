@@ -94,14 +94,25 @@ void add_rectangle(const grammars::Face& face, TexturedFace& textured) {
 
 }  // namespace
 
-const DrawnElement& ElementPictures::drawn(const Element& element, const std::vector<SurfaceMaterial>& surfaces) const {
+DrawnElement ElementPictures::drawn(const Element& element, const std::vector<SurfaceMaterial>& surfaces) const {
   Slot* slot = nullptr;
   {
     const std::lock_guard lock(mutex_);
     slot = &slots_[key_of(element, surfaces)];
   }
-  std::call_once(slot->once, [&] { slot->drawn = draw(element, surfaces); });
-  return slot->drawn;
+  std::call_once(slot->once, [&] {
+    slot->kept = draw(element, surfaces);
+    if (slot->kept.picture) slot->packed = impostor::packed(*slot->kept.picture);
+    if (slot->packed) slot->kept.picture.reset();
+  });
+  return slot->packed ? taken_from(*slot) : slot->kept;
+}
+
+DrawnElement ElementPictures::taken_from(Slot& slot) const {
+  const std::lock_guard lock(mutex_);
+  impostor::SharedPicture picture = slot.in_use.lock();
+  if (!picture) slot.in_use = picture = std::make_shared<const impostor::Picture>(impostor::unpacked(*slot.packed));
+  return {std::move(picture), {}};
 }
 
 void add_elements(const grammars::Derivation& derivation, const ElementPictures& pictures, OsmId feature,
@@ -109,13 +120,13 @@ void add_elements(const grammars::Derivation& derivation, const ElementPictures&
   std::vector<SurfaceMaterial> surfaces;
   for (const grammars::Appearance& appearance : derivation.appearances)
     surfaces.push_back(surface_material_of(appearance));
-  std::vector<const DrawnElement*> drawn;
-  for (const Element& element : derivation.elements) drawn.push_back(&pictures.drawn(element, surfaces));
+  std::vector<DrawnElement> drawn;
+  for (const Element& element : derivation.elements) drawn.push_back(pictures.drawn(element, surfaces));
   std::map<const impostor::Picture*, std::size_t> textured;
   std::map<SurfaceMaterial, std::vector<DerivedFace>> plain;
   for (const grammars::Terminal& terminal : derivation.terminals) {
     if (terminal.element == 0) continue;
-    const DrawnElement& element = *drawn[terminal.element - 1];
+    const DrawnElement& element = drawn[terminal.element - 1];
     if (!element.picture) {
       plain[element.surface].push_back({terminal.faces.front(), terminal.detail_distance_m});
       continue;

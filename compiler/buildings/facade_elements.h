@@ -3,7 +3,9 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "compiler/buildings/facade_textures.h"
@@ -22,21 +24,24 @@ struct DrawnElement {
   materials::SurfaceMaterial surface{};  ///< The surface in this case.
 };
 
-/// Pictures of elements, each drawn once a run. Thread-safe. A picture is a function of the element and its colours
-/// alone, so it does not matter which building draws it. Memory: 20 bytes a texel, some 100 kB for a window.
+/// Pictures of elements, each drawn once. Thread-safe. A picture is a function of the element and its colours alone, so
+/// it does not matter which building draws it. Memory: some 10 kB for a window, and 100 kB while a picture is in use.
 class ElementPictures {
  public:
-  /// Returns an element as drawn. The reference is valid while this object exists.
+  /// Returns an element as drawn. Calls for equal elements return the same picture while one of them is in use.
   /// @param surfaces  By index into Derivation::appearances.
-  const DrawnElement& drawn(const grammars::Element& element,
-                            const std::vector<materials::SurfaceMaterial>& surfaces) const;
+  DrawnElement drawn(const grammars::Element& element, const std::vector<materials::SurfaceMaterial>& surfaces) const;
 
  private:
   using Key = std::vector<std::int32_t>;  // sizes, materials, tints and coordinates
   struct Slot {
     std::once_flag once;
-    DrawnElement drawn;
+    DrawnElement kept;  // with a picture only if it cannot be packed
+    std::optional<impostor::PackedPicture> packed;
+    std::weak_ptr<const impostor::Picture> in_use;
   };
+  DrawnElement taken_from(Slot& slot) const;
+
   mutable std::mutex mutex_;
   mutable std::map<Key, Slot> slots_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdlib>
+#include <map>
 
 #include "compiler/materials/material.h"
 
@@ -58,6 +59,30 @@ Picture halved(const Picture& picture) {
       half.texels.push_back(sum.mean(4));
     }
   return half;
+}
+
+std::optional<PackedPicture> packed(const Picture& picture) {
+  PackedPicture all{picture.columns, picture.rows, {}, {}};
+  std::map<Texel, std::uint16_t> number_of;
+  for (const Texel& texel : picture.texels) {
+    // most texels are like the one before
+    if (!all.of_places.empty() && all.distinct[all.of_places.back()] == texel) {
+      all.of_places.push_back(all.of_places.back());
+      continue;
+    }
+    const auto [place, is_new] = number_of.try_emplace(texel, static_cast<std::uint16_t>(all.distinct.size()));
+    if (is_new && all.distinct.size() > 0xffff) return std::nullopt;
+    if (is_new) all.distinct.push_back(texel);
+    all.of_places.push_back(place->second);
+  }
+  return all;
+}
+
+Picture unpacked(const PackedPicture& picture) {
+  Picture whole{picture.columns, picture.rows, {}};
+  whole.texels.reserve(picture.of_places.size());
+  for (const std::uint16_t number : picture.of_places) whole.texels.push_back(picture.distinct[number]);
+  return whole;
 }
 
 void fill_gaps(Picture& picture) {

@@ -60,18 +60,27 @@ TEST(FacadeElements, FillTheirRectangles) {
   }
 }
 
-// A run has few distinct windows: a hundred houses of one style need hardly more pictures than ten.
+// A run has few distinct windows: sixty houses of one style need hardly more pictures than ten.
 TEST(FacadeElements, AreSharedByHouses) {
   const ElementPictures pictures;
-  std::set<const impostor::Picture*> distinct;
+  std::set<impostor::Picture> distinct;
   std::size_t windows = 0, after_ten = 0;
   for (std::uint64_t id = 1; id <= 60; ++id) {
     for (const TexturedFace& face : at_tolerance(house_of_style(Style::kPanelBlock, id), 0.1, pictures).textured_faces)
-      distinct.insert(face.picture.get()), windows += face.mesh.mesh.triangles.size() / 2;
+      distinct.insert(*face.picture), windows += face.mesh.mesh.triangles.size() / 2;
     if (id == 10) after_ten = distinct.size();
   }
   EXPECT_LT(distinct.size(), 8 * after_ten);
   EXPECT_LT(10 * distinct.size(), windows);
+}
+
+TEST(FacadeElements, AreOnePictureForAllHousesInUse) {
+  const ElementPictures pictures;
+  const GeneratedBuilding one = at_tolerance(house_of_style(Style::kPanelBlock, 1), 0.1, pictures),
+                          same = at_tolerance(house_of_style(Style::kPanelBlock, 1), 0.1, pictures);
+  ASSERT_EQ(one.textured_faces.size(), same.textured_faces.size());
+  for (std::size_t i = 0; i < one.textured_faces.size(); ++i)
+    EXPECT_EQ(one.textured_faces[i].picture, same.textured_faces[i].picture);
 }
 
 // A second cache draws the same, whichever house comes first.
