@@ -33,7 +33,7 @@ struct SceneContext {
   /// The result is a source of blocks (blocks/certified_blocks.h): low buildings are generated too, and no building has
   /// facade textures.
   bool is_for_blocks = false;
-  /// Pictures of elements that were drawn before; null: levels show elements in plain colours.
+  /// Pictures of elements that were drawn before; null: there are no elements.
   const ElementPictures* pictures = nullptr;
 };
 

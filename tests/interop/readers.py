@@ -235,12 +235,14 @@ class ReaderTest(ProgramTest):
             self.assertLess(abs(x - y), near, (a, b))
 
     def town(self, name, *arguments):
-        return self.compiled(name, "--spec", TOWN / "spec.json", *arguments)
+        """The example town, without the land around it unless the arguments ask for it."""
+        around = [] if "--surroundings" in arguments else ["--surroundings", "none"]
+        return self.compiled(name, "--spec", TOWN / "spec.json", *arguments, *around)
 
     def monaco(self, name, *arguments):
         """The tile of Monaco with most buildings."""
         osm, heights = map(self.data, MONACO)
-        return self.compiled(name, osm, "--dem", heights, "--only=-1_-1", *arguments)
+        return self.compiled(name, osm, "--dem", heights, "--only=-1_-1", "--surroundings", "none", *arguments)
 
 
 # ---- jobs ------------------------------------------------------------------------------------------------------------

@@ -52,7 +52,8 @@ def bring_in(context, folder, wishes, on_progress=lambda share: None):
 def files_of(run, wishes):
     """The names and paths of the files to import."""
     files = [(f"tile_{tile.name}_L{tile.level}", tile.path) for tile in chosen_tiles(run, wishes.choice)]
-    if wishes.has_surroundings and run.surroundings() is not None:
+    is_whole = not wishes.choice.tiles and not wishes.choice.box_deg
+    if wishes.has_surroundings and is_whole and run.surroundings() is not None:
         files.append(("surroundings", run.surroundings()))
     if wishes.has_clouds and run.clouds() is not None:
         files.append(("clouds", run.clouds()))

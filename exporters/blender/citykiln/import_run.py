@@ -20,7 +20,7 @@ class Wanted:
     lamps: BoolProperty(name="Lamps as Lights", default=False,
                         description="Street lamps as lights, where the run has them (compile --lights)")
     sky: BoolProperty(name="Sun and Sky", default=True, description="The sun and the sky of the run's time, as the scene's world")
-    surroundings: BoolProperty(name="Surroundings", default=True, description="The land around the map, where the run has it")
+    surroundings: BoolProperty(name="Surroundings", default=True, description="The land around the map, with all of its tiles")
     clouds: BoolProperty(name="Clouds", default=True, description="Clouds, where the run has them")
 
     def wishes(self, **choice):
