@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "compiler/buildings/meshes/terminal_meshes.h"
+#include "compiler/buildings/styles/paint_colour.h"
 #include "compiler/impostor/impostor.h"
 
 namespace citykiln::buildings {
@@ -92,34 +93,106 @@ void add_rectangle(const grammars::Face& face, TexturedFace& textured) {
   }
 }
 
+// The surfaces of a derivation, by index into Derivation::appearances.
+std::vector<SurfaceMaterial> surfaces_of(const grammars::Derivation& derivation) {
+  std::vector<SurfaceMaterial> surfaces;
+  for (const grammars::Appearance& appearance : derivation.appearances)
+    surfaces.push_back(surface_material_of(appearance));
+  return surfaces;
+}
+
+using FacesOfSurfaces = std::map<SurfaceMaterial, std::vector<DerivedFace>>;
+
+// Adds the detail of an element where its rectangle stands.
+void add_detail(const Element& element, const grammars::Face& rectangle, const std::vector<SurfaceMaterial>& surfaces,
+                FacesOfSurfaces& faces_of) {
+  const std::array<Vec3, 3> axis = grammars::axes_of(rectangle);
+  const Vec3 first = rectangle.outer.front();
+  Box2 box;
+  for (const Vec3 p : rectangle.outer) box.grow({dot(p - first, axis[0]), dot(p - first, axis[1])});
+  const double wide = box.width() / element.width_m, high = box.height() / element.height_m;
+  for (const grammars::ElementFace& each : element.faces) {
+    grammars::Face face = each.face;
+    grammars::each_vertex(face, [&](Vec3& p) {
+      p = first + axis[0] * (box.min.x + p.x * wide) + axis[1] * (box.min.y + p.y * high) + axis[2] * p.z;
+    });
+    faces_of[surfaces[each.appearance]].push_back({std::move(face), 0});
+  }
+}
+
+// Adds an element to a model for texels larger than it: its mean colour, or all detail if some of it emits light.
+void add_from_afar(const Element& element, const grammars::Face& rectangle, const impostor::Picture& picture,
+                   const std::vector<SurfaceMaterial>& surfaces, FacesOfSurfaces& faces_of) {
+  const impostor::Texel texel = mean(picture);
+  if (emits(texel)) return add_detail(element, rectangle, surfaces, faces_of);
+  const LinearRgb paint{texel.light[0] / 65535.0, texel.light[1] / 65535.0, texel.light[2] / 65535.0};
+  faces_of[{materials::Material::kPaint, tint_towards(materials::Material::kPaint, paint)}].push_back({rectangle, 0});
+}
+
 }  // namespace
 
-DrawnElement ElementPictures::drawn(const Element& element, const std::vector<SurfaceMaterial>& surfaces) const {
+ElementPictures::Slot& ElementPictures::slot_of(const Element& element,
+                                                const std::vector<SurfaceMaterial>& surfaces) const {
   Slot* slot = nullptr;
   {
     const std::lock_guard lock(mutex_);
     slot = &slots_[key_of(element, surfaces)];
   }
   std::call_once(slot->once, [&] {
-    slot->kept = draw(element, surfaces);
-    if (slot->kept.picture) slot->packed = impostor::packed(*slot->kept.picture);
-    if (slot->packed) slot->kept.picture.reset();
+    const DrawnElement fine = draw(element, surfaces);
+    slot->surface = fine.surface;
+    if (!fine.picture) return;
+    slot->fine = std::make_shared<const impostor::PackedPicture>(impostor::packed(*fine.picture));
+    slot->coarse = std::make_shared<const impostor::PackedPicture>(impostor::packed(halved(halved(*fine.picture))));
   });
-  return slot->packed ? taken_from(*slot) : slot->kept;
+  return *slot;
 }
 
-DrawnElement ElementPictures::taken_from(Slot& slot) const {
+DrawnElement ElementPictures::drawn(const Element& element, const std::vector<SurfaceMaterial>& surfaces) const {
+  Slot& slot = slot_of(element, surfaces);
+  if (!slot.fine) return {nullptr, slot.surface};
   const std::lock_guard lock(mutex_);
   impostor::SharedPicture picture = slot.in_use.lock();
-  if (!picture) slot.in_use = picture = std::make_shared<const impostor::Picture>(impostor::unpacked(*slot.packed));
+  if (!picture) slot.in_use = picture = std::make_shared<const impostor::Picture>(impostor::unpacked(*slot.fine));
   return {std::move(picture), {}};
+}
+
+CoarseElement ElementPictures::drawn_coarsely(const Element& element,
+                                              const std::vector<SurfaceMaterial>& surfaces) const {
+  const Slot& slot = slot_of(element, surfaces);
+  return {slot.coarse, slot.surface};
+}
+
+DetailedFacades detailed_facades(const grammars::Derivation& derivation, const ElementPictures* pictures,
+                                 NeededModels needed, OsmId feature) {
+  const std::vector<SurfaceMaterial> surfaces = surfaces_of(derivation);
+  DetailedFacades detailed;
+  FacesOfSurfaces faces_of = faces_by_surface(derivation), of_elements;
+  for (const grammars::Terminal& terminal : derivation.terminals) {
+    if (terminal.element == 0) continue;
+    const Element& element = derivation.elements[terminal.element - 1];
+    const grammars::Face& rectangle = terminal.faces.front();
+    CoarseElement drawn = pictures->drawn_coarsely(element, surfaces);
+    if (!drawn.picture) {
+      faces_of[drawn.surface].push_back({rectangle, 0});
+      continue;
+    }
+    if (needed.whole) add_from_afar(element, rectangle, impostor::unpacked(*drawn.picture), surfaces, of_elements);
+    detailed.elements.push_back({rectangle, std::move(drawn.picture)});
+  }
+  if (needed.walls) detailed.walls = impostor::model_of(meshes_of(faces_of, feature, 0));
+  if (!needed.whole) return detailed;
+  for (auto& [surface, faces] : of_elements) {
+    std::vector<DerivedFace>& all = faces_of[surface];
+    all.insert(all.end(), std::make_move_iterator(faces.begin()), std::make_move_iterator(faces.end()));
+  }
+  detailed.whole = impostor::model_of(meshes_of(faces_of, feature, 0));
+  return detailed;
 }
 
 void add_elements(const grammars::Derivation& derivation, const ElementPictures& pictures, OsmId feature,
                   FacadeMeshes& faces) {
-  std::vector<SurfaceMaterial> surfaces;
-  for (const grammars::Appearance& appearance : derivation.appearances)
-    surfaces.push_back(surface_material_of(appearance));
+  const std::vector<SurfaceMaterial> surfaces = surfaces_of(derivation);
   std::vector<DrawnElement> drawn;
   for (const Element& element : derivation.elements) drawn.push_back(pictures.drawn(element, surfaces));
   std::map<const impostor::Picture*, std::size_t> textured;

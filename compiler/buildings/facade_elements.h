@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <vector>
 
 #include "compiler/buildings/facade_textures.h"
@@ -18,33 +17,76 @@ namespace citykiln::buildings {
 /// The side of a texel on the pictures of elements, metres: kElementStep_m is six texels. Frames are three texels wide.
 inline constexpr double kElementTexel_m = grammars::kElementStep_m / 6;
 
+/// The side of a texel on coarse pictures of elements, metres.
+inline constexpr double kCoarseElementTexel_m = 4 * kElementTexel_m;
+
+/// A packed picture that many elements show.
+using SharedPackedPicture = std::shared_ptr<const impostor::PackedPicture>;
+
 /// An element as seen straight on.
 struct DrawnElement {
   impostor::SharedPicture picture;       ///< Row 0 is the upper edge; null if all of it has one surface.
   materials::SurfaceMaterial surface{};  ///< The surface in this case.
 };
 
+/// An element as seen straight on and from afar, with texels of kCoarseElementTexel_m.
+struct CoarseElement {
+  SharedPackedPicture picture;           ///< As in DrawnElement. Elements that share it are alike.
+  materials::SurfaceMaterial surface{};  ///< As in DrawnElement.
+};
+
 /// Pictures of elements, each drawn once. Thread-safe. A picture is a function of the element and its colours alone, so
-/// it does not matter which building draws it. Memory: some 10 kB for a window, and 100 kB while a picture is in use.
+/// it does not matter which building draws it. Memory: a few kB for a window, and 200 kB while a picture is in use.
 class ElementPictures {
  public:
   /// Returns an element as drawn. Calls for equal elements return the same picture while one of them is in use.
   /// @param surfaces  By index into Derivation::appearances.
   DrawnElement drawn(const grammars::Element& element, const std::vector<materials::SurfaceMaterial>& surfaces) const;
 
+  /// Returns an element as drawn, with texels of kCoarseElementTexel_m.
+  CoarseElement drawn_coarsely(const grammars::Element& element,
+                               const std::vector<materials::SurfaceMaterial>& surfaces) const;
+
  private:
   using Key = std::vector<std::int32_t>;  // sizes, materials, tints and coordinates
   struct Slot {
     std::once_flag once;
-    DrawnElement kept;  // with a picture only if it cannot be packed
-    std::optional<impostor::PackedPicture> packed;
+    materials::SurfaceMaterial surface{};
+    SharedPackedPicture fine, coarse;  // null if the element has one surface
     std::weak_ptr<const impostor::Picture> in_use;
   };
-  DrawnElement taken_from(Slot& slot) const;
+  Slot& slot_of(const grammars::Element& element, const std::vector<materials::SurfaceMaterial>& surfaces) const;
 
   mutable std::mutex mutex_;
   mutable std::map<Key, Slot> slots_;
 };
+
+/// An element where it stands on a building.
+struct PlacedElement {
+  grammars::Face rectangle;       ///< Plane metres.
+  SharedPackedPicture picture;  ///< CoarseElement::picture, not null.
+};
+
+/// The tolerance of the model that facade textures and rows of windows are taken from, which all levels share: windows
+/// keep reveals and frames, railings their bars. No detail of its elements is farther from their rectangle.
+inline constexpr double kDetailedModel_m = 0.05;
+
+/// A detailed model of a building, from which coarser levels take what they leave out.
+struct DetailedFacades {
+  impostor::Model walls;  ///< With holes in place of `elements`.
+  impostor::Model whole;  ///< With a rectangle of its mean colour, or what emits light, in place of each element.
+  std::vector<PlacedElement> elements;
+};
+
+/// The models of DetailedFacades that are made.
+struct NeededModels {
+  bool walls, whole;
+};
+
+/// Returns a derivation as a detailed model. O(n log n).
+/// @param pictures  Not null if the derivation has elements.
+DetailedFacades detailed_facades(const grammars::Derivation& derivation, const ElementPictures* pictures,
+                                 NeededModels needed, OsmId feature);
 
 /// Adds the rectangles of a derivation's elements: those with a picture as one TexturedFace for each picture, others to
 /// meshes of their surface. O(terminals + faces of elements).

@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 
+#include "compiler/buildings/facade_rows.h"
 #include "compiler/buildings/meshes/terminal_meshes.h"
 #include "compiler/buildings/styles/paint_colour.h"
 #include "compiler/contract/detail_tolerances.h"
@@ -60,8 +61,9 @@ double uniform_share(const View& view) {
 
 // The mean colour as a tint of the dominant material. It must cover most of the face: a wall with windows would
 // otherwise become glass of any colour.
+constexpr double kDominant = 0.75;
+
 SurfaceMaterial mean_material(const Impostor& impostor) {
-  constexpr double kDominant = 0.75;
   const impostor::Texel texel = mean(impostor.picture);
   const LinearRgb paint{texel.light[0] / 65535.0, texel.light[1] / 65535.0, texel.light[2] / 65535.0};
   const Material most = impostor.dominant_share >= kDominant ? impostor.dominant.material : Material::kPlaster;
@@ -127,6 +129,7 @@ struct FacadeBuilder {
   const impostor::Model& detailed;
   double texel_m, tolerance_m;
   OsmId feature;
+  bool has_rows = false;
   FacadeMeshes result{};
   std::map<SurfaceMaterial, std::vector<DerivedFace>> uniform{};
   std::vector<TexturedFace> textured{};
@@ -190,18 +193,30 @@ struct FacadeBuilder {
     return true;
   }
 
-  void add(const Face& face, const SurfaceMaterial& own, double terminal_error_m) {
-    if (face.outer.size() < 3) return;
+  // True if one surface stands for the face: all of it has one, or it is too small for texels.
+  bool is_plain(const Impostor& impostor, const View& view) const {
+    if (has_rows && impostor.dominant_share >= kDominant) return true;
+    const bool is_small = view.columns * view.rows < kMinTexels || std::min(view.columns, view.rows) == 1;
+    return is_small && !emits(mean(impostor.picture));
+  }
+
+  // Returns the colour that the face has, or its mean colour.
+  impostor::Texel add(const Face& face, const SurfaceMaterial& own, double terminal_error_m) {
+    const auto one = [&](const SurfaceMaterial& surface) {
+      add_uniform(face, surface);
+      return impostor::texel_of(surface);
+    };
+    if (face.outer.size() < 3) return {};
     const View view = view_of(face, texel_m);
-    const std::uint64_t texels = std::uint64_t{view.columns} * view.rows;
-    if (texels > kMaxTexelsPerFace) return add_uniform(face, own);
+    if (std::uint64_t{view.columns} * view.rows > kMaxTexelsPerFace) return one(own);
     Impostor impostor = render_supersampled(detailed, view);
-    if (impostor.dominant_share == 0) return add_uniform(face, own);
-    if (add_rails(face, own, covered_share(impostor, view, face), terminal_error_m)) return;
-    if (impostor.dominant_share >= uniform_share(view)) return add_uniform(face, impostor.dominant);
-    const bool is_small = texels < kMinTexels || std::min(view.columns, view.rows) == 1;
-    if (is_small && !emits(mean(impostor.picture))) return add_uniform(face, mean_material(impostor));
+    if (impostor.dominant_share == 0) return one(own);
+    if (add_rails(face, own, covered_share(impostor, view, face), terminal_error_m)) return impostor::texel_of(own);
+    if (impostor.dominant_share >= uniform_share(view)) return one(impostor.dominant);
+    if (is_plain(impostor, view)) return one(mean_material(impostor));
+    const impostor::Texel colour = mean(impostor.picture);
     add_textured(face, std::move(impostor.picture));
+    return colour;
   }
 
   // Faces are joined when all are known. Faces of one colour stay apart from textured ones, whose
@@ -218,6 +233,28 @@ struct FacadeBuilder {
     return std::move(result);
   }
 };
+
+struct RowOptions {
+  double texel_m, tolerance_m;
+  OsmId feature;
+};
+
+// Adds the rows of windows on faces of given colours. No row is moved farther than the tolerance.
+void add_rows(std::span<const Face> faces, std::span<const impostor::Texel> colours,
+              std::span<const PlacedElement> elements, const RowOptions& options, FacadeMeshes& made) {
+  const RowSizes sizes = row_sizes(options.texel_m);
+  const double reach_m = options.tolerance_m - sizes.before_m - kDetailedModel_m;
+  std::vector<std::vector<ElementOnWall>> on_faces = elements_on(faces, elements, reach_m);
+  std::vector<WallWithElements> walls;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (!on_faces[i].empty()) {
+      const std::array<Vec3, 3> axis = grammars::axes_of(faces[i]);
+      walls.push_back({{faces[i].outer.front(), axis[0], axis[1], axis[2]}, colours[i], std::move(on_faces[i])});
+      for (const ElementOnWall& element : walls.back().elements)
+        made.error_m = std::max(made.error_m, element.moved_m + sizes.before_m + kDetailedModel_m);
+    }
+  for (TexturedFace& row : rows_of(walls, sizes, options.feature)) made.textured_faces.push_back(std::move(row));
+}
 
 }  // namespace
 
@@ -237,17 +274,24 @@ std::uint32_t halvings_for(const View& view) {
   return halvings;
 }
 
-FacadeMeshes texture_facades(const grammars::Derivation& derivation, const impostor::Model& detailed, double texel_m,
+FacadeMeshes texture_facades(const grammars::Derivation& derivation, const DetailedFacades& detailed, double texel_m,
                              double tolerance_m, OsmId feature) {
   assert(texel_m > 0 && tolerance_m >= 0);
-  FacadeBuilder builder{detailed, texel_m, tolerance_m, feature};
+  const bool has_rows = has_detail(Detail::kFacadeRows, texel_m);
+  FacadeBuilder builder{has_rows ? detailed.walls : detailed.whole, texel_m, tolerance_m, feature, has_rows};
   std::vector<SurfaceMaterial> surfaces;
   for (const grammars::Appearance& appearance : derivation.appearances)
     surfaces.push_back(surface_material_of(appearance));
+  std::vector<Face> faces;
+  std::vector<impostor::Texel> colours;
   for (const grammars::Terminal& terminal : derivation.terminals)
-    for (const Face& face : terminal.faces)
-      builder.add(face, surfaces[terminal.appearance], terminal.detail_distance_m);
-  return std::move(builder).finish();
+    for (const Face& face : terminal.faces) {
+      faces.push_back(face);
+      colours.push_back(builder.add(face, surfaces[terminal.appearance], terminal.detail_distance_m));
+    }
+  FacadeMeshes made = std::move(builder).finish();
+  if (has_rows) add_rows(faces, colours, detailed.elements, {texel_m, tolerance_m, feature}, made);
+  return made;
 }
 
 }  // namespace citykiln::buildings

@@ -10,6 +10,8 @@
 
 namespace citykiln::buildings {
 
+struct DetailedFacades;  // facade_elements.h
+
 /// A face with its texture. Texture coordinates of the mesh are metres from the corner of the first texel.
 struct TexturedFace {
   std::shared_ptr<const impostor::Picture> picture;
@@ -32,6 +34,10 @@ struct FacadeMeshes {
 /// min(texel_m, 2 m) in front of it; farther in front there may be another wing.
 /// @param tolerance_m  The tolerance of the derivation, which FacadeMeshes::error_m does not exceed.
 ///
+/// At tolerances with Detail::kFacadeRows windows and doors are rectangles before the faces (facade_rows.h), which show
+/// the detailed model without them. There a face of which one material covers three quarters is a mesh of the mean
+/// colour, so that walls keep their material.
+///
 /// A face becomes
 /// - two rails along its longer sides, if it is a rectangle that the detailed model covers to less than half (a
 ///   railing) and this stays within the tolerance;
@@ -42,7 +48,7 @@ struct FacadeMeshes {
 /// their pictures together have more texels than the distinct ones of the parts.
 /// Faces that the detailed model does not cover and faces of more than kMaxTexelsPerFace texels keep the terminal's
 /// material. Deterministic on every CPU. Cost: one impostor::render() per face, and another per joined one.
-FacadeMeshes texture_facades(const grammars::Derivation& derivation, const impostor::Model& detailed, double texel_m,
+FacadeMeshes texture_facades(const grammars::Derivation& derivation, const DetailedFacades& detailed, double texel_m,
                              double tolerance_m, OsmId feature);
 
 /// The least number of texels of a textured face. Smaller faces get the mean colour.

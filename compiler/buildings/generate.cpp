@@ -45,10 +45,6 @@ std::vector<grammars::FrontLine> front_lines(const Building& building, const std
   return lines;
 }
 
-// Tolerance of the model that facade textures are rendered from, which all levels share: windows keep reveals and
-// frames, railings their bars.
-constexpr double kDetailedModel_m = 0.05;
-
 // At this tolerance a roof has all its planes.
 constexpr double kWholeRoof_m = 0.02;
 
@@ -61,7 +57,7 @@ struct Level {
   const grammars::Program* rules;  // null: none
   SceneContext context;
   double tolerance_m;
-  const impostor::Model* detailed;  // null: no facade textures
+  const DetailedFacades* detailed;  // null: no facade textures
   std::span<const grammars::RuleFault>
       more_faults;  // of all detail: a level omits faults with the detail that has them
 };
@@ -206,12 +202,21 @@ RuledMass ruled_mass(const Level& level, Report& report) {
 }
 
 // The model that facade textures are rendered from.
-impostor::Model detailed_model(Level level) {
+DetailedFacades detailed_model(Level level, NeededModels needed) {
   level.tolerance_m = kDetailedModel_m, level.detailed = nullptr;
   Report repeated;
   const MassModel mass = mass_model(level, kDetailedModel_m, repeated);
-  return impostor::model_of(
-      unjoined_meshes(derive(level, mass, kDetailedModel_m - mass.roof.error_m), level.building.id.osm));
+  return detailed_facades(derive(level, mass, kDetailedModel_m - mass.roof.error_m), level.context.pictures, needed,
+                          level.building.id.osm);
+}
+
+// The models that facade textures of some levels are rendered from.
+NeededModels models_for(std::span<const double> tolerances_m) {
+  NeededModels needed{};
+  for (const double tolerance_m : tolerances_m)
+    if (has_detail(Detail::kFacadeTextures, tolerance_m))
+      (has_detail(Detail::kFacadeRows, tolerance_m) ? needed.walls : needed.whole) = true;
+  return needed;
 }
 
 void add_ruled(const Level& level, const RuledMass& ruled, GeneratedBuilding& generated, Report& report) {
@@ -293,13 +298,13 @@ std::vector<GeneratedBuilding> generate(const Building& building, const Rulebook
   Level level{building, found != rulebook.end() ? &found->second : nullptr, context, 0, nullptr, {}};
   const std::vector<grammars::RuleFault> faults = faults_of_own_rules(level);
   level.more_faults = faults;
-  std::optional<impostor::Model> detailed;
+  std::optional<DetailedFacades> detailed;
   std::vector<GeneratedBuilding> levels;
   for (std::size_t i = 0; i < tolerances_m.size(); ++i) {
     assert(tolerances_m[i] > 0);
     const bool has_textures =
         level.rules && !context.is_for_blocks && has_detail(Detail::kFacadeTextures, tolerances_m[i]);
-    if (has_textures && !detailed) detailed = detailed_model(level);
+    if (has_textures && !detailed) detailed = detailed_model(level, models_for(tolerances_m));
     level.tolerance_m = tolerances_m[i], level.detailed = has_textures ? &*detailed : nullptr;
     levels.push_back(generate_level(level, reports[i]));
   }

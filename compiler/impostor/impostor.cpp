@@ -24,17 +24,10 @@ struct Point {
 };
 
 // A sample is drawn with its surface's index alone and looked up here once at the end.
-Texel texel_of(const SurfaceMaterial& surface) {
-  const materials::MaterialValues& values = values_of(surface.material);
-  const auto byte = [](float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255 + 0.5f); };
-  const auto word = [](double share) { return static_cast<std::uint16_t>(std::clamp(share, 0.0, 1.0) * 65535 + 0.5); };
-  const auto emission = emission_of(surface.material);
-  Texel texel{.roughness = byte(values.roughness), .metalness = byte(values.metallic), .shown = 1};
-  for (std::size_t c = 0; c < texel.light.size(); ++c) {
-    texel.light[c] = word(static_cast<double>(values.base_colour[c]) * surface.tint[c] / 255);
-    texel.emission[c] = word(static_cast<double>(emission[c]));
-  }
-  return texel;
+Texel sample_of(const SurfaceMaterial& surface) {
+  Texel sample = texel_of(surface);
+  sample.shown = 1;
+  return sample;
 }
 
 // The nearest surface at a sample. The surface with the lesser key is nearer, or has the lower index.
@@ -379,6 +372,19 @@ SurfaceMaterial surface_of(const MaterialMesh& mesh) {
 
 }  // namespace
 
+Texel texel_of(const SurfaceMaterial& surface) {
+  const materials::MaterialValues& values = values_of(surface.material);
+  const auto byte = [](float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255 + 0.5f); };
+  const auto word = [](double share) { return static_cast<std::uint16_t>(std::clamp(share, 0.0, 1.0) * 65535 + 0.5); };
+  const auto emission = emission_of(surface.material);
+  Texel texel{.roughness = byte(values.roughness), .metalness = byte(values.metallic), .shown = kSamplesPerTexel};
+  for (std::size_t c = 0; c < texel.light.size(); ++c) {
+    texel.light[c] = word(static_cast<double>(values.base_colour[c]) * surface.tint[c] / 255);
+    texel.emission[c] = word(static_cast<double>(emission[c]));
+  }
+  return texel;
+}
+
 Model model_of(std::span<const MaterialMesh> meshes) {
   Model model;
   for (const MaterialMesh& mesh : meshes) model.surfaces.push_back(surface_of(mesh));
@@ -405,7 +411,7 @@ Model model_of(std::span<const MaterialMesh> meshes) {
 Impostor render(const Model& model, const View& view) {
   assert(view.texel_m > 0 && view.columns > 0 && view.rows > 0);
   std::vector<Texel> surfaces;
-  for (const SurfaceMaterial& surface : model.surfaces) surfaces.push_back(texel_of(surface));
+  for (const SurfaceMaterial& surface : model.surfaces) surfaces.push_back(sample_of(surface));
   Buffers buffers{drawn(model, view, [](std::uint32_t) { return true; })};
   View rooms = view;
   rooms.behind_m = std::min(view.behind_m, kMaxRoomDepth_m);

@@ -32,6 +32,9 @@ struct ModelTriangle {
 /// other.
 inline constexpr std::size_t kTrianglesPerBlock = 32;
 
+/// Returns a surface as a texel that is wholly covered.
+Texel texel_of(const materials::SurfaceMaterial& surface);
+
 /// A model prepared for rendering.
 struct Model {
   std::vector<ModelTriangle> triangles;

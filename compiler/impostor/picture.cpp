@@ -1,9 +1,11 @@
 #include "compiler/impostor/picture.h"
 
+#include <lz4.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cstdlib>
-#include <map>
+#include <type_traits>
 
 #include "compiler/materials/material.h"
 
@@ -61,27 +63,23 @@ Picture halved(const Picture& picture) {
   return half;
 }
 
-std::optional<PackedPicture> packed(const Picture& picture) {
-  PackedPicture all{picture.columns, picture.rows, {}, {}};
-  std::map<Texel, std::uint16_t> number_of;
-  for (const Texel& texel : picture.texels) {
-    // most texels are like the one before
-    if (!all.of_places.empty() && all.distinct[all.of_places.back()] == texel) {
-      all.of_places.push_back(all.of_places.back());
-      continue;
-    }
-    const auto [place, is_new] = number_of.try_emplace(texel, static_cast<std::uint16_t>(all.distinct.size()));
-    if (is_new && all.distinct.size() > 0xffff) return std::nullopt;
-    if (is_new) all.distinct.push_back(texel);
-    all.of_places.push_back(place->second);
-  }
-  return all;
+PackedPicture packed(const Picture& picture) {
+  static_assert(std::is_trivially_copyable_v<Texel>);
+  const auto size = static_cast<int>(picture.texels.size() * sizeof(Texel));
+  PackedPicture small{picture.columns, picture.rows, std::vector<char>(static_cast<std::size_t>(LZ4_compressBound(size)))};
+  const int packed_size = LZ4_compress_default(reinterpret_cast<const char*>(picture.texels.data()), small.bytes.data(),
+                                               size, static_cast<int>(small.bytes.size()));
+  small.bytes.resize(static_cast<std::size_t>(packed_size));
+  small.bytes.shrink_to_fit();
+  return small;
 }
 
 Picture unpacked(const PackedPicture& picture) {
-  Picture whole{picture.columns, picture.rows, {}};
-  whole.texels.reserve(picture.of_places.size());
-  for (const std::uint16_t number : picture.of_places) whole.texels.push_back(picture.distinct[number]);
+  Picture whole{picture.columns, picture.rows, std::vector<Texel>(std::size_t{picture.columns} * picture.rows)};
+  [[maybe_unused]] const int size = LZ4_decompress_safe(
+      picture.bytes.data(), reinterpret_cast<char*>(whole.texels.data()), static_cast<int>(picture.bytes.size()),
+      static_cast<int>(whole.texels.size() * sizeof(Texel)));
+  assert(size == static_cast<int>(whole.texels.size() * sizeof(Texel)));
   return whole;
 }
 
