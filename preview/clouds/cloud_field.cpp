@@ -14,7 +14,7 @@ namespace {
 // Factors of each term relative to the one before: its light, the extinction on its way, and the mean cosine of its
 // last scattering.
 constexpr int kTerms = 4;
-constexpr double kTermLight = 1, kTermExtinction = 0.28, kTermAsymmetry = 0.3;
+constexpr double kTermLight = 0.88, kTermExtinction = 0.34, kTermAsymmetry = 0.3;
 
 // Droplets scatter half of their light by less than ten degrees, so shadows are cast by the rest.
 constexpr double kShadowExtinction = 0.5;

@@ -26,6 +26,8 @@ constexpr double kLeastNoise = 0.25;
 constexpr double kJoin = 0.35;
 // Below this share of the layer's height edges are frayed, by so many times the depth of other edges.
 constexpr double kFrayedShare = 0.22, kFrayed = 1.6;
+// The depth of edges in coarse samples, as a share of the finest billows that they have.
+constexpr double kBlur = 0.3;
 // The share of the layer's height in which density rises from the base on.
 constexpr double kBaseShare = 0.05;
 
@@ -210,9 +212,11 @@ CloudHeaps::Sample CloudHeaps::sample(Vec3 own, std::uint32_t column, double fin
   const double base = smooth_step(own.z / (kBaseShare * frame_.height_m));
   if (edges_ == CloudEdges::kBillowed && inside_m > deep_m_) return {base, 0};
   if (edges_ == CloudEdges::kBillowed) inside_m += billow(own, finest_m);
-  if (inside_m <= 0) return {0, -inside_m * 0.5};
   const double frayed = 1 + kFrayed * (1 - smooth_step(own.z / (kFrayedShare * frame_.height_m)));
-  return {smooth_step(inside_m / (soft_m_ * frayed)) * base, 0};
+  const double edge_m = soft_m_ * frayed, blurred_m = std::max(edge_m, kBlur * finest_m);
+  inside_m += (blurred_m - edge_m) / 2;
+  if (inside_m <= 0) return {0, -inside_m * 0.5};
+  return {smooth_step(inside_m / blurred_m) * base, 0};
 }
 
 double CloudHeaps::density(Vec3 own, double finest_m) const {

@@ -53,7 +53,8 @@ class CloudHeaps {
     double free_m = 0;   ///< About the distance to the nearest surface, in metres of the frame; 0 inside.
   };
   /// Returns the density at a place of the layer's frame in a column.
-  /// @param finest_m  Billows that are smaller are left out, in metres of the frame.
+  /// @param finest_m  Billows that are smaller are left out, and edges are not sharper than a third of it, in metres of
+  ///                  the frame.
   Sample sample(Vec3 own, std::uint32_t column, double finest_m) const;
   /// Returns the density at a place of the layer's frame.
   double density(Vec3 own, double finest_m) const;

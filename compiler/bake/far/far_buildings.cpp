@@ -17,7 +17,7 @@ namespace {
 using materials::Material;
 using materials::MaterialMesh;
 
-constexpr double kLeastArea_m2 = 30, kHighest_m = 32, kSteepestSite = 0.5, kStep_m = 0x1p-7;
+constexpr double kLeastArea_m2 = 40, kHighest_m = 32, kSteepestSite = 0.5, kStep_m = 0x1p-7;
 // Walls reach below the lowest ground, which is a plane only within a cell.
 constexpr double kBelow_m = 1.5;
 // The shares of the light of walls with windows that are not drawn, and of roofs with joints and shaded tiles.
@@ -129,6 +129,7 @@ struct BoxCorner {
   Vec3 at;
   Vec2 uv{};
 };
+using Outline = std::vector<BoxCorner>;
 
 class BoxWriter {
  public:
@@ -142,7 +143,7 @@ class BoxWriter {
                   .ground_m = high_m,
                   .eaves_m = high_m + std::max(2.5, buildings::eaves_m(b) - b.floor_m),
                   .rise_m = rise_m};
-    for (std::size_t i = 0; i < 4; ++i) add_wall(box, i, b.wall, buildings::wall_tint(b, seed_));
+    add_walls(box, b.wall, buildings::wall_tint(b, seed_));
     add_roof(box, b.roof, darkened(buildings::roof_tint(b, seed_), box.is_pitched() ? kOfTiles : 1));
   }
 
@@ -164,46 +165,67 @@ class BoxWriter {
   }
 
   // Walls of glass have no windows.
-  void add_wall(const Box& box, std::size_t side, Material material, materials::Tint tint) {
-    const Vec2 from = box.corners[side], to = box.corners[(side + 1) % 4];
+  void add_walls(const Box& box, Material material, materials::Tint tint) {
+    const auto& c = box.corners;
     const FarWindowPart part =
-        window_part(std::max(1.0, distance(from, to)), box.eaves_m - box.ground_m, box.ground_m - box.foot_m);
-    std::vector<BoxCorner> outline = {{at(from, box.eaves_m), {0, part.eaves_m}},
-                                      {at(from, box.foot_m), {0, part.below_m}},
-                                      {at(to, box.foot_m), {part.width_m, part.below_m}},
-                                      {at(to, box.eaves_m), {part.width_m, part.eaves_m}}};
+        window_part(std::max(1.0, distance(c[0], c[1])), std::max(1.0, distance(c[1], c[2])),
+                    box.eaves_m - box.ground_m, box.ground_m - box.foot_m);
+    std::vector<Outline> walls;
+    for (std::size_t i = 0; i < 4; ++i) walls.push_back(wall_of(box, part, i));
+    if (material == Material::kGlassFacade)
+      add_polygons(mesh_of(material, false), darkened(tint, kWithWindows), walls);
+    else
+      add_polygons(mesh_of(kUnderWindows, true), on_white(material, tint), walls);
+  }
+
+  static Outline wall_of(const Box& box, const FarWindowPart& part, std::size_t side) {
+    const std::size_t next = (side + 1) % 4;
+    const Vec2 from = box.corners[side], to = box.corners[next];
+    const double u = part.corners_m[side], v = part.corners_m[next];
+    Outline wall = {{at(from, box.eaves_m), {u, part.eaves_m}},
+                    {at(from, box.foot_m), {u, part.below_m}},
+                    {at(to, box.foot_m), {v, part.below_m}},
+                    {at(to, box.eaves_m), {v, part.eaves_m}}};
     // a gable is wall alone
     if (box.is_pitched() && side % 2 == 1)
-      outline.push_back({at((from + to) * 0.5, box.eaves_m + box.rise_m), {part.width_m / 2, part.eaves_m}});
-    const bool has_windows = material != Material::kGlassFacade;
-    if (has_windows) return polygon(mesh_of(kUnderWindows, true), on_white(material, tint), outline);
-    polygon(mesh_of(material, false), darkened(tint, kWithWindows), outline);
+      wall.push_back({at((from + to) * 0.5, box.eaves_m + box.rise_m), {(u + v) / 2, part.eaves_m}});
+    return wall;
   }
 
   void add_roof(const Box& box, Material material, materials::Tint tint) {
     MaterialMesh& mesh = mesh_of(material, false);
     const auto& c = box.corners;
-    if (!box.is_pitched()) {
-      const double top_m = box.eaves_m + box.rise_m;
-      return polygon(mesh, tint, {{at(c[0], top_m)}, {at(c[1], top_m)}, {at(c[2], top_m)}, {at(c[3], top_m)}});
-    }
     const double ridge_m = box.eaves_m + box.rise_m;
+    if (!box.is_pitched())
+      return add_polygons(mesh, tint, {{{at(c[0], ridge_m)}, {at(c[1], ridge_m)}, {at(c[2], ridge_m)}, {at(c[3], ridge_m)}}});
     const Vec3 west = at((c[0] + c[3]) * 0.5, ridge_m), east = at((c[1] + c[2]) * 0.5, ridge_m);
-    polygon(mesh, tint, {{at(c[0], box.eaves_m)}, {at(c[1], box.eaves_m)}, {east}, {west}});
-    polygon(mesh, tint, {{at(c[2], box.eaves_m)}, {at(c[3], box.eaves_m)}, {west}, {east}});
+    add_polygons(mesh, tint,
+                 {{{at(c[0], box.eaves_m)}, {at(c[1], box.eaves_m)}, {east}, {west}},
+                  {{at(c[2], box.eaves_m)}, {at(c[3], box.eaves_m)}, {west}, {east}}});
   }
 
-  // A convex polygon, counter-clockwise.
-  static void polygon(MaterialMesh& mesh, materials::Tint tint, const std::vector<BoxCorner>& outline) {
+  // Convex polygons, counter-clockwise. Their triangles take turns, so that they stay one object whose polygons share
+  // vertices in files without normals (object_runs.h).
+  static void add_polygons(MaterialMesh& mesh, materials::Tint tint, const std::vector<Outline>& polygons) {
+    std::vector<std::uint32_t> first;
+    std::size_t most = 0;
+    for (const Outline& outline : polygons) {
+      first.push_back(static_cast<std::uint32_t>(mesh.mesh.positions.size()));
+      most = std::max(most, outline.size());
+      add_vertices(mesh, tint, outline);
+    }
+    for (std::uint32_t i = 2; i < most; ++i)
+      for (std::size_t k = 0; k < polygons.size(); ++k)
+        if (i < polygons[k].size()) mesh.mesh.triangles.push_back({first[k], first[k] + i - 1, first[k] + i});
+  }
+
+  static void add_vertices(MaterialMesh& mesh, materials::Tint tint, const Outline& outline) {
     const Vec3 across = cross(outline[1].at - outline[0].at, outline[2].at - outline[0].at);
     const Vec3 normal = across == Vec3{} ? Vec3{0, 0, 1} : unit(across);
-    const auto first = static_cast<std::uint32_t>(mesh.mesh.positions.size());
     for (const BoxCorner& corner : outline) {
       mesh.mesh.positions.push_back(corner.at), mesh.mesh.normals.push_back(normal), mesh.tints.push_back(tint);
       if (mesh.colour_source == materials::ColourSource::kByAtlas) mesh.uvs.push_back(corner.uv);
     }
-    for (std::uint32_t i = 2; i < outline.size(); ++i)
-      mesh.mesh.triangles.push_back({first, first + i - 1, first + i});
   }
 
   MaterialMesh& mesh_of(Material material, bool has_windows) {

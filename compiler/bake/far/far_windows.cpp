@@ -1,7 +1,6 @@
 #include "compiler/bake/far/far_windows.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "compiler/contract/random_sequence.h"
@@ -50,11 +49,15 @@ impostor::Atlas far_windows() {
   return atlas;
 }
 
-FarWindowPart window_part(double length_m, double height_m, double below_m) {
-  const double bays = std::clamp(std::floor(length_m / kBay_m + 0.5), 1.0, static_cast<double>(kMostBays));
-  const double storeys = std::clamp(std::floor(height_m / kStorey_m + 0.5), 1.0, static_cast<double>(kMostStoreys));
+FarWindowPart window_part(double length_m, double width_m, double height_m, double below_m) {
+  const auto count = [](double m, double each_m, int most) {
+    return std::clamp(std::floor(m / each_m + 0.5), 1.0, static_cast<double>(most));
+  };
+  const double across = count(width_m, kBay_m, kMostBays / 2),
+               along = std::min(count(length_m, kBay_m, kMostBays), kMostBays - across),
+               storeys = count(height_m, kStorey_m, kMostStoreys);
   constexpr double kFoot_m = kMostStoreys * kCellHeight_m, kEnd_m = (kMostStoreys + kBelow) * kCellHeight_m;
-  return {.width_m = bays * kBay_m,
+  return {.corners_m = {across * kBay_m, (along + across) * kBay_m, along * kBay_m, 0},
           .eaves_m = kFoot_m - storeys * kCellHeight_m,
           .foot_m = kFoot_m,
           .below_m = std::min(kEnd_m - kWindowTexel_m, kFoot_m + below_m * storeys * kCellHeight_m / height_m)};

@@ -7,30 +7,32 @@
 //     └───────────┘
 #pragma once
 
-#include "compiler/geometry/vec.h"
+#include <array>
+
 #include "compiler/impostor/atlas.h"
 
 namespace citykiln::bake {
 
-/// The most bays and storeys of a wall, and their usual width and height.
-inline constexpr int kMostBays = 16, kMostStoreys = 10;
+/// The most bays of two neighbouring walls together, the most storeys of a wall, and their usual width and height.
+inline constexpr int kMostBays = 24, kMostStoreys = 10;
 inline constexpr double kBay_m = 3.2, kStorey_m = 3.1;
 
-/// Returns the picture, 128 × 104 texels of 0.4 m. Walls are white, so that tints give their colour. Same bytes on
+/// Returns the picture, 192 × 104 texels of 0.4 m. Walls are white, so that tints give their colour. Same bytes on
 /// every CPU.
 impostor::Atlas far_windows();
 
-/// The part of the picture that a wall shows, metres on the picture: u from the left edge, v down from the top.
+/// The part of the picture that the walls of a box show, metres on the picture: u from the left edge, v down from the
+/// top. Neighbouring walls have the same u at their common corner, so that they share vertices; two are mirrored.
 struct FarWindowPart {
-  double width_m = 0;              ///< A whole number of bays.
-  double eaves_m = 0, foot_m = 0;  ///< v of the eaves and of the ground.
-  double below_m = 0;              ///< v of the foot of the wall below ground.
+  std::array<double, 4> corners_m{};  ///< u of the corners, in order. Differences are whole numbers of bays.
+  double eaves_m = 0, foot_m = 0;     ///< v of the eaves and of the ground.
+  double below_m = 0;                 ///< v of the foot of the walls below ground.
 };
 
-/// Returns the part for a wall.
-/// @param length_m  Along the ground, > 0.
+/// Returns the part for a box.
+/// @param length_m  From its first corner to its second, > 0; from the second to the third it has width_m, > 0.
 /// @param height_m  From the ground to the eaves, > 0.
 /// @param below_m   The depth of its foot below the ground.
-FarWindowPart window_part(double length_m, double height_m, double below_m);
+FarWindowPart window_part(double length_m, double width_m, double height_m, double below_m);
 
 }  // namespace citykiln::bake

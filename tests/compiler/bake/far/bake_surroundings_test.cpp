@@ -132,15 +132,19 @@ TEST(BakeSurroundings, WallsOfHousesHaveWindows) {
   }
 }
 
-TEST(FarWindows, AWallHasAWholeNumberOfBaysAndStoreys) {
-  const FarWindowPart part = window_part(12.5, 6, 1.5);
-  EXPECT_DOUBLE_EQ(part.width_m, 4 * kBay_m);
+TEST(FarWindows, WallsHaveWholeNumbersOfBaysAndStoreys) {
+  const FarWindowPart part = window_part(12.5, 6.2, 6, 1.5);
+  const auto& u = part.corners_m;
+  EXPECT_DOUBLE_EQ(std::abs(u[1] - u[0]), 4 * kBay_m);
+  EXPECT_DOUBLE_EQ(std::abs(u[2] - u[1]), 2 * kBay_m);
+  EXPECT_DOUBLE_EQ(std::abs(u[3] - u[2]), 4 * kBay_m);
+  EXPECT_DOUBLE_EQ(std::abs(u[0] - u[3]), 2 * kBay_m);
   EXPECT_DOUBLE_EQ(part.foot_m - part.eaves_m, 2 * kBay_m);
   EXPECT_NEAR((part.below_m - part.foot_m) / (part.foot_m - part.eaves_m), 0.25, 1e-9);
   // no more than the picture has
   const impostor::Atlas atlas = far_windows();
-  const FarWindowPart large = window_part(500, 90, 60);
-  EXPECT_DOUBLE_EQ(large.width_m, kMostBays * kBay_m);
+  const FarWindowPart large = window_part(500, 400, 90, 60);
+  EXPECT_DOUBLE_EQ(large.corners_m[1], kMostBays * kBay_m);
   EXPECT_DOUBLE_EQ(large.eaves_m, 0);
   EXPECT_LT(large.below_m, atlas.colour.rows * atlas.colour.texel_m);
 }
