@@ -63,8 +63,8 @@ class AroundSurface {
   ~AroundSurface();
 
   /// Returns the surface of all cells that no tile covers: one mesh for each material, with normals and tints per
-  /// vertex. A triangle is sea if all its corners are sea, else it has the material of its cell. The tint of a vertex is
-  /// the mean of the cells about it, so that squares do not show; on the border it is that of the tile. Cells with a
+  /// vertex. A triangle is sea if all its corners are sea, else it has the material of its cell. The tint of a vertex
+  /// is the mean of the cells about it, so that squares do not show; on the border it is that of the tile. Cells with a
   /// canopy are raised by its height, which begins at 0 at the edge of the wood. Positions are multiples of 2^-7 m.
   /// Same bytes on every CPU.
   ///

@@ -68,7 +68,8 @@ float BillowNoise::at(float x, float y, float z) const {
   const int ix = static_cast<int>(fx), iy = static_cast<int>(fy), iz = static_cast<int>(fz);
   const int x0 = ix & kMask, x1 = (ix + 1) & kMask;
   const auto along_x = [&](int row, int slice) {
-    const std::uint8_t* first = &tile_[static_cast<std::size_t>(((slice & kMask) * kSamples + (row & kMask)) * kSamples)];
+    const std::uint8_t* first =
+        &tile_[static_cast<std::size_t>(((slice & kMask) * kSamples + (row & kMask)) * kSamples)];
     return static_cast<float>(first[x0]) * (1 - u) + static_cast<float>(first[x1]) * u;
   };
   const float low = along_x(iy, iz) * (1 - v) + along_x(iy + 1, iz) * v,

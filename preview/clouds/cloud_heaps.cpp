@@ -1,5 +1,6 @@
 // Surfaces after Schneider, Vos, "The Real-time Volumetric Cloudscapes of Horizon Zero Dawn" (SIGGRAPH 2015 courses):
-// cellular noise erodes a smooth body. The body is that of sky::generate_cloud(), and noise moves its surface in metres.
+// cellular noise erodes a smooth body. The body is that of sky::generate_cloud(), and noise moves its surface in
+// metres.
 #include "preview/clouds/cloud_heaps.h"
 
 #include <algorithm>
@@ -138,8 +139,7 @@ void cut_between(double from, double along, double low, double high, double& beg
 
 }  // namespace
 
-void CloudHeaps::stretches_of(Vec3 from, Vec3 direction, double distance_m,
-                              std::vector<HeapStretch>& stretches) const {
+void CloudHeaps::stretches_of(Vec3 from, Vec3 direction, double distance_m, std::vector<HeapStretch>& stretches) const {
   stretches.clear();
   if (heaps_.empty()) return;
   const Ray ray = ray_of(from, direction);

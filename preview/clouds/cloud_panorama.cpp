@@ -12,9 +12,7 @@ namespace {
 constexpr int kTile = 16;
 constexpr double kFinestPanorama_rad = 0.0002;
 
-CloudPath weighted(const CloudPath& path) {
-  return {path.passed, path.added, path.distance_m * (1 - path.passed)};
-}
+CloudPath weighted(const CloudPath& path) { return {path.passed, path.added, path.distance_m * (1 - path.passed)}; }
 
 CloudPath mixed_paths(const CloudPath& a, const CloudPath& b, double share) {
   return {std::lerp(a.passed, b.passed, share), a.added * (1 - share) + b.added * share,

@@ -82,9 +82,7 @@ void add_light(const sky::Cloud& cloud, const std::string& name, Chart& ratios, 
         return preview::cloud_path(field, eye, along, kFar_m, most, Random{{9, StableId{i}, "path"}}).added[1];
       };
     };
-    const auto fast = [&](Vec3 eye, Vec3 along, std::uint32_t) {
-      return field.along(eye, along, kFar_m).added[1];
-    };
+    const auto fast = [&](Vec3 eye, Vec3 along, std::uint32_t) { return field.along(eye, along, kFar_m).added[1]; };
     const Seen reference = seen_of(cloud, turn, 2000, path(1000)), once = seen_of(cloud, turn, 2000, path(1)),
                ours = seen_of(cloud, turn, 2000, fast);
     ratio.points.emplace_back(45 * side, ours.light / reference.light);

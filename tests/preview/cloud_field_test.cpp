@@ -64,8 +64,8 @@ TEST(CloudField, SoftEdgesDimAsTheyThin) {
 }
 
 TEST(CloudField, ThrowsAShadowAwayFromTheSun) {
-  const CloudField field =
-      field_of({{{0, 0, 400}, 100}}, {.to_sun = unit(Vec3{1, 0, 1}), .sun = {}, .sky = {}, .ground = {}}, CloudEdges::kSharp);
+  const CloudField field = field_of(
+      {{{0, 0, 400}, 100}}, {.to_sun = unit(Vec3{1, 0, 1}), .sun = {}, .sky = {}, .ground = {}}, CloudEdges::kSharp);
   // the sphere's middle is 1,900 m up
   const sky::LayerFrame frame = sky::frame_of(kSampledLayer);
   const Vec3 middle = frame.out_of({0, 0, 400});

@@ -167,9 +167,8 @@ class BoxWriter {
   // Walls of glass have no windows.
   void add_walls(const Box& box, Material material, materials::Tint tint) {
     const auto& c = box.corners;
-    const FarWindowPart part =
-        window_part(std::max(1.0, distance(c[0], c[1])), std::max(1.0, distance(c[1], c[2])),
-                    box.eaves_m - box.ground_m, box.ground_m - box.foot_m);
+    const FarWindowPart part = window_part(std::max(1.0, distance(c[0], c[1])), std::max(1.0, distance(c[1], c[2])),
+                                           box.eaves_m - box.ground_m, box.ground_m - box.foot_m);
     std::vector<Outline> walls;
     for (std::size_t i = 0; i < 4; ++i) walls.push_back(wall_of(box, part, i));
     if (material == Material::kGlassFacade)
@@ -197,7 +196,8 @@ class BoxWriter {
     const auto& c = box.corners;
     const double ridge_m = box.eaves_m + box.rise_m;
     if (!box.is_pitched())
-      return add_polygons(mesh, tint, {{{at(c[0], ridge_m)}, {at(c[1], ridge_m)}, {at(c[2], ridge_m)}, {at(c[3], ridge_m)}}});
+      return add_polygons(mesh, tint,
+                          {{{at(c[0], ridge_m)}, {at(c[1], ridge_m)}, {at(c[2], ridge_m)}, {at(c[3], ridge_m)}}});
     const Vec3 west = at((c[0] + c[3]) * 0.5, ridge_m), east = at((c[1] + c[2]) * 0.5, ridge_m);
     add_polygons(mesh, tint,
                  {{{at(c[0], box.eaves_m)}, {at(c[1], box.eaves_m)}, {east}, {west}},

@@ -27,13 +27,13 @@ constexpr int kBlur = kDirections / 8;
 // Rock begins to show at 35°, and all is rock at 48°.
 constexpr double kFirstRockCosine = 0.819;
 // The colour of canopies relative to that of a wood's floor: crowns shade each other, and are greener.
-constexpr TintFactor kCrowns = {0.46, 0.62, 0.40};
+constexpr TintFactor kCrowns = {0.52, 0.68, 0.45};
 // Towns grow on land below 6°, and on none above 14°, a slope of 1 in 4.
 constexpr double kTownCosine = 0.9945, kTownEndsCosine = 0.970;
 // Between these belts rock grows to this share of level ground.
 constexpr double kRockFrom_m = 2400, kRockUpTo_m = 2900, kRockShare = 0.7;
-// Land begins to be too steep to be mown or ploughed at 10°, and all is at 22°: scrub covers this share of what is open,
-// and woods cover this share of all below the tree line.
+// Land begins to be too steep to be mown or ploughed at 10°, and all is at 22°: scrub covers this share of what is
+// open, and woods cover this share of all below the tree line.
 constexpr double kWildCosine = 0.985, kAllWildCosine = 0.927, kWildScrub = 0.75, kWildWood = 0.4;
 // Woods and open land in patches of these wavelengths.
 constexpr double kPatch_m = 900, kSmallPatch_m = 260;

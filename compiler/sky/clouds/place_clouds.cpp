@@ -40,8 +40,8 @@ double size_of(double random) { return kLeastSize + (kMostSize - kLeastSize) * r
 // The share of cells that have a cloud.
 double kept_share(double cover) { return 0.3 + 0.7 * cover; }
 
-// The same near a cell: squares of kGroup cells have more clouds or fewer, up to this share, so that clouds stand in
-// groups with gaps between them.
+// Squares of kGroup cells have more clouds or fewer than that, up to this share, so that clouds stand in groups with
+// gaps between them.
 constexpr std::int64_t kGroup = 4;
 constexpr double kMostSpread = 0.75;
 double kept_near(const CloudLayer& layer, StableId whole, std::int64_t column, std::int64_t row) {
