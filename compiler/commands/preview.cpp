@@ -18,6 +18,7 @@
 #include "compiler/commands/view/view_options.h"
 #include "compiler/contract/texts/parse.h"
 #include "compiler/parse_values.h"
+#include "preview/camera/camera_rays.h"
 #include "preview/camera/cell_view.h"
 #include "preview/camera/view_probe.h"
 #include "preview/picture/denoise.h"
@@ -231,12 +232,12 @@ Result<Exit> fly(const Stage& stage, const preview::Camera& camera) {
   return Exit::kDone;
 }
 
-// The clouds of a scene's sky, as fine as the first camera needs: particles of a third of a degree in radius.
+// The clouds of a scene's sky, as fine as the first camera needs.
 std::shared_ptr<const preview::Clouds> clouds_of(const PreviewScene& scene, const sky::SkyModel& model,
                                                  const preview::Camera& camera, const PreviewRequest& request) {
-  constexpr double kFinest = 0.006;
   if (scene.sky.clouds.empty()) return nullptr;
-  return std::make_shared<preview::Clouds>(scene.sky.clouds, model, camera.eye, kFinest, request.cloud_method,
+  const double pixel_rad = preview::CameraRays(camera, request.size.width, request.size.height).pixel_rad();
+  return std::make_shared<preview::Clouds>(scene.sky.clouds, model, camera.eye, pixel_rad, request.cloud_method,
                                            request.load.threads);
 }
 

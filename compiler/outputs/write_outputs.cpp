@@ -186,9 +186,9 @@ std::vector<std::optional<WholeTile>> whole_tiles(const scene::Scene& scene, std
 
 Result<WrittenFile> write_around(bake::BakedTile tile, const scene::Header& header, const Outputs& outputs, int threads,
                                  exporters::OutputFolder& folder) {
-  // one small file: not packed, and on no grid of the tiles
+  // one small file: on no grid of the tiles, so that only normals are packed
   exporters::GlbOptions options = glb_options_of(outputs);
-  options.compression = Compression::kNone;
+  if (options.compression != Compression::kNone) options.compression = Compression::kLean;
   // nothing in it is of the map
   for (bake::Primitive& primitive : tile.primitives) primitive.features.clear();
   const exporters::EncodedTile encoded = exporters::encode_tile(std::move(tile), header, options, threads);

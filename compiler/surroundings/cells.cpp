@@ -17,8 +17,9 @@ double side_at(double away_m, bool is_rough) {
 void divide_cell(const Cell& cell, const CellSizes& sizes, std::vector<Cell>& cells) {
   const Box2 box = cell.box();
   const double away_m = sizes.away_m(box);
-  const bool is_small =
-      cell.side_m <= side_at(away_m, true) || (cell.side_m <= side_at(away_m, false) && !sizes.is_rough(box));
+  const bool is_small = cell.side_m <= side_at(away_m, true) ||
+                        (cell.side_m <= side_at(away_m, false) && !sizes.is_rough(box)) ||
+                        (cell.side_m <= away_m * kShareOfSea && sizes.is_sea && sizes.is_sea(box));
   if (cell.side_m <= sizes.finest_m || is_small) return cells.push_back(cell);
   const std::int32_t half_m = cell.side_m / 2;
   for (const std::int32_t y : {0, half_m})

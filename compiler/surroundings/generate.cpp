@@ -22,8 +22,12 @@ constexpr double kHeightStep_m = 0x1p-7;
 // The distance by which vertices between cells leave the lattice, as a share of the smallest cell, so that fields and
 // woods have no steps.
 constexpr double kJitter = 0.22;
-// The height of a wood's edge, as a share of the wood's.
-constexpr double kWoodEdge = 0.6;
+// Canopies are higher and lower by up to this share of the wood's height, in places.
+constexpr double kUneven = 0.3;
+// The height of the middle of a cell at the edge of a wood, as a share of the wood's.
+constexpr double kEdgeMiddle = 0.85;
+// Places along a side of a box at which it is searched for land.
+constexpr int kSeaPlaces = 5;
 // Land is rough where its middle is farther from its corners' mean than this share of the distance.
 constexpr double kRough = 0.006;
 
@@ -39,11 +43,23 @@ bool is_rough(const Neighbourhood& neighbourhood, const Box2& box) {
   return std::abs(height_m(middle.x, middle.y) - mean_m) > kRough * neighbourhood.away_m(box);
 }
 
+// Sea at places all over a box, those on its sides included.
+bool is_all_sea(const Surroundings& around, const Box2& box) {
+  for (int y = 0; y < kSeaPlaces; ++y)
+    for (int x = 0; x < kSeaPlaces; ++x) {
+      const Vec2 share{static_cast<double>(x) / (kSeaPlaces - 1), static_cast<double>(y) / (kSeaPlaces - 1)};
+      const Vec2 place = box.min + Vec2{box.width() * share.x, box.height() * share.y};
+      if (cover_at(around, place) != Cover::kSea) return false;
+    }
+  return true;
+}
+
 std::vector<Cell> cells_outside(const Surroundings& around, const Neighbourhood& neighbourhood) {
   std::vector<Cell> cells =
       cells_over(around.box(), {.finest_m = neighbourhood.finest_m,
                                 .away_m = neighbourhood.away_m,
-                                .is_rough = [&](const Box2& box) { return is_rough(neighbourhood, box); }});
+                                .is_rough = [&](const Box2& box) { return is_rough(neighbourhood, box); },
+                                .is_sea = [&](const Box2& box) { return is_all_sea(around, box); }});
   std::erase_if(cells, [&](const Cell& cell) { return neighbourhood.is_in_tile(cell.box().centre()); });
   return cells;
 }
@@ -65,7 +81,7 @@ std::optional<double> height_in(const std::array<Vec3, 3>& t, Vec2 p) {
 
 // The surface before it is divided by material.
 struct AroundSurface::Sheet {
-  enum class FaceKind : std::uint8_t { kGround, kSkirt, kCanopy, kCanopySide };
+  enum class FaceKind : std::uint8_t { kGround, kSkirt, kCanopy };
   struct Face {
     Triangle corners;
     std::uint32_t patch = 0;  // the number of its cell
@@ -76,7 +92,7 @@ struct AroundSurface::Sheet {
   CellIndex index;
   std::vector<Patch> patches;  // one per cell
   std::vector<Vec3> positions, normals;
-  std::vector<bool> is_sea;
+  std::vector<bool> is_sea, is_on_border;
   std::vector<Face> faces;
   std::vector<std::uint32_t> first_face;  // by cell, and the end; ground first
 };
@@ -121,7 +137,7 @@ class SheetBuilder {
   std::uint32_t add_vertex(Vec2 place, double height_m, bool is_sea) {
     const double z = height_m - lowered_m(neighbourhood_, place);
     sheet_.positions.push_back(at_height(place, std::floor(z / kHeightStep_m + 0.5) * kHeightStep_m));
-    sheet_.is_sea.push_back(is_sea);
+    sheet_.is_sea.push_back(is_sea), sheet_.is_on_border.push_back(false);
     return static_cast<std::uint32_t>(sheet_.positions.size() - 1);
   }
 
@@ -130,7 +146,9 @@ class SheetBuilder {
     if (!is_new) return known->second;
     const Vec2 place{static_cast<double>(at.first), static_cast<double>(at.second)};
     const BorderGround ground = neighbourhood_.on_border(place);
-    return known->second = add_vertex(place, ground.height_m, ground.is_sea);
+    known->second = add_vertex(place, ground.height_m, ground.is_sea);
+    sheet_.is_on_border[known->second] = true;
+    return known->second;
   }
 
   std::uint32_t lattice_vertex(Place at) {
@@ -226,13 +244,15 @@ class SheetBuilder {
   std::uint32_t below(std::uint32_t vertex) {
     const auto [known, is_new] = below_.try_emplace(vertex);
     if (!is_new) return known->second;
-    return known->second = add_copy(vertex, -kSkirt_m);
+    known->second = add_copy(vertex, -kSkirt_m);
+    sheet_.is_on_border[known->second] = true;
+    return known->second;
   }
 
   std::uint32_t add_copy(std::uint32_t vertex, double above_m) {
     const Vec3 at = sheet_.positions[vertex];
     sheet_.positions.push_back({at.x, at.y, std::floor((at.z + above_m) / kHeightStep_m + 0.5) * kHeightStep_m});
-    sheet_.is_sea.push_back(false);
+    sheet_.is_sea.push_back(false), sheet_.is_on_border.push_back(false);
     return static_cast<std::uint32_t>(sheet_.positions.size() - 1);
   }
 
@@ -242,18 +262,15 @@ class SheetBuilder {
                                [&](Vec2 aside) { return has_canopy(vertex + aside * aside_m); });
   }
 
-  // A vertex of the canopy above one of the ground.
+  double uneven_at(Vec2 place) const { return 1 + kUneven * materials::noise_at(place, 1, 3); }
+
+  // A vertex of the canopy above one of the ground; that of the ground at the edge of the wood.
   std::uint32_t raised(std::uint32_t vertex, double raised_m) {
+    const Vec2 at = in_plan(sheet_.positions[vertex]);
+    if (!is_inside_wood(at)) return vertex;
     const auto [known, is_new] = raised_.try_emplace(vertex);
     if (!is_new) return known->second;
-    const Vec2 at = in_plan(sheet_.positions[vertex]);
-    const double factor = (is_inside_wood(at) ? 1 : kWoodEdge) + 0.3 * materials::noise_at(at, 1, 3);
-    return known->second = add_copy(vertex, raised_m * factor);
-  }
-
-  std::uint32_t foot(std::uint32_t vertex) {
-    const auto [known, is_new] = feet_.try_emplace(vertex);
-    return is_new ? known->second = add_copy(vertex, 0) : known->second;
+    return known->second = add_copy(vertex, raised_m * uneven_at(at));
   }
 
   bool has_canopy(Vec2 place) const {
@@ -266,27 +283,24 @@ class SheetBuilder {
     if (std::ranges::all_of(v, [&](std::uint32_t vertex) { return bool{sheet_.is_sea[vertex]}; })) return;
     const double raised_m = sheet_.patches[cell].raised_m;
     std::vector<std::uint32_t> tops;
-    for (const std::uint32_t vertex : v) tops.push_back(raised(vertex, raised_m));
     bool is_inside = v.size() == 4;
-    for (std::size_t k = 0; k < v.size(); ++k) {
-      if (has_canopy(outline.outside[k])) continue;
-      is_inside = false;
-      const std::uint32_t foot_a = foot(v[k]), foot_b = foot(v[(k + 1) % v.size()]);
-      const std::uint32_t top_a = tops[k], top_b = tops[(k + 1) % v.size()];
-      sheet_.faces.push_back({{foot_a, foot_b, top_b}, cell, FaceKind::kCanopySide});
-      sheet_.faces.push_back({{foot_a, top_b, top_a}, cell, FaceKind::kCanopySide});
+    for (const std::uint32_t vertex : v) {
+      tops.push_back(raised(vertex, raised_m));
+      is_inside = is_inside && tops.back() != vertex;
     }
-    if (!is_inside) return add_canopy_fan(cell, tops, raised_m);
+    if (!is_inside) return add_canopy_fan(cell, v, tops, raised_m);
     sheet_.faces.push_back({{tops[0], tops[1], tops[2]}, cell, FaceKind::kCanopy});
     sheet_.faces.push_back({{tops[0], tops[2], tops[3]}, cell, FaceKind::kCanopy});
   }
 
-  void add_canopy_fan(std::uint32_t cell, const std::vector<std::uint32_t>& tops, double raised_m) {
+  void add_canopy_fan(std::uint32_t cell, const std::vector<std::uint32_t>& ground,
+                      const std::vector<std::uint32_t>& tops, double raised_m) {
     Vec3 middle;
-    for (const std::uint32_t vertex : tops)
-      middle = middle + sheet_.positions[vertex] * (1.0 / static_cast<double>(tops.size()));
-    sheet_.positions.push_back(snapped({middle.x, middle.y, middle.z + 0.15 * raised_m}));
-    sheet_.is_sea.push_back(false);
+    for (const std::uint32_t vertex : ground)
+      middle = middle + sheet_.positions[vertex] * (1.0 / static_cast<double>(ground.size()));
+    const double above_m = kEdgeMiddle * raised_m * uneven_at(in_plan(middle));
+    sheet_.positions.push_back(snapped({middle.x, middle.y, middle.z + above_m}));
+    sheet_.is_sea.push_back(false), sheet_.is_on_border.push_back(false);
     const auto centre = static_cast<std::uint32_t>(sheet_.positions.size() - 1);
     for (std::size_t k = 0; k < tops.size(); ++k)
       sheet_.faces.push_back({{centre, tops[k], tops[(k + 1) % tops.size()]}, cell, FaceKind::kCanopy});
@@ -308,26 +322,28 @@ class SheetBuilder {
   const Surroundings& around_;
   const Neighbourhood& neighbourhood_;
   Sheet& sheet_;
-  std::map<Place, std::int32_t> smallest_;                        // of the corners of cells: the side of the smallest
-  std::map<Place, std::uint32_t> vertices_;                       // by place, before they are moved
-  std::map<std::uint32_t, std::uint32_t> below_, raised_, feet_;  // by the vertex of the ground
+  std::map<Place, std::int32_t> smallest_;                 // of the corners of cells: the side of the smallest
+  std::map<Place, std::uint32_t> vertices_;                // by place, before they are moved
+  std::map<std::uint32_t, std::uint32_t> below_, raised_;  // by the vertex of the ground
 };
 
 // Divides a sheet by material. Sea at the corner of a land face looks like land.
 template <typename Sheet>
 class Divider {
  public:
-  Divider(const Sheet& sheet, const Neighbourhood& neighbourhood) : sheet_(sheet), neighbourhood_(neighbourhood) {
-    // equal patches share vertices
-    std::map<Patch, std::uint32_t> numbers;
-    for (const Patch& patch : sheet.patches)
-      number_.push_back(numbers.try_emplace(patch, static_cast<std::uint32_t>(numbers.size())).first->second);
+  Divider(const Sheet& sheet, const Neighbourhood& neighbourhood)
+      : sheet_(sheet), neighbourhood_(neighbourhood), about_(sheet.positions.size()) {
+    for (const Face& face : sheet.faces)
+      if (is_drawn(face) && has_tint(material_of(face)))
+        for (const std::uint32_t corner : face.corners) {
+          std::vector<std::uint32_t>& about = about_[corner];
+          if (std::ranges::find(about, face.patch) == about.end()) about.push_back(face.patch);
+        }
   }
 
   std::vector<MaterialMesh> divide() {
-    // canopies hide the ground below
     for (const Face& face : sheet_.faces)
-      if (face.kind != FaceKind::kGround || !has_canopy(face)) add(face);
+      if (is_drawn(face)) add(face);
     std::vector<MaterialMesh> meshes;
     for (auto& [material, part] : parts_) meshes.push_back(std::move(part.mesh));
     return meshes;
@@ -336,11 +352,15 @@ class Divider {
  private:
   using Face = typename Sheet::Face;
   using FaceKind = typename Sheet::FaceKind;
-  using Corner = std::pair<std::uint32_t, std::uint32_t>;  // vertex of the sheet, number of the patch
   struct Part {
     MaterialMesh mesh;
-    std::map<Corner, std::uint32_t> vertices;
+    std::map<std::uint32_t, std::uint32_t> vertices;  // by the vertex of the sheet
   };
+
+  static bool has_tint(Material material) { return material != Material::kSea && material != Material::kWater; }
+
+  // Canopies hide the ground below.
+  bool is_drawn(const Face& face) const { return face.kind != FaceKind::kGround || !has_canopy(face); }
 
   bool has_canopy(const Face& face) const {
     const auto& [a, b, c] = face.corners;
@@ -362,26 +382,42 @@ class Divider {
     Part& part = parts_[material];
     part.mesh.material = material;
     Triangle own{};
-    for (std::size_t i = 0; i < 3; ++i) own[i] = vertex(part, face.corners[i], face.patch);
+    for (std::size_t i = 0; i < 3; ++i) own[i] = vertex(part, face.corners[i]);
     part.mesh.mesh.triangles.push_back(own);
   }
 
-  std::uint32_t vertex(Part& part, std::uint32_t of_sheet, std::uint32_t patch) {
+  std::uint32_t vertex(Part& part, std::uint32_t of_sheet) {
     const auto next = static_cast<std::uint32_t>(part.mesh.mesh.positions.size());
-    const auto [known, is_new] = part.vertices.try_emplace({of_sheet, number_[patch]}, next);
+    const auto [known, is_new] = part.vertices.try_emplace(of_sheet, next);
     if (!is_new) return known->second;
-    const Vec3 at = sheet_.positions[of_sheet], normal = sheet_.normals[of_sheet];
-    part.mesh.mesh.positions.push_back(at);
-    part.mesh.mesh.normals.push_back(normal);
-    const bool has_tint = part.mesh.material != Material::kSea && part.mesh.material != Material::kWater;
-    part.mesh.tints.push_back(has_tint ? neighbourhood_.tint_at(sheet_.patches[patch], part.mesh.material, at, normal)
-                                       : materials::kNoTint);
+    part.mesh.mesh.positions.push_back(sheet_.positions[of_sheet]);
+    part.mesh.mesh.normals.push_back(sheet_.normals[of_sheet]);
+    part.mesh.tints.push_back(has_tint(part.mesh.material) ? tint_of(of_sheet, part.mesh.material)
+                                                           : materials::kNoTint);
     return next;
+  }
+
+  // The mean of the cells about a vertex; on the border that of the tile.
+  materials::Tint tint_of(std::uint32_t of_sheet, Material material) const {
+    const Vec3 at = sheet_.positions[of_sheet], normal = sheet_.normals[of_sheet];
+    if (sheet_.is_on_border[of_sheet] && neighbourhood_.patch_on_border)
+      if (const std::optional<Patch> patch = neighbourhood_.patch_on_border(in_plan(at)))
+        return neighbourhood_.tint_at(*patch, material, at, normal);
+    const std::vector<std::uint32_t>& about = about_[of_sheet];
+    std::array<std::uint32_t, 4> sum{};
+    for (const std::uint32_t patch : about) {
+      const materials::Tint tint = neighbourhood_.tint_at(sheet_.patches[patch], material, at, normal);
+      for (std::size_t c = 0; c < 4; ++c) sum[c] += tint[c];
+    }
+    const auto count = static_cast<std::uint32_t>(about.size());
+    materials::Tint mean{};
+    for (std::size_t c = 0; c < 4; ++c) mean[c] = static_cast<std::uint8_t>((sum[c] + count / 2) / count);
+    return mean;
   }
 
   const Sheet& sheet_;
   const Neighbourhood& neighbourhood_;
-  std::vector<std::uint32_t> number_;  // of each cell's patch
+  std::vector<std::vector<std::uint32_t>> about_;  // by vertex of the sheet: the cells about it whose ground is seen
   std::map<Material, Part> parts_;
 };
 
@@ -392,7 +428,7 @@ AroundSurface::AroundSurface(const Surroundings& around, const Neighbourhood& ne
   assert(!around.is_empty() && is_sound(around));
   std::vector<Cell> cells = cells_outside(around, neighbourhood);
   CellIndex index(cells);
-  auto sheet = std::make_unique<Sheet>(Sheet{std::move(cells), std::move(index), {}, {}, {}, {}, {}, {}});
+  auto sheet = std::make_unique<Sheet>(Sheet{std::move(cells), std::move(index), {}, {}, {}, {}, {}, {}, {}});
   sheet->patches.reserve(sheet->cells.size());
   SheetBuilder<Sheet>(around, neighbourhood, *sheet).build();
   sheet_ = std::move(sheet);

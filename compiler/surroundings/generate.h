@@ -44,6 +44,8 @@ struct Neighbourhood {
   std::function<BorderGround(Vec2)> on_border;  ///< The ground of the tiles at a place on their border.
   std::function<double(Vec2)> height_m_at;      ///< The height of the land elsewhere.
   std::function<Patch(const Cell&)> patch_of;   ///< The land cover of a cell.
+  /// The land cover of the tiles at a place on their border; empty where it does not go on, or if the function is.
+  std::function<std::optional<Patch>(Vec2)> patch_on_border;
   std::function<materials::Material(const Patch&, Vec3, Vec3)> material_at;  ///< By middle and unit normal of a face.
   /// The tint of a material at a vertex, with its place and unit normal.
   std::function<materials::Tint(const Patch&, materials::Material, Vec3, Vec3)> tint_at;
@@ -61,8 +63,10 @@ class AroundSurface {
   ~AroundSurface();
 
   /// Returns the surface of all cells that no tile covers: one mesh for each material, with normals and tints per
-  /// vertex. A triangle is sea if all its corners are sea, else it has the look of its cell. Cells with a canopy are
-  /// raised by its height, and have sides. Positions are multiples of 2^-7 m. Same bytes on every CPU.
+  /// vertex. A triangle is sea if all its corners are sea, else it has the material of its cell. The tint of a vertex
+  /// is the mean of the cells about it, so that squares do not show; on the border it is that of the tile. Cells with a
+  /// canopy are raised by its height, which begins at 0 at the edge of the wood. Positions are multiples of 2^-7 m.
+  /// Same bytes on every CPU.
   ///
   /// Guarantees: no gap between two cells; on the border of tiles the heights of on_border(). O(n log n) for n cells.
   std::vector<materials::MaterialMesh> meshes() const;

@@ -43,7 +43,7 @@ CloudVeil veil_of(const CloudPath& path, const sky::AirPath& before) {
 
 CloudDome::CloudDome(const CloudField& field, const sky::SkyModel& model, Vec3 eye, int threads)
     : eye_(eye), base_m_(field.lowest_m()) {
-  if (field.particles() == 0 || eye.z >= base_m_) return;
+  if (field.is_empty() || eye.z >= base_m_) return;
   cells_ = for_each_slot<CloudVeil>(kAround * kUp, threads, [&](std::size_t i) {
     return cell_of(field, model, eye, static_cast<int>(i % kAround), static_cast<int>(i / kAround));
   });

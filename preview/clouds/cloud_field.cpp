@@ -1,12 +1,11 @@
 #include "preview/clouds/cloud_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
 
-#include "compiler/contract/system/for_each_slot.h"
 #include "preview/turn.h"
 
 namespace citykiln::preview {
@@ -14,16 +13,28 @@ namespace {
 
 // Factors of each term relative to the one before: its light, the extinction on its way, and the mean cosine of its
 // last scattering.
-constexpr double kTermLight = 1, kTermExtinction = 0.28, kTermAsymmetry = 0.3;
+constexpr int kTerms = 4;
+constexpr double kTermLight = 0.88, kTermExtinction = 0.34, kTermAsymmetry = 0.3;
 
 // Droplets scatter half of their light by less than ten degrees, so shadows are cast by the rest.
 constexpr double kShadowExtinction = 0.5;
 
 // A ray ends where clouds let less than this share of light pass.
-constexpr double kOpaque = 0.002;
+constexpr double kOpaque = 0.004;
 
-// The optical depth of the first step into a cloud, and how much longer each is than the one before.
-constexpr double kFirstStep = 0.5, kLongerStep = 1.3;
+// The optical depth of the first step into a cloud, and how much longer each is than the one before. A step is at most
+// this share of the depth of soft edges.
+constexpr double kFirstStep = 0.5, kLongerStep = 1.25, kOfEdge = 0.6;
+
+// The least step beside clouds, as a share of the depth of soft edges.
+constexpr double kLeastStep = 0.12;
+
+// Ends of the parts of the way to the sun, and of the ways up and down, as shares of a layer's height.
+constexpr std::array kToSun = {0.0, 0.03, 0.09, 0.2, 0.45, 1.0};
+constexpr std::array kUpwards = {0.0, 0.2, 0.8};
+
+// The step of shadow rays in depths of soft edges.
+constexpr double kShadowStep = 1.5;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -52,181 +63,180 @@ CloudLight light_on_clouds(const sky::SkyModel& model) {
   return light;
 }
 
-CloudField::CloudField(std::span<const sky::CloudLayer> layers, const CloudLight& light, Vec3 eye, double finest_rad,
-                       int threads)
-    : light_(light) {
+CloudField::CloudField(std::span<const sky::CloudLayer> layers, const CloudLight& light, Vec3 eye, double pixel_rad)
+    : light_(light), pixel_rad_(pixel_rad) {
   std::vector<sky::CloudLayer> upwards(layers.begin(), layers.end());
   std::ranges::stable_sort(upwards, {}, &sky::CloudLayer::base_m);
-  for (const sky::CloudLayer& layer : upwards) layers_.push_back({CloudSpheres(layer, eye, finest_rad), {}});
-  light_all(threads);
+  for (const sky::CloudLayer& layer : upwards) layers_.emplace_back(layer, eye);
 }
 
-CloudField::CloudField(const sky::CloudLayer& layer, std::vector<sky::CloudParticle> spheres, const CloudLight& light,
-                       CloudEdges edges)
+CloudField::CloudField(const sky::CloudLayer& layer, std::span<const sky::CloudParticle> spheres,
+                       const CloudLight& light, CloudEdges edges)
     : light_(light) {
-  layers_.push_back({CloudSpheres(layer, std::move(spheres), edges), {}});
-  light_all(0);
-}
-
-void CloudField::light_all(int threads) {
-  for (Layer& layer : layers_)
-    layer.lit = for_each_slot<Lit>(layer.spheres.size(), threads,
-                                   [&](std::size_t i) { return lit_at(layer.spheres.centre(i)); });
-}
-
-double CloudField::optical_depth(Vec3 from, Vec3 direction) const {
-  double sum = 0;
-  for (const Layer& layer : layers_) sum += layer.spheres.optical_depth(from, direction);
-  return sum;
+  layers_.emplace_back(layer, spheres, edges);
 }
 
 double CloudField::lowest_m() const {
   double lowest = kInfinity;
-  for (const Layer& layer : layers_) lowest = std::min(lowest, layer.spheres.base_m());
+  for (const CloudHeaps& layer : layers_) lowest = std::min(lowest, layer.base_m());
   return lowest;
 }
 
-CloudField::Lit CloudField::lit_at(Vec3 at) const {
-  const double from_sun = optical_depth(at, light_.to_sun);
-  Lit lit{};
-  double share = 1, extinction = 1;
-  for (float& term : lit.sun) {
-    term = static_cast<float>(share * std::exp(-extinction * from_sun));
-    share *= kTermLight, extinction *= kTermExtinction;
+namespace {
+
+// The optical depth of a layer from a place of its frame on, by one sample in the middle of each part of a way.
+// Farther parts have fewer billows.
+double depth_by_parts(const CloudHeaps& heaps, Vec3 own, Vec3 along, double height_m, std::span<const double> ends,
+                      double finest_m) {
+  double sum_m = 0;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const double length_m = (ends[i + 1] - ends[i]) * height_m, middle_m = (ends[i + 1] + ends[i]) / 2 * height_m;
+    sum_m += length_m * heaps.density(own + along * middle_m, std::max(finest_m, 2 * length_m));
   }
-  lit.sky = static_cast<float>(passed_by_layer(optical_depth(at, {0, 0, 1})) / 2);
-  lit.ground = static_cast<float>(passed_by_layer(optical_depth(at, {0, 0, -1})) / 2);
-  return lit;
+  return sum_m * heaps.extinction_per_m();
 }
 
-// A march along a ray through overlapping spheres of one layer, in steps between the places where spheres begin or end.
+// The optical depth of a layer along a ray, in long steps.
+double depth_along(const CloudHeaps& heaps, Vec3 from, Vec3 direction) {
+  std::vector<HeapStretch> stretches;
+  heaps.stretches_of(from, direction, kInfinity, stretches);
+  const CloudHeaps::Ray ray = heaps.ray_of(from, direction);
+  const double step_m = kShadowStep * heaps.soft_m() / ray.speed;
+  double sum_m = 0;
+  for (const HeapStretch& stretch : stretches) {
+    for (double t = stretch.begin; t < stretch.end;) {
+      const double next = std::min(t + step_m, stretch.end);
+      const auto [density, free_m] =
+          heaps.sample(ray.from + ray.along * ((t + next) / 2), stretch.column, heaps.soft_m());
+      sum_m += density * (next - t);
+      t = std::max(next, t + free_m / ray.speed);
+    }
+  }
+  return sum_m * heaps.extinction_per_m();
+}
+
+}  // namespace
+
+// A march along a ray through the layers of a field.
 class CloudField::March {
  public:
-  March(const CloudField& field, Vec3 direction, CloudPath& path) : field_(field), path_(path) {
+  March(const CloudField& field, Vec3 from, Vec3 direction, CloudPath& path)
+      : field_(field), from_(from), direction_(direction), path_(path) {
     double g = kDropletAsymmetry;
     for (double& phase : phases_)
       phase = henyey_greenstein(dot(direction, field.light_.to_sun), g), g *= kTermAsymmetry;
   }
 
-  void through(const Layer& layer, std::span<const SpherePart> parts) {
-    layer_ = &layer, reached_m_ = 0, zero_m_ = parts.front().begin;
-    sums_ = {}, density_ = {};
-    for (const SpherePart& part : parts) {
-      leave_until(part.begin);
-      go_to(part.begin);
+  void through(const CloudHeaps& heaps, double distance_m, std::vector<HeapStretch>& stretches) {
+    heaps_ = &heaps;
+    heaps.stretches_of(from_, direction_, distance_m, stretches);
+    if (stretches.empty()) return;
+    ray_ = heaps.ray_of(from_, direction_);
+    height_m_ = heaps.frame().height_m * heaps.frame().flatten;
+    to_sun_ = heaps.frame().into_direction(field_.light_.to_sun);
+    up_ = heaps.frame().into_direction({0, 0, 1});
+    from_others_ = -1, reached_m_ = 0;
+    step_m_ = first_step_m();
+    for (const HeapStretch& stretch : stretches) {
       if (path_.passed < kOpaque) break;
-      change(part, 1);
-      open_.push_back(part);
-      std::ranges::push_heap(open_, ends_later);
+      through(stretch);
     }
-    leave_until(kInfinity);
   }
 
   double mean_distance_m() const { return seen_ > 0 ? distances_ / seen_ : 0; }
 
  private:
-  static constexpr std::size_t kPowers = 5, kLights = 4;
-  // Light of the sun, the sky and the ground, and the weights themselves, summed over the spheres that the ray is in.
-  using Sums = std::array<double, kLights>;
-
-  static bool ends_later(const SpherePart& a, const SpherePart& b) { return a.end > b.end; }
-
-  // With w = 1 - (distance from its middle / radius)², a sphere adds w to the density, and its light has the weight w²,
-  // whose slope is 0 at its surface too, so that no outlines are seen. Powers of the distance from `zero_m_`.
-  void change(const SpherePart& part, double by) {
-    const Lit& lit = layer_->lit[part.sphere];
-    double sun = 0;
-    for (int i = 0; i < kTerms; ++i) sun += lit.sun[i] * phases_[i];
-    const double enter = part.enter - zero_m_, leave = part.leave - zero_m_;
-    const double a = -enter * leave * part.scale, b = (enter + leave) * part.scale, c = -part.scale;
-    const std::array<double, kPowers> squared = {a * a, 2 * a * b, b * b + 2 * a * c, 2 * b * c, c * c};
-    const std::array<double, kLights> light = {sun * by, lit.sky * by, lit.ground * by, by};
-    for (std::size_t p = 0; p < kPowers; ++p)
-      for (std::size_t i = 0; i < kLights; ++i) sums_[p][i] += squared[p] * light[i];
-    const double edge = by * layer_->spheres.edge_density(part.sphere);
-    density_[0] += a * edge, density_[1] += b * edge, density_[2] += c * edge;
+  double first_step_m() const {
+    return std::min(kFirstStep / heaps_->extinction_per_m(), kOfEdge * heaps_->soft_m() / ray_.speed);
   }
 
-  void leave_until(double until_m) {
-    while (!open_.empty() && open_.front().end <= until_m) {
-      go_to(open_.front().end);
-      change(open_.front(), -1);
-      std::ranges::pop_heap(open_, ends_later);
-      open_.pop_back();
+  // A step may end in the next stretch.
+  void through(const HeapStretch& stretch) {
+    double t = std::max(stretch.begin, reached_m_);
+    const double least_m = kLeastStep * heaps_->soft_m() / ray_.speed;
+    while (t < stretch.end && path_.passed >= kOpaque) {
+      const double finest_m = field_.finest_m(t);
+      const Vec3 own = ray_.from + ray_.along * t;
+      const auto [density, free_m] = heaps_->sample(own, stretch.column, finest_m);
+      if (density <= 0) {
+        t += std::max({free_m / ray_.speed, least_m, finest_m / 2});
+        step_m_ = first_step_m();
+        continue;
+      }
+      const double step_m = std::max(step_m_, finest_m / 2);
+      add(own, density, step_m, t);
+      t += step_m, step_m_ *= kLongerStep;
     }
-    if (open_.empty()) sums_ = {}, density_ = {};
+    // what is free in one column may not be in the next
+    reached_m_ = std::min(t, stretch.end + step_m_);
   }
 
-  // Short steps, each longer than the one before.
-  void go_to(double to_m) {
-    const double first_m = kFirstStep / layer_->spheres.extinction_per_m();
-    double step_m = first_m;
-    while (!open_.empty() && reached_m_ < to_m && path_.passed >= kOpaque) {
-      // no last step that is short
-      const double next_m = to_m - reached_m_ > 1.5 * step_m ? reached_m_ + step_m : to_m;
-      step(next_m);
-      step_m *= kLongerStep;
+  // Adds the light of a step.
+  void add(Vec3 own, double density, double step_m, double t) {
+    const double here = path_.passed * -std::expm1(-density * heaps_->extinction_per_m() * step_m);
+    const double finest_m = field_.finest_m(t);
+    if (from_others_ < 0) from_others_ = depth_of_others(from_ + direction_ * t);
+    const double from_sun =
+        from_others_ + depth_by_parts(*heaps_, own, to_sun_, height_m_, std::span<const double>(kToSun), finest_m);
+    double sun = 0, share = 1, extinction = 1;
+    for (const double phase : phases_) {
+      sun += share * phase * std::exp(-extinction * from_sun);
+      share *= kTermLight, extinction *= kTermExtinction;
     }
-    reached_m_ = std::max(reached_m_, to_m);
-  }
-
-  // Adds the light of a step, which is the weighted mean of the spheres in its middle.
-  void step(double to_m) {
-    const double step_m = to_m - reached_m_, middle_m = (to_m + reached_m_) / 2;
-    reached_m_ = to_m;
-    const double t = middle_m - zero_m_;
-    const auto at_middle = [&](std::size_t i) {
-      return std::max(0.0, sums_[0][i] + t * (sums_[1][i] + t * (sums_[2][i] + t * (sums_[3][i] + t * sums_[4][i]))));
+    const auto layer_passed = [&](Vec3 along) {
+      return passed_by_layer(
+                 depth_by_parts(*heaps_, own, along, height_m_, std::span<const double>(kUpwards), finest_m)) /
+             2;
     };
-    const double all = density_[0] + t * (density_[1] + t * density_[2]),
-                 density = layer_->spheres.is_soft() ? std::clamp(all, 0.0, 1.0) : 1;
-    const double here = path_.passed * -std::expm1(-density * layer_->spheres.extinction_per_m() * step_m);
-    const double weights = at_middle(3), each = weights > 0 ? here / weights : 0;
     const CloudLight& light = field_.light_;
-    path_.added = path_.added + light.sun * (at_middle(0) * each) + light.sky * (at_middle(1) * each) +
-                  light.ground * (at_middle(2) * each);
-    path_.passed -= here, seen_ += here, distances_ += here * middle_m;
+    path_.added = path_.added + light.sun * (sun * here) + light.sky * (layer_passed(up_) * here) +
+                  light.ground * (layer_passed(up_ * -1.0) * here);
+    path_.passed -= here, seen_ += here, distances_ += here * t;
+  }
+
+  // The optical depth of the other layers on the way from the sun.
+  double depth_of_others(Vec3 at) const {
+    double sum = 0;
+    for (const CloudHeaps& other : field_.layers_)
+      if (&other != heaps_) sum += depth_along(other, at, field_.light_.to_sun);
+    return sum;
   }
 
   const CloudField& field_;
+  Vec3 from_, direction_;
   CloudPath& path_;
-  const Layer* layer_ = nullptr;
+  const CloudHeaps* heaps_ = nullptr;
+  CloudHeaps::Ray ray_{};
+  Vec3 to_sun_{}, up_{};  // in the layer's frame, for one metre of the plane
+  double height_m_ = 0, step_m_ = 0, reached_m_ = 0, from_others_ = -1;
   std::array<double, kTerms> phases_{};
-  std::vector<SpherePart> open_;  // spheres that the ray is in: a heap, the one that ends first in front
-  double reached_m_ = 0;
-  double zero_m_ = 0;
-  std::array<Sums, kPowers> sums_{};  // times the powers of the distance
-  std::array<double, 3> density_{};
   double seen_ = 0, distances_ = 0;
 };
 
 CloudPath CloudField::along(Vec3 from, Vec3 direction, double distance_m) const {
   CloudPath path;
-  March march(*this, direction, path);
-  std::vector<SpherePart> parts;
-  for (std::size_t i = 0; i < layers_.size(); ++i) {
+  March march(*this, from, direction, path);
+  std::vector<HeapStretch> stretches;
+  for (std::size_t i = 0; i < layers_.size(); ++i)
     // the nearer one first
-    const Layer& layer = layers_[direction.z >= 0 ? i : layers_.size() - 1 - i];
-    layer.spheres.parts_of(from, direction, distance_m, parts);
-    if (!parts.empty()) march.through(layer, parts);
-  }
+    march.through(layers_[direction.z >= 0 ? i : layers_.size() - 1 - i], distance_m, stretches);
   path.distance_m = march.mean_distance_m();
   return path;
 }
 
 double CloudField::sun_passed(Vec3 from) const {
-  return std::exp(-kShadowExtinction * optical_depth(from, light_.to_sun));
+  double sum = 0;
+  for (const CloudHeaps& layer : layers_) sum += depth_along(layer, from, light_.to_sun);
+  return std::exp(-kShadowExtinction * sum);
 }
 
-std::size_t CloudField::particles() const {
-  std::size_t sum = 0;
-  for (const Layer& layer : layers_) sum += layer.spheres.size();
-  return sum;
+bool CloudField::is_empty() const {
+  return std::ranges::all_of(layers_, [](const CloudHeaps& layer) { return layer.size() == 0; });
 }
 
 std::size_t CloudField::clouds() const {
   std::size_t sum = 0;
-  for (const Layer& layer : layers_) sum += layer.spheres.clouds();
+  for (const CloudHeaps& layer : layers_) sum += layer.clouds();
   return sum;
 }
 

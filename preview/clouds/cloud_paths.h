@@ -49,37 +49,28 @@ class RayChance {
 
 // ---- implementation of the templates ----
 
-// The free path inside the given parts of a ray; infinite where they end.
+// The free path in one layer, by delta tracking in each stretch; infinite where they end.
 template <typename Random>
-double free_path(const CloudSpheres& spheres, const std::vector<SpherePart>& parts, Random& random) {
-  double at_m = parts.front().begin, end_m = 0;
-  for (const SpherePart& part : parts) end_m = std::max(end_m, part.end);
-  while (true) {
-    at_m += -std::log(1 - random()) / spheres.extinction_per_m();
-    if (at_m >= end_m) return std::numeric_limits<double>::infinity();
-    const double density = spheres.density(parts, at_m);
-    if (density >= 1 || (density > 0 && random() < density)) return at_m;
+double free_path(const CloudField& field, const CloudHeaps& heaps, Vec3 from, Vec3 direction,
+                 const std::vector<HeapStretch>& stretches, Random& random) {
+  const CloudHeaps::Ray ray = heaps.ray_of(from, direction);
+  for (const HeapStretch& stretch : stretches) {
+    double at_m = stretch.begin;
+    while ((at_m += -std::log(1 - random()) / heaps.extinction_per_m()) < stretch.end) {
+      const double density = heaps.sample(ray.from + ray.along * at_m, stretch.column, field.finest_m(at_m)).density;
+      if (density >= 1 || (density > 0 && random() < density)) return at_m;
+    }
   }
+  return std::numeric_limits<double>::infinity();
 }
 
 template <typename Random>
 double free_path(const CloudField& field, Vec3 from, Vec3 direction, double most_m, Random& random) {
   double nearest_m = std::numeric_limits<double>::infinity();
-  std::vector<SpherePart> parts;
-  for (std::size_t layer = 0; layer < field.layers(); ++layer) {
-    const CloudSpheres& spheres = field.spheres(layer);
-    // most paths are short: stretches of a ray, each longer than the one before
-    double begin_m = 0, length_m = 4 / spheres.extinction_per_m();
-    const double last_m = std::min({most_m, nearest_m, 4 * kFarthestCloud_m});
-    for (; begin_m < last_m; begin_m += length_m, length_m *= 4) {
-      const Vec3 at = from + direction * begin_m;
-      if (begin_m > 0 && (direction.z > 0 ? at.z > spheres.top_m() : at.z < spheres.base_m())) break;
-      spheres.parts_of(at, direction, std::min(length_m, last_m - begin_m), parts);
-      const double free_m = parts.empty() ? nearest_m : begin_m + free_path(spheres, parts, random);
-      if (!std::isfinite(free_m) || free_m >= nearest_m) continue;
-      nearest_m = free_m;
-      break;
-    }
+  std::vector<HeapStretch> stretches;
+  for (const CloudHeaps& heaps : field.layers()) {
+    heaps.stretches_of(from, direction, std::min(most_m, nearest_m), stretches);
+    nearest_m = std::min(nearest_m, free_path(field, heaps, from, direction, stretches, random));
   }
   return nearest_m;
 }

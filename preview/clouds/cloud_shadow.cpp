@@ -22,7 +22,7 @@ constexpr double kBelowBase_m = 1;
 
 CloudShadow::CloudShadow(const CloudField& field, Vec3 to_sun, Vec2 middle, int threads)
     : to_sun_(to_sun), plane_m_(field.lowest_m() - kBelowBase_m), middle_(middle) {
-  if (field.particles() == 0 || to_sun.z < kLowestSun) return;
+  if (field.is_empty() || to_sun.z < kLowestSun) return;
   near_ = table_of(field, kNearCell_m, threads);
   far_ = table_of(field, kFarCell_m, threads);
 }

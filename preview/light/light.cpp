@@ -147,7 +147,7 @@ Rgb Lights::seen(Vec3 from, Vec3 direction, double pixel_rad, bool is_camera) co
   constexpr double kFarthest_m = 2e5;  // beyond is no air, but for rays along the ground
   const Rgb all = largest_component(behind) > 0 ? sky + behind * sky::air(model_, direction, kFarthest_m).passed : sky;
   if (!clouds_) return behind_fog(from, direction, all);
-  const CloudPath clouds = clouds_->seen(from, direction, std::numeric_limits<double>::infinity());
+  const CloudPath clouds = clouds_->seen(from, direction, std::numeric_limits<double>::infinity(), is_camera);
   if (clouds.passed >= 1) return behind_fog(from, direction, all);
   const CloudVeil veil = veil_of(clouds, clear_air(from, direction, clouds.distance_m));
   return behind_fog(from, direction, all * veil.passed + veil.added);
@@ -167,7 +167,7 @@ std::optional<double> Lights::ground_m(Vec3 from, Vec3 direction) const {
 sky::AirPath Lights::air(Vec3 from, Vec3 direction, double distance_m) const {
   sky::AirPath path = clear_air(from, direction, distance_m);
   if (!clouds_) return path;
-  const CloudPath clouds = clouds_->seen(from, direction, distance_m);
+  const CloudPath clouds = clouds_->seen(from, direction, distance_m, false);
   if (clouds.passed >= 1) return path;
   const CloudVeil veil = veil_of(clouds, clear_air(from, direction, clouds.distance_m));
   return {path.passed * clouds.passed, path.added * clouds.passed + veil.added};

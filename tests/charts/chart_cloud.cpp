@@ -14,7 +14,7 @@ namespace {
 
 constexpr sky::CloudLayer kLayer = {sky::CloudKind::kCumulus, 0.4, 1500, 2300, {5, 2}, 7};
 constexpr Box2 kField = {{-9000, -9000}, {9000, 9000}};
-constexpr double kFinestStep_m = 12;
+constexpr double kFinestStep_m = 12, kFar_m = std::numeric_limits<double>::infinity();
 constexpr int kRays = 10000, kClouds = 3;
 
 const preview::CloudLight kLight = {
@@ -71,21 +71,18 @@ Seen seen_of(const sky::Cloud& cloud, double turn, int rays, Light light) {
 constexpr double kPathsForOnePercent = 1e4;
 
 void add_light(const sky::Cloud& cloud, const std::string& name, Chart& ratios, Chart& times) {
-  const std::vector<sky::CloudParticle> spheres = sky::generate_cloud(kLayer, cloud, 50).spheres;
-  const preview::CloudField field(kLayer, spheres, kLight, preview::CloudEdges::kSoft);
+  const std::vector<sky::CloudParticle> spheres = sky::generate_cloud(kLayer, cloud, kFar_m).spheres;
+  const preview::CloudField field(kLayer, spheres, kLight, preview::CloudEdges::kBillowed);
   Series ratio{.name = name, .points = {}}, single{.name = fmt::format("{}, scattered once", name), .points = {}},
       time{.name = name, .points = {}};
   for (int side = 0; side < 8; ++side) {
     const double turn = side * 0.7853981633974483;
     const auto path = [&](int most) {
       return [&, most](Vec3 eye, Vec3 along, std::uint32_t i) {
-        constexpr double kFar_m = std::numeric_limits<double>::infinity();
         return preview::cloud_path(field, eye, along, kFar_m, most, Random{{9, StableId{i}, "path"}}).added[1];
       };
     };
-    const auto fast = [&](Vec3 eye, Vec3 along, std::uint32_t) {
-      return field.along(eye, along, std::numeric_limits<double>::infinity()).added[1];
-    };
+    const auto fast = [&](Vec3 eye, Vec3 along, std::uint32_t) { return field.along(eye, along, kFar_m).added[1]; };
     const Seen reference = seen_of(cloud, turn, 2000, path(1000)), once = seen_of(cloud, turn, 2000, path(1)),
                ours = seen_of(cloud, turn, 2000, fast);
     ratio.points.emplace_back(45 * side, ours.light / reference.light);

@@ -1,4 +1,4 @@
-// Tables of shadows and of light on surfaces against rays.
+// Tables of shadows, of light on surfaces and of the sky that is seen, against rays.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,6 +6,7 @@
 
 #include "compiler/contract/random_sequence.h"
 #include "preview/clouds/cloud_dome.h"
+#include "preview/clouds/cloud_panorama.h"
 #include "preview/clouds/cloud_shadow.h"
 #include "preview/turn.h"
 
@@ -18,7 +19,7 @@ const CloudLight kLight{
 constexpr Vec3 kEye{0, 0, 100};
 
 const CloudField& cumulus_field() {
-  static const CloudField made(std::span(&kTabledLayer, 1), kLight, kEye, 0.02, 2);
+  static const CloudField made(std::span(&kTabledLayer, 1), kLight, kEye, 0.002);
   return made;
 }
 
@@ -60,6 +61,36 @@ TEST(CloudDome, HasTheLightOfRaysOnTheAverage) {
   EXPECT_NEAR(ours / exact, 1, 0.03);
   EXPECT_NEAR(passed / exactly_passed, 1, 0.05);
   EXPECT_FALSE(dome.along({0, 0, 1600}, {0, 0, 1}));
+}
+
+TEST(CloudPanorama, ShowsWhatRaysMeet) {
+  const CloudPanorama panorama(cumulus_field(), kEye, 0.002);
+  const RandomSequence draw(4, StableId{1}, "rays");
+  double error = 0, opaque = 0;
+  constexpr std::uint32_t kRays = 1000;
+  for (std::uint32_t i = 0; i < kRays; ++i) {
+    const double z = draw.between(0.1, 0.4, 2 * i);
+    const Vec3 along = at_height(on_circle(0.1 * draw.unit(2 * i + 1)) * std::sqrt(1 - z * z), z);
+    const auto seen = panorama.along(kEye, along);
+    ASSERT_TRUE(seen);
+    const CloudPath path = cumulus_field().along(kEye, along, std::numeric_limits<double>::infinity());
+    error += std::abs(seen->passed - path.passed) / kRays, opaque += (1 - path.passed) / kRays;
+  }
+  EXPECT_GT(opaque, 0.2);
+  EXPECT_LT(error, 0.03);
+  EXPECT_FALSE(panorama.along(kEye, {1, 0, 0}));
+  EXPECT_FALSE(panorama.along({0, 0, 1600}, {0, 0, 1}));
+}
+
+// The eye moves by a metre: the table follows the ray to the height of the clouds.
+TEST(CloudPanorama, IsReadFromOtherPlacesBelowTheClouds) {
+  const CloudPanorama panorama(cumulus_field(), kEye, 0.002);
+  for (const double turn : {0.1, 0.4, 0.8}) {
+    const Vec3 along = at_height(on_circle(turn) * 0.8, 0.6);
+    const auto here = panorama.along(kEye, along), there = panorama.along(kEye + along * 10, along);
+    ASSERT_TRUE(here && there);
+    EXPECT_NEAR(here->passed, there->passed, 1e-6);
+  }
 }
 
 }  // namespace

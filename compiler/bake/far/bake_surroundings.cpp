@@ -8,7 +8,9 @@
 #include "compiler/bake/far/far_buildings.h"
 #include "compiler/bake/far/far_land.h"
 #include "compiler/bake/far/far_ways.h"
+#include "compiler/bake/far/far_windows.h"
 #include "compiler/bake/far/patchwork.h"
+#include "compiler/bake/image_uvs.h"
 #include "compiler/bake/merge.h"
 #include "compiler/scene/ground_lookup.h"
 #include "compiler/surroundings/curvature.h"
@@ -124,6 +126,7 @@ std::optional<BakedTile> bake_surroundings(const scene::Scene& scene, EarthCurve
       .height_m_at = [&](Vec2 place) { return land_height_m(lookup, tiles, grid, place); },
       .patch_of =
           [&](const surroundings::Cell& cell) { return patchwork.patch_of(cell, distance_to(tiles, cell.box())); },
+      .patch_on_border = [&](Vec2 place) { return patchwork.patch_on_border(place); },
       .material_at = [&](const Patch& patch, Vec3 at,
                          Vec3 normal) { return material_of(land, patch, above_sea(at), normal, away_m(in_plan(at))); },
       .tint_at =
@@ -142,6 +145,11 @@ std::optional<BakedTile> bake_surroundings(const scene::Scene& scene, EarthCurve
   add(far_ways(scene, land, surface), Layer::kRoads, tile.origin, merged);
   add(far_buildings(scene, patchwork, surface), Layer::kBuildings, tile.origin, merged);
   tile.primitives = primitives_of(std::move(merged));
+  const auto shows_windows = [](const Primitive& primitive) {
+    return primitive.colour_source == materials::ColourSource::kByAtlas;
+  };
+  if (std::ranges::any_of(tile.primitives, shows_windows)) tile.facade_atlas = far_windows();
+  snap_image_uvs(tile);
   return tile;
 }
 

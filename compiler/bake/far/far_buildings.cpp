@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "compiler/bake/far/far_windows.h"
 #include "compiler/buildings/styles/building_materials.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/surroundings/curvature.h"
@@ -16,11 +17,14 @@ namespace {
 using materials::Material;
 using materials::MaterialMesh;
 
-constexpr double kLeastArea_m2 = 30, kHighest_m = 32, kSteepestSite = 0.5, kStep_m = 0x1p-7;
+constexpr double kLeastArea_m2 = 40, kHighest_m = 32, kSteepestSite = 0.5, kStep_m = 0x1p-7;
 // Walls reach below the lowest ground, which is a plane only within a cell.
 constexpr double kBelow_m = 1.5;
-// The shares of the light of walls with windows, and of roofs with joints and shaded tiles.
+// The shares of the light of walls with windows that are not drawn, and of roofs with joints and shaded tiles.
 constexpr double kWithWindows = 0.82, kOfTiles = 0.7;
+
+// The material of walls that show the picture of windows, which has their colour.
+constexpr Material kUnderWindows = Material::kPaint;
 
 // A rectangle in the plane, as wide as the building is long.
 struct Rectangle {
@@ -112,71 +116,127 @@ materials::Tint darkened(materials::Tint tint, double share) {
   return tint;
 }
 
+// The tint that gives a white picture the colour of a tinted material.
+materials::Tint on_white(Material material, materials::Tint tint) {
+  const auto& colour = materials::values_of(material).base_colour;
+  for (std::size_t c = 0; c < 3; ++c)
+    tint[c] = static_cast<std::uint8_t>(std::min(255.0, tint[c] * static_cast<double>(colour[c]) + 0.5));
+  return tint;
+}
+
+// A corner of a polygon, and its place on the picture of windows.
+struct BoxCorner {
+  Vec3 at;
+  Vec2 uv{};
+};
+using Outline = std::vector<BoxCorner>;
+
 class BoxWriter {
  public:
   explicit BoxWriter(std::uint64_t seed) : seed_(seed) {}
 
   void add(const FarBuilding& far, double low_m, double high_m) {
     const buildings::Building& b = *far.building;
-    const double eaves_m = high_m + std::max(2.5, buildings::eaves_m(b) - b.floor_m);
     const double rise_m = b.roof_shape.height_m;
-    const auto corners = plan_corners_of(far.plan);
-    const materials::Tint wall = darkened(buildings::wall_tint(b, seed_), kWithWindows);
-    const materials::Tint roof = darkened(buildings::roof_tint(b, seed_), rise_m >= 1 ? kOfTiles : 1);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Vec2 from = corners[i], to = corners[(i + 1) % 4];
-      quad(b.wall, wall, {at(from, low_m - kBelow_m), at(to, low_m - kBelow_m), at(to, eaves_m), at(from, eaves_m)});
-    }
-    const bool is_pitched = rise_m >= 1;
-    if (!is_pitched) {
-      const double top_m = eaves_m + rise_m;
-      quad(b.roof, roof, {at(corners[0], top_m), at(corners[1], top_m), at(corners[2], top_m), at(corners[3], top_m)});
-      return;
-    }
-    const Vec2 west = (corners[0] + corners[3]) * 0.5, east = (corners[1] + corners[2]) * 0.5;
-    const Vec3 ridge_a = at(west, eaves_m + rise_m), ridge_b = at(east, eaves_m + rise_m);
-    quad(b.roof, roof, {at(corners[0], eaves_m), at(corners[1], eaves_m), ridge_b, ridge_a});
-    quad(b.roof, roof, {at(corners[2], eaves_m), at(corners[3], eaves_m), ridge_a, ridge_b});
-    triangle(b.wall, wall, {at(corners[1], eaves_m), at(corners[2], eaves_m), ridge_b});
-    triangle(b.wall, wall, {at(corners[3], eaves_m), at(corners[0], eaves_m), ridge_a});
+    const Box box{.corners = plan_corners_of(far.plan),
+                  .foot_m = low_m - kBelow_m,
+                  .ground_m = high_m,
+                  .eaves_m = high_m + std::max(2.5, buildings::eaves_m(b) - b.floor_m),
+                  .rise_m = rise_m};
+    add_walls(box, b.wall, buildings::wall_tint(b, seed_));
+    add_roof(box, b.roof, darkened(buildings::roof_tint(b, seed_), box.is_pitched() ? kOfTiles : 1));
   }
 
   std::vector<MaterialMesh> take() {
     std::vector<MaterialMesh> meshes;
-    for (auto& [material, mesh] : meshes_) meshes.push_back(std::move(mesh));
+    for (auto& [key, mesh] : meshes_) meshes.push_back(std::move(mesh));
     return meshes;
   }
 
  private:
+  struct Box {
+    std::array<Vec2, 4> corners;
+    double foot_m, ground_m, eaves_m, rise_m;
+    bool is_pitched() const { return rise_m >= 1; }
+  };
+
   static Vec3 at(Vec2 p, double z) {
     return {snapped_to(kStep_m, p.x), snapped_to(kStep_m, p.y), snapped_to(kStep_m, z)};
   }
 
-  std::uint32_t vertex(MaterialMesh& mesh, Vec3 p, materials::Tint tint) {
-    mesh.mesh.positions.push_back(p), mesh.tints.push_back(tint);
-    return static_cast<std::uint32_t>(mesh.mesh.positions.size() - 1);
+  // Walls of glass have no windows.
+  void add_walls(const Box& box, Material material, materials::Tint tint) {
+    const auto& c = box.corners;
+    const FarWindowPart part = window_part(std::max(1.0, distance(c[0], c[1])), std::max(1.0, distance(c[1], c[2])),
+                                           box.eaves_m - box.ground_m, box.ground_m - box.foot_m);
+    std::vector<Outline> walls;
+    for (std::size_t i = 0; i < 4; ++i) walls.push_back(wall_of(box, part, i));
+    if (material == Material::kGlassFacade)
+      add_polygons(mesh_of(material, false), darkened(tint, kWithWindows), walls);
+    else
+      add_polygons(mesh_of(kUnderWindows, true), on_white(material, tint), walls);
   }
 
-  void quad(Material material, materials::Tint tint, const std::array<Vec3, 4>& p) {
-    MaterialMesh& mesh = mesh_of(material);
-    const std::uint32_t a = vertex(mesh, p[0], tint), b = vertex(mesh, p[1], tint), c = vertex(mesh, p[2], tint);
-    add_quad(mesh.mesh, a, b, c, vertex(mesh, p[3], tint));
+  static Outline wall_of(const Box& box, const FarWindowPart& part, std::size_t side) {
+    const std::size_t next = (side + 1) % 4;
+    const Vec2 from = box.corners[side], to = box.corners[next];
+    const double u = part.corners_m[side], v = part.corners_m[next];
+    Outline wall = {{at(from, box.eaves_m), {u, part.eaves_m}},
+                    {at(from, box.foot_m), {u, part.below_m}},
+                    {at(to, box.foot_m), {v, part.below_m}},
+                    {at(to, box.eaves_m), {v, part.eaves_m}}};
+    // a gable is wall alone
+    if (box.is_pitched() && side % 2 == 1)
+      wall.push_back({at((from + to) * 0.5, box.eaves_m + box.rise_m), {(u + v) / 2, part.eaves_m}});
+    return wall;
   }
 
-  void triangle(Material material, materials::Tint tint, const std::array<Vec3, 3>& p) {
-    MaterialMesh& mesh = mesh_of(material);
-    const std::uint32_t a = vertex(mesh, p[0], tint), b = vertex(mesh, p[1], tint);
-    mesh.mesh.triangles.push_back({a, b, vertex(mesh, p[2], tint)});
+  void add_roof(const Box& box, Material material, materials::Tint tint) {
+    MaterialMesh& mesh = mesh_of(material, false);
+    const auto& c = box.corners;
+    const double ridge_m = box.eaves_m + box.rise_m;
+    if (!box.is_pitched())
+      return add_polygons(mesh, tint,
+                          {{{at(c[0], ridge_m)}, {at(c[1], ridge_m)}, {at(c[2], ridge_m)}, {at(c[3], ridge_m)}}});
+    const Vec3 west = at((c[0] + c[3]) * 0.5, ridge_m), east = at((c[1] + c[2]) * 0.5, ridge_m);
+    add_polygons(mesh, tint,
+                 {{{at(c[0], box.eaves_m)}, {at(c[1], box.eaves_m)}, {east}, {west}},
+                  {{at(c[2], box.eaves_m)}, {at(c[3], box.eaves_m)}, {west}, {east}}});
   }
 
-  MaterialMesh& mesh_of(Material material) {
-    MaterialMesh& mesh = meshes_[material];
+  // Convex polygons, counter-clockwise. Their triangles take turns, so that they stay one object whose polygons share
+  // vertices in files without normals (object_runs.h).
+  static void add_polygons(MaterialMesh& mesh, materials::Tint tint, const std::vector<Outline>& polygons) {
+    std::vector<std::uint32_t> first;
+    std::size_t most = 0;
+    for (const Outline& outline : polygons) {
+      first.push_back(static_cast<std::uint32_t>(mesh.mesh.positions.size()));
+      most = std::max(most, outline.size());
+      add_vertices(mesh, tint, outline);
+    }
+    for (std::uint32_t i = 2; i < most; ++i)
+      for (std::size_t k = 0; k < polygons.size(); ++k)
+        if (i < polygons[k].size()) mesh.mesh.triangles.push_back({first[k], first[k] + i - 1, first[k] + i});
+  }
+
+  static void add_vertices(MaterialMesh& mesh, materials::Tint tint, const Outline& outline) {
+    const Vec3 across = cross(outline[1].at - outline[0].at, outline[2].at - outline[0].at);
+    const Vec3 normal = across == Vec3{} ? Vec3{0, 0, 1} : unit(across);
+    for (const BoxCorner& corner : outline) {
+      mesh.mesh.positions.push_back(corner.at), mesh.mesh.normals.push_back(normal), mesh.tints.push_back(tint);
+      if (mesh.colour_source == materials::ColourSource::kByAtlas) mesh.uvs.push_back(corner.uv);
+    }
+  }
+
+  MaterialMesh& mesh_of(Material material, bool has_windows) {
+    MaterialMesh& mesh = meshes_[{material, has_windows}];
     mesh.material = material;
+    if (has_windows) mesh.colour_source = materials::ColourSource::kByAtlas;
     return mesh;
   }
 
   std::uint64_t seed_;
-  std::map<Material, MaterialMesh> meshes_;
+  std::map<std::pair<Material, bool>, MaterialMesh> meshes_;
 };
 
 std::vector<FarBuilding> mirrored_buildings(const scene::Scene& scene, const Patchwork& patchwork) {

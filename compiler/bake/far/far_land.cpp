@@ -27,11 +27,14 @@ constexpr int kBlur = kDirections / 8;
 // Rock begins to show at 35°, and all is rock at 48°.
 constexpr double kFirstRockCosine = 0.819;
 // The colour of canopies relative to that of a wood's floor: crowns shade each other, and are greener.
-constexpr TintFactor kCrowns = {0.46, 0.62, 0.40};
+constexpr TintFactor kCrowns = {0.52, 0.68, 0.45};
 // Towns grow on land below 6°, and on none above 14°, a slope of 1 in 4.
 constexpr double kTownCosine = 0.9945, kTownEndsCosine = 0.970;
 // Between these belts rock grows to this share of level ground.
 constexpr double kRockFrom_m = 2400, kRockUpTo_m = 2900, kRockShare = 0.7;
+// Land begins to be too steep to be mown or ploughed at 10°, and all is at 22°: scrub covers this share of what is
+// open, and woods cover this share of all below the tree line.
+constexpr double kWildCosine = 0.985, kAllWildCosine = 0.927, kWildScrub = 0.75, kWildWood = 0.4;
 // Woods and open land in patches of these wavelengths.
 constexpr double kPatch_m = 900, kSmallPatch_m = 260;
 
@@ -159,12 +162,16 @@ double patch_at(Vec2 place, std::uint64_t seed) {
 }
 
 // The vegetation at a place: woods in patches, on slopes away from the sun more than on others, up to the tree line.
-Colour growing_at(const FarLand& land, const EdgeCover& cover, const plants::Habitat& habitat) {
+Colour growing_at(const FarLand& land, const EdgeCover& cover, const plants::Habitat& habitat, Vec3 normal) {
   constexpr double kSharpness = 3, kShadeShare = 0.5;
   const double dense = plants::wood_share_at(habitat.belt_m), high = (1 - dense) / (1 - plants::kSparseWood);
-  const double share = cover.wood_share * (1 - high) * (1 + kShadeShare * habitat.shade);
+  const double wild = rises(-kWildCosine, -kAllWildCosine, -normal.z);
+  const double least = std::max(cover.wood_share, kWildWood * wild);
+  const double share = least * (1 - high) * (1 + kShadeShare * habitat.shade);
   const double wood = std::clamp((share - patch_at(habitat.at, land.header.seed)) * kSharpness + share, 0.0, 1.0);
-  const Colour open = mixed(cover.open, colour_of_cover(map::LandCoverClass::kMeadow, land.header), high);
+  const Colour level = mixed(cover.open, colour_of_cover(map::LandCoverClass::kMeadow, land.header), high);
+  const Colour open =
+      mixed(level, colour_of_cover(map::LandCoverClass::kScrub, land.header), kWildScrub * wild * (1 - high));
   return mixed(open, colour_of_cover(map::LandCoverClass::kForest, land.header), wood);
 }
 
@@ -218,7 +225,7 @@ plants::Habitat habitat_of(const FarLand& land, Vec3 place, Vec3 normal) {
 // The colour far from the edge, without rock.
 Colour soft_colour(const FarLand& land, const plants::Habitat& habitat, Vec3 normal) {
   const EdgeCover cover = cover_at(land, habitat.at);
-  return mixed(growing_at(land, cover, habitat), cover.built, built_share(cover, normal));
+  return mixed(growing_at(land, cover, habitat, normal), cover.built, built_share(cover, normal));
 }
 
 Colour times(const Colour& a, double red, double green, double blue) { return {a[0] * red, a[1] * green, a[2] * blue}; }

@@ -57,7 +57,7 @@ Colour colour_of_cover(map::LandCoverClass cover, const scene::Header& header);
 /// The distances from the edge up to which land has the full colour of its patch, and from which it has none of it.
 inline constexpr double kPatches_m = 600, kPatchesEnd_m = 5000;
 /// The distance up to which faces have the material of their patch.
-inline constexpr double kOwnMaterial_m = 1500;
+inline constexpr double kOwnMaterial_m = 150;
 
 /// The distance from the edge at which half the difference between the colour of a direction and the mean colour is
 /// left.

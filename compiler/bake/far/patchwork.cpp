@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compiler/bake/far/far_land.h"
+#include "compiler/bake/ground/dry_ground.h"
 #include "compiler/materials/noise.h"
 #include "compiler/plants/species_mix.h"
 #include "compiler/plants/tree_line.h"
@@ -20,6 +21,10 @@ using map::LandCoverGroup;
 constexpr double kOwnYards_m = 48;
 // Lakes go on on land with no steeper slope, and where they are this wide.
 constexpr double kLevelSlope = 0.02, kWideLake_m = 60;
+// Towns leave steeper land to scrub and woods, which are in patches of this wavelength.
+constexpr double kWildSlope = 0.3, kWildPatch_m = 140;
+// Noise above this is wood: half of wild land, and a quarter where it is dry.
+constexpr double kWoodAbove = 0, kDryWoodAbove = 0.3;
 
 // A coordinate mirrored at the sides of an interval, to and fro within a depth.
 double mirrored_at(double v, double low, double high) {
@@ -68,14 +73,15 @@ Vec2 Patchwork::shift_at(Vec2 place) const {
   return noise(260, 11) * (0.35 * std::min(away_m, 300.0)) + noise(1100, 13) * (0.5 * std::min(away_m, 1500.0));
 }
 
-bool Patchwork::is_level(Vec2 place) const {
+// The rise over the distance, along the steeper axis.
+double Patchwork::slope_at(Vec2 place) const {
   constexpr double kReach_m = 64;
   const auto height_m = [&](double x, double y) {
     return surroundings::height_m_at(header_.around, place + Vec2{x, y});
   };
   const double across = std::abs(height_m(kReach_m, 0) - height_m(-kReach_m, 0)),
                along = std::abs(height_m(0, kReach_m) - height_m(0, -kReach_m));
-  return std::max(across, along) <= 2 * kReach_m * kLevelSlope;
+  return std::max(across, along) / (2 * kReach_m);
 }
 
 bool Patchwork::is_usable(const scene::GroundPlace& ground) const {
@@ -86,7 +92,7 @@ bool Patchwork::is_usable(const scene::GroundPlace& ground) const {
 }
 
 bool Patchwork::is_lake(Vec2 from, Vec2 to, double away_m) const {
-  if (away_m > kCanopies_m || !is_level(to)) return false;
+  if (away_m > kCanopies_m || slope_at(to) > kLevelSlope) return false;
   const auto is_water = [&](Vec2 at) {
     const scene::GroundPlace ground = lookup_.at(at);
     return group_at(ground) == LandCoverGroup::kWater && ground.cover != LandCoverClass::kSea;
@@ -116,14 +122,34 @@ surroundings::Patch Patchwork::patch_from(const scene::GroundPlace& ground, doub
   return patch;
 }
 
+surroundings::Patch Patchwork::wild_at(Vec2 place, double height_m, double away_m) const {
+  const bool is_dry = ground::is_dry_anywhere(header_.climate, local_month_of(header_));
+  const bool is_wood =
+      materials::noise_at(place, kWildPatch_m, header_.seed + 31) > (is_dry ? kDryWoodAbove : kWoodAbove);
+  scene::GroundPlace ground;
+  ground.cover = is_wood ? LandCoverClass::kForest : LandCoverClass::kScrub;
+  return patch_from(ground, height_m, away_m);
+}
+
+std::optional<surroundings::Patch> Patchwork::patch_on_border(Vec2 place) const {
+  const Box2& box = lookup_.box();
+  const scene::GroundPlace ground = lookup_.at(
+      {std::clamp(place.x, box.min.x + 1, box.max.x - 1), std::clamp(place.y, box.min.y + 1, box.max.y - 1)});
+  if (!is_usable(ground)) return std::nullopt;
+  surroundings::Patch patch = patch_from(ground, surroundings::height_m_at(header_.around, place), 0);
+  patch.raised_m = 0;
+  return patch;
+}
+
 // A cell is larger than yards: it has the mean of lawns and other ground of towns about a place.
 surroundings::Patch Patchwork::town_around(Vec2 from) const {
-  constexpr double kReach_m = 45;
+  constexpr std::array kReaches_m = {45.0, 100.0};
   constexpr std::array kAbout = {Vec2{1, 0},     Vec2{-1, 0},     Vec2{0, 1},       Vec2{0, -1},
                                  Vec2{0.6, 0.6}, Vec2{-0.6, 0.6}, Vec2{-0.6, -0.6}, Vec2{0.6, -0.6}};
   double lawns = 0;
-  for (const Vec2 aside : kAbout) lawns += lookup_.at(from + aside * kReach_m).cover == LandCoverClass::kLawn;
-  const double share = lawns / kAbout.size();
+  for (const double reach_m : kReaches_m)
+    for (const Vec2 aside : kAbout) lawns += lookup_.at(from + aside * reach_m).cover == LandCoverClass::kLawn;
+  const double share = lawns / (kAbout.size() * kReaches_m.size());
   const Colour town = colour_of_cover(LandCoverClass::kResidential, header_),
                lawn = colour_of_cover(LandCoverClass::kLawn, header_);
   surroundings::Patch patch{.cover = LandCoverClass::kResidential};
@@ -146,9 +172,12 @@ surroundings::Patch Patchwork::patch_of(const surroundings::Cell& cell, double a
     const scene::GroundPlace ground = lookup_.at(from);
     if (!is_usable(ground)) continue;
     const bool is_town = group_at(ground) == LandCoverGroup::kTown || ground.cover == LandCoverClass::kLawn;
+    const bool may_be_wild = is_town || group_at(ground) == LandCoverGroup::kUnknown;
+    if (may_be_wild && slope_at(middle) > kWildSlope) return wild_at(middle, height_m, away_m);
     if (is_town && away_m >= kOwnYards_m) return town_around(from);
     return patch_from(ground, height_m, away_m);
   }
+  if (slope_at(middle) > kWildSlope) return wild_at(middle, height_m, away_m);
   return {.cover = LandCoverClass::kMeadow};
 }
 

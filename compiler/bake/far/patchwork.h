@@ -7,6 +7,8 @@
 //     └──────────┘
 #pragma once
 
+#include <optional>
+
 #include "compiler/bake/ground/ground_tint.h"
 #include "compiler/scene/ground_lookup.h"
 #include "compiler/surroundings/generate.h"
@@ -35,12 +37,17 @@ class Patchwork {
   /// Returns the land cover of a cell: sea where the header's grid has sea; lakes only where land is level; no roads,
   /// buildings or sports grounds. Beyond kPatchesEnd_m all is meadow: colours do not depend on the cover
   /// there.
+  /// Steep land where the scene has a town or nothing of known cover is scrub and wood.
   surroundings::Patch patch_of(const surroundings::Cell& cell, double away_m) const;
+  /// Returns the land cover at a place on the border of tiles, without a canopy; empty where patch_of() does not go on
+  /// with it.
+  std::optional<surroundings::Patch> patch_on_border(Vec2 place) const;
 
  private:
   bool is_usable(const scene::GroundPlace& ground) const;
   bool is_lake(Vec2 from, Vec2 to, double away_m) const;
-  bool is_level(Vec2 place) const;
+  double slope_at(Vec2 place) const;
+  surroundings::Patch wild_at(Vec2 place, double height_m, double away_m) const;
   surroundings::Patch town_around(Vec2 from) const;
   surroundings::Patch patch_from(const scene::GroundPlace& ground, double height_m, double away_m) const;
 

@@ -14,6 +14,8 @@ namespace {
 // The number of levels of smaller particles on larger ones, and of particles on each.
 constexpr int kMostLevels = 4;
 constexpr std::uint32_t kOnEach = 14;
+// The largest distance of the highest heap from a cloud's middle, as a share of the cloud's radius.
+constexpr double kOffMiddle = 0.35;
 
 // A place on the unit sphere above its southern cap: a spiral, turned at random.
 Vec3 place_on_sphere(std::uint32_t i, double turn) {
@@ -28,7 +30,7 @@ bool is_inside(Vec3 p, const CloudParticle& sphere) {
   return dot(off, off) < sphere.radius_m * sphere.radius_m * 0.999;
 }
 
-// Spheres side by side: a large one in the middle, and rings of smaller and lower ones that fill the outline.
+// Spheres side by side: a large one near the middle, and rings of smaller and lower ones that fill the outline.
 std::vector<CloudParticle> first_level(const CloudLayer& layer, const Cloud& cloud) {
   const RandomSequence draw(layer.seed, cloud.id, "heap");
   const double tallest_m = cloud.height_m * 0.62;
@@ -37,13 +39,15 @@ std::vector<CloudParticle> first_level(const CloudLayer& layer, const Cloud& clo
     return CloudParticle{at_height(cloud.centre + offset, std::min(radius_m, cloud.height_m - radius_m) * 0.55),
                          radius_m};
   };
-  std::vector<CloudParticle> spheres = {sits({}, middle_m)};
+  const RandomSequence tower(layer.seed, cloud.id, "tower");
+  const Vec2 off = direction_of(tower.unit(0)) * (cloud.radius_m * kOffMiddle * tower.unit(1));
+  std::vector<CloudParticle> spheres = {sits(off, middle_m)};
   const auto around = static_cast<std::uint32_t>(std::clamp(cloud.radius_m / middle_m * 5, 6.0, 24.0));
   for (std::uint32_t i = 0; i < 2 * around; ++i) {
     const bool is_outer = i >= around;
     const double turn = (i + draw.unit(3 * i)) / around, share = is_outer ? 0.78 : 0.45;
     const double radius_m =
-        std::min(middle_m, cloud.radius_m * 0.42) * (is_outer ? 0.62 : 0.9) * draw.between(0.7, 1.15, 3 * i + 1);
+        std::min(middle_m, cloud.radius_m * 0.42) * (is_outer ? 0.62 : 0.9) * draw.between(0.5, 1.3, 3 * i + 1);
     const double off_m = std::max(0.0, cloud.radius_m * share * draw.between(0.8, 1.1, 3 * i + 2));
     spheres.push_back(sits(direction_of(turn) * off_m, radius_m));
   }

@@ -33,11 +33,25 @@ double mean_square_radius_m2(double cover, double kept, double spacing_m) {
   return wanted * spacing_m * spacing_m / (kPi * kept);
 }
 
-// The square of a cloud's radius is uniform between these multiples of the mean square.
-constexpr double kLeastSize = 0.5, kMostSize = 1.5;
+// The square of a cloud's radius, as a multiple of the mean square: many small clouds and few large ones.
+constexpr double kLeastSize = 0.25, kMostSize = 2.5;
+double size_of(double random) { return kLeastSize + (kMostSize - kLeastSize) * random * random; }
 
 // The share of cells that have a cloud.
 double kept_share(double cover) { return 0.3 + 0.7 * cover; }
+
+// Squares of kGroup cells have more clouds or fewer than that, up to this share, so that clouds stand in groups with
+// gaps between them.
+constexpr std::int64_t kGroup = 4;
+constexpr double kMostSpread = 0.75;
+double kept_near(const CloudLayer& layer, StableId whole, std::int64_t column, std::int64_t row) {
+  const auto group_of = [](std::int64_t cell) {
+    return static_cast<std::uint64_t>(cell >= 0 ? cell / kGroup : -((kGroup - 1 - cell) / kGroup));
+  };
+  const StableId group = stable_id(stable_id(whole, "groups", group_of(row)), "group", group_of(column));
+  const double share = kept_share(layer.cover), spread = std::min(kMostSpread, 1 / share - 1);
+  return share * (1 + spread * RandomSequence(layer.seed, group, "kept").between(-1, 1, 0));
+}
 
 Cloud cloud_at(const CloudLayer& layer, const LayerFrame& frame, std::int64_t column, std::int64_t row) {
   const double spacing_m = shape_of(layer.kind).spacing * frame.height_m;
@@ -47,13 +61,13 @@ Cloud cloud_at(const CloudLayer& layer, const LayerFrame& frame, std::int64_t co
   const RandomSequence draw(layer.seed, id, "place");
   Cloud cloud;
   cloud.id = id;
-  if (draw.unit(0) >= kept_share(layer.cover)) return cloud;
+  if (draw.unit(0) >= kept_near(layer, whole, column, row)) return cloud;
   cloud.centre = {(static_cast<double>(column) + draw.between(0.1, 0.9, 1)) * spacing_m,
                   (static_cast<double>(row) + draw.between(0.1, 0.9, 2)) * spacing_m};
   const double mean = mean_square_radius_m2(layer.cover, kept_share(layer.cover), spacing_m);
-  const double size = draw.between(kLeastSize, kMostSize, 3);
+  const double size = size_of(draw.unit(3));
   cloud.radius_m = std::sqrt(mean * size);
-  const double share = layer.kind == CloudKind::kCumulus ? 0.4 + 0.4 * size : draw.between(0.8, 1, 4);
+  const double share = layer.kind == CloudKind::kCumulus ? 0.25 + 0.45 * size : draw.between(0.8, 1, 4);
   cloud.height_m = frame.height_m * std::min(share, 1.0);
   return cloud;
 }

@@ -42,7 +42,8 @@ LayerFrame frame_of(const CloudLayer& layer);
 /// contains it. O(cells).
 ///
 /// Method: a grid with at most one cloud in the middle part of each cell. The number and the size of clouds grow with
-/// the cover: discs of their radii at independent places would cover the share CloudLayer::cover on average.
+/// the cover: discs of their radii at independent places would cover the share CloudLayer::cover on average. Their
+/// areas differ by a factor of up to 10, small ones are more frequent, and they stand in groups of some cells.
 std::vector<Cloud> clouds_in(const CloudLayer& layer, const Box2& plan);
 
 /// Returns the radius of a layer's largest clouds, in metres of its frame.

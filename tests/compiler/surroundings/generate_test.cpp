@@ -138,20 +138,59 @@ TEST(GenerateSurroundings, OnTheBorderOfTilesItHasTheHeightsOfTheirGround) {
   EXPECT_GE(seen.size(), 1536 / kBorderStep_m);
 }
 
-TEST(GenerateSurroundings, WoodsAreRaisedAndLowerAtTheirEdges) {
+TEST(GenerateSurroundings, WoodsRiseFromTheGroundAtTheirEdges) {
   const auto meshes = meshes_of(hills(), neighbourhood(kRegion, true));
   const auto wood = std::ranges::find(meshes, Material::kForestFloor, &MaterialMesh::material);
   ASSERT_NE(wood, meshes.end());
-  double highest_m = 0;
+  double highest_m = 0, steepest = 1;
   for (const Vec3 p : wood->mesh.positions) highest_m = std::max(highest_m, p.z - terrain_m(in_plan(p)));
   EXPECT_GT(highest_m, 10);
   EXPECT_LT(highest_m, 16);
-  // their outer edges
-  const Measured measured = measure({*wood});
+  // no vertical sides
+  for (const Vec3 normal : wood->mesh.normals) steepest = std::min(steepest, normal.z);
+  EXPECT_GT(steepest, 0.5);
+  const Measured measured = measure(meshes);
+  int open = 0;
   for (const auto& [edge, count] : measured.edges) {
-    if (measured.edges.contains({edge.second, edge.first})) continue;
-    for (const auto& [x, y, z] : {edge.first, edge.second}) EXPECT_LT(z, terrain_m({x, y}) + 12);
+    const Vec2 middle{(edge.first[0] + edge.second[0]) / 2, (edge.first[1] + edge.second[1]) / 2};
+    open += !measured.edges.contains({edge.second, edge.first}) && away_m(kRegion, middle) > 0 &&
+            away_m(kRegion, middle) < 1000;
   }
+  EXPECT_EQ(open, 0);
+}
+
+// Red in the west and green in the east.
+TEST(GenerateSurroundings, TintsOfCellsMeetInTheirMean) {
+  Neighbourhood beside = neighbourhood();
+  beside.patch_of = [](const Cell& cell) {
+    return Patch{.cover = map::LandCoverClass::kMeadow, .tint = {cell.x_m < 0 ? 1.0 : 0.0, 0, 0}};
+  };
+  beside.tint_at = [](const Patch& patch, Material, Vec3, Vec3) {
+    return patch.tint[0] > 0 ? materials::Tint{200, 0, 0, 255} : materials::Tint{0, 200, 0, 255};
+  };
+  const auto meshes = meshes_of(hills(), beside);
+  ASSERT_EQ(meshes.size(), 1u);
+  std::set<std::array<double, 3>> places;
+  int mixed = 0;
+  for (std::size_t i = 0; i < meshes[0].mesh.positions.size(); ++i) {
+    const Vec3 p = meshes[0].mesh.positions[i];
+    const materials::Tint tint = meshes[0].tints[i];
+    EXPECT_TRUE(places.insert({p.x, p.y, p.z}).second);
+    EXPECT_EQ(tint[0] + tint[1], 200);
+    mixed += tint[0] > 0 && tint[1] > 0;
+  }
+  EXPECT_GT(mixed, 50);
+}
+
+TEST(GenerateSurroundings, OnTheBorderOfTilesItHasTheTintOfTheirGround) {
+  Neighbourhood beside = neighbourhood();
+  beside.patch_on_border = [](Vec2) { return Patch{.cover = map::LandCoverClass::kMeadow, .tint = {0.5, 0, 0}}; };
+  beside.tint_at = [](const Patch& patch, Material, Vec3, Vec3) {
+    return materials::Tint{static_cast<std::uint8_t>(patch.tint[0] * 200), 0, 0, 255};
+  };
+  for (const MaterialMesh& mesh : meshes_of(hills(), beside))
+    for (std::size_t i = 0; i < mesh.mesh.positions.size(); ++i)
+      EXPECT_EQ(mesh.tints[i][0], away_m(kRegion, in_plan(mesh.mesh.positions[i])) == 0 ? 100 : 200);
 }
 
 TEST(GenerateSurroundings, KnowsTheHeightOfItsGround) {
@@ -190,6 +229,7 @@ TEST(GenerateSurroundings, SeaIsSeaAndLevelButForTheCurve) {
   const auto sea = std::ranges::find(meshes, Material::kSea, &MaterialMesh::material);
   ASSERT_NE(sea, meshes.end());
   EXPECT_GT(sea->mesh.triangles.size(), 100u);
+  EXPECT_LT(sea->mesh.triangles.size(), 0.6 * meshes[meshes[0].material == Material::kSea].mesh.triangles.size());
   for (const Vec3 p : sea->mesh.positions) EXPECT_NEAR(p.z, -drop_m(away_m(kRegion, in_plan(p))), 0.01);
 }
 

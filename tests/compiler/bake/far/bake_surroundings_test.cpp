@@ -7,6 +7,7 @@
 
 #include "compiler/bake/far/far_buildings.h"
 #include "compiler/bake/far/far_land.h"
+#include "compiler/bake/far/far_windows.h"
 #include "compiler/bake/far/patchwork.h"
 #include "compiler/surroundings/curvature.h"
 #include "compiler/surroundings/grid_lines.h"
@@ -104,6 +105,70 @@ TEST(BakeSurroundings, BuildingsGoOnBeyondTheEdgeAsBoxes) {
       EXPECT_LT(away_m, kFarBuildings_m + 500);
     }
   }
+}
+
+TEST(BakeSurroundings, WallsOfHousesHaveWindows) {
+  scene::Scene scene = slope();
+  EXPECT_TRUE(bake_surroundings(scene)->facade_atlas.colour.texels.empty());
+  buildings::Building house{.id = {{OsmType::kWay, 7}, 0},
+                            .footprint = {{{200, 100}, {212, 100}, {212, 108}, {200, 108}}, {}},
+                            .bottom_m = 1000,
+                            .floor_m = 1001,
+                            .top_m = 1010};
+  house.wall = Material::kPlaster, house.roof = Material::kRoofTile;
+  scene.chunks[0].buildings = {house};
+  const auto tile = bake_surroundings(scene);
+  const impostor::Atlas atlas = far_windows();
+  EXPECT_EQ(tile->facade_atlas, atlas);
+  const auto walls = std::ranges::find_if(tile->primitives, [](const Primitive& primitive) {
+    return primitive.colour_source == materials::ColourSource::kByAtlas;
+  });
+  ASSERT_NE(walls, tile->primitives.end());
+  ASSERT_EQ(walls->uvs.size(), walls->positions.size());
+  for (const Float2& uv : walls->uvs) {
+    EXPECT_GE(std::min(uv[0], uv[1]), 0);
+    EXPECT_LE(uv[0], atlas.colour.columns * atlas.colour.texel_m);
+    EXPECT_LE(uv[1], atlas.colour.rows * atlas.colour.texel_m);
+  }
+}
+
+TEST(FarWindows, WallsHaveWholeNumbersOfBaysAndStoreys) {
+  const FarWindowPart part = window_part(12.5, 6.2, 6, 1.5);
+  const auto& u = part.corners_m;
+  EXPECT_DOUBLE_EQ(std::abs(u[1] - u[0]), 4 * kBay_m);
+  EXPECT_DOUBLE_EQ(std::abs(u[2] - u[1]), 2 * kBay_m);
+  EXPECT_DOUBLE_EQ(std::abs(u[3] - u[2]), 4 * kBay_m);
+  EXPECT_DOUBLE_EQ(std::abs(u[0] - u[3]), 2 * kBay_m);
+  EXPECT_DOUBLE_EQ(part.foot_m - part.eaves_m, 2 * kBay_m);
+  EXPECT_NEAR((part.below_m - part.foot_m) / (part.foot_m - part.eaves_m), 0.25, 1e-9);
+  // no more than the picture has
+  const impostor::Atlas atlas = far_windows();
+  const FarWindowPart large = window_part(500, 400, 90, 60);
+  EXPECT_DOUBLE_EQ(large.corners_m[1], kMostBays * kBay_m);
+  EXPECT_DOUBLE_EQ(large.eaves_m, 0);
+  EXPECT_LT(large.below_m, atlas.colour.rows * atlas.colour.texel_m);
+}
+
+// Land that rises by 60 % towards the east, of unknown cover.
+TEST(BakeSurroundings, SteepLandOfUnknownCoverIsScrubAndWood) {
+  scene::Scene scene = slope();
+  scene.chunks[0].surfaces.clear();
+  surroundings::Surroundings& around = scene.header.around;
+  for (std::size_t j = 0; j < around.rows(); ++j)
+    for (std::size_t i = 0; i < around.columns(); ++i)
+      around.heights_m[around.index(i, j)] = 600 + around.x_m[i] * 6 / 10;
+  const scene::GroundLookup lookup(scene);
+  const Patchwork patchwork(lookup, scene.header);
+  int wild = 0, woods = 0;
+  for (std::int32_t k = 0; k < 20; ++k) {
+    const surroundings::Patch patch = patchwork.patch_of({320, 64 * k - 640, 32}, 64);
+    const auto group = map::values_of(patch.cover).group;
+    wild += group == map::LandCoverGroup::kForest || group == map::LandCoverGroup::kScrubland;
+    woods += patch.raised_m > 0;
+  }
+  EXPECT_EQ(wild, 20);
+  EXPECT_GT(woods, 2);
+  EXPECT_LT(woods, 18);
 }
 
 TEST(BakeSurroundings, ARoadThatLeavesGoesOnInItsDirection) {
