@@ -113,8 +113,8 @@ struct BakedTile {
   materials::TextureImage marking_atlas{};  ///< Markings of roads; no texels if there are none.
   impostor::Atlas facade_atlas{};           ///< Facade textures; no texels if there are none.
   /// Textures of the materials of all primitives, instanced ones included, that have uvs and ColourSource::kByMaterial.
-  /// Sorted by material.
-  std::vector<materials::Texture> textures{};
+  /// Sorted by material, not null.
+  std::vector<materials::SharedTexture> textures{};
   /// For tiles baked for a viewpoint; tolerance_m is then the finest of several.
   std::optional<Viewpoint> viewpoint{};
   std::vector<FeatureAttributes> attributes{};  ///< One per feature, or empty.

@@ -97,7 +97,7 @@ void merge(PrimitiveMap& merged, const LayeredMesh& part, Vec3 origin, std::uint
   }
 }
 
-std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tolerance_m,
+std::vector<materials::SharedTexture> textures_shown(const BakedTile& tile, double tolerance_m,
                                                const materials::TextureCache& textures) {
   using materials::ColourSource;
   std::set<materials::Material> shown;

@@ -30,7 +30,7 @@ std::vector<Primitive> primitives_of(PrimitiveMap&& merged);
 std::vector<Primitive> instanced_primitives(std::span<const materials::MaterialMesh> meshes, Layer layer);
 
 /// The textures of all materials of primitives and instanced meshes with uvs, sorted by material.
-std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tolerance_m,
+std::vector<materials::SharedTexture> textures_shown(const BakedTile& tile, double tolerance_m,
                                                const materials::TextureCache& textures);
 
 /// The unit normal of a triangle; zero if it is degenerate.

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <optional>
 #include <vector>
 
@@ -28,6 +30,18 @@ struct Texture {
   /// One per texel of `colour`, 0 to 255, if the texture has holes: texels below 128. Else empty.
   std::vector<std::uint8_t> opacity{};
   bool operator==(const Texture&) const = default;
+};
+
+/// A texture that many tiles show. Equal to another if their textures are.
+class SharedTexture {
+ public:
+  explicit SharedTexture(Texture texture) : texture_(std::make_shared<const Texture>(std::move(texture))) {}
+  const Texture& operator*() const { return *texture_; }
+  const Texture* operator->() const { return texture_.get(); }
+  bool operator==(const SharedTexture& other) const { return texture_ == other.texture_ || *texture_ == *other.texture_; }
+
+ private:
+  std::shared_ptr<const Texture> texture_;
 };
 
 /// Returns the image of colours, or the image of normals if the material has one colour.

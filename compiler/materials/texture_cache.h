@@ -3,6 +3,7 @@
 
 #include <map>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -20,14 +21,14 @@ class TextureCache {
 
   /// Returns the textures of all materials in a list that have one, in order.
   /// @param materials  Sorted, unique.
-  std::vector<Texture> textures_of(std::span<const Material> materials, double tolerance_m) const;
-  /// Returns the texture of a material, which lives as long as the cache. Precondition: has_texture().
-  const Texture& texture(Material material, double tolerance_m) const;
+  std::vector<SharedTexture> textures_of(std::span<const Material> materials, double tolerance_m) const;
+  /// Returns the texture of a material. Precondition: has_texture().
+  SharedTexture texture(Material material, double tolerance_m) const;
 
  private:
   struct Slot {
     std::once_flag once;
-    Texture texture;
+    std::optional<SharedTexture> texture;
   };
 
   std::uint64_t seed_;

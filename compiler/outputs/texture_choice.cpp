@@ -29,26 +29,34 @@ std::uint64_t hash_of_sets(const std::vector<MaterialSet>& sets, bool is_fine) {
   return exporters::content_hash(all);
 }
 
+std::vector<ChosenTexture> chosen(const std::vector<MaterialSet>& sets) {
+  std::vector<ChosenTexture> own;
+  for (const MaterialSet& set : sets) {
+    materials::Texture flat = set.texture;
+    flat.normal = {}, flat.surface = {};
+    own.push_back({materials::SharedTexture(set.texture), materials::SharedTexture(std::move(flat))});
+  }
+  return own;
+}
+
 }  // namespace
 
-TextureChoice::TextureChoice(const Outputs& outputs, std::uint64_t seed, std::vector<MaterialSet> sets)
-    : sets_(std::move(sets)),
+TextureChoice::TextureChoice(const Outputs& outputs, std::uint64_t seed, const std::vector<MaterialSet>& sets)
+    : own_(chosen(sets)),
       is_fine_(outputs.has_fine_textures),
       fine_(seed, kFineScale),
-      hash_(hash_of_sets(sets_, is_fine_)) {}
+      hash_(hash_of_sets(sets, is_fine_)) {}
 
 void TextureChoice::apply(bake::BakedTile& tile) const {
   if (hash_ == 0) return;
-  for (materials::Texture& texture : tile.textures) {
-    const bool shows_normals = has_normals(texture.material, tile.tolerance_m);
+  for (materials::SharedTexture& texture : tile.textures) {
+    const materials::Material material = texture->material;
     const auto own =
-        std::ranges::find(sets_, texture.material, [](const MaterialSet& set) { return set.texture.material; });
-    if (own == sets_.end()) {
-      if (is_fine_) texture = fine_.texture(texture.material, tile.tolerance_m);
-      continue;
-    }
-    texture = own->texture;
-    if (!shows_normals) texture.normal = {}, texture.surface = {};
+        std::ranges::find(own_, material, [](const ChosenTexture& each) { return each.whole->material; });
+    if (own != own_.end())
+      texture = has_normals(material, tile.tolerance_m) ? own->whole : own->flat;
+    else if (is_fine_)
+      texture = fine_.texture(material, tile.tolerance_m);
   }
 }
 

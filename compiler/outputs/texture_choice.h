@@ -12,11 +12,16 @@
 
 namespace citykiln::outputs {
 
+/// A texture of an artist, as fine levels show it and without normals and roughness.
+struct ChosenTexture {
+  materials::SharedTexture whole, flat;
+};
+
 /// Replaces the textures of baked tiles. Thread-safe.
 class TextureChoice {
  public:
   /// @param seed  The header's.
-  TextureChoice(const Outputs& outputs, std::uint64_t seed, std::vector<MaterialSet> sets);
+  TextureChoice(const Outputs& outputs, std::uint64_t seed, const std::vector<MaterialSet>& sets);
 
   /// Replaces textures as the settings say. Normals and roughness are left out of tiles that are too coarse for those
   /// of citykiln (Detail::kGroundNormals).
@@ -25,7 +30,7 @@ class TextureChoice {
   std::uint64_t hash() const { return hash_; }
 
  private:
-  std::vector<MaterialSet> sets_;
+  std::vector<ChosenTexture> own_;
   bool is_fine_;
   materials::TextureCache fine_;
   std::uint64_t hash_ = 0;

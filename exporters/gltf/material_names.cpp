@@ -24,7 +24,7 @@ constexpr Suffix kSuffixes[] = {{"", ColourSource::kByMaterial},
 
 }  // namespace
 
-std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::Texture> textures) {
+std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::SharedTexture> textures) {
   const bool is_by_material = key.colour_source == ColourSource::kByMaterial;
   const bool is_untextured =
       is_by_material && !key.has_uvs && std::ranges::count(textures, key.material, &materials::Texture::material) > 0;

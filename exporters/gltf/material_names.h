@@ -21,7 +21,7 @@ namespace citykiln::exporters {
 /// | Untextured | without uvs, where one of the tile's textures belongs to the material       |
 ///
 /// In a .glb the tile, the tolerance and a number may follow, so that names are unique: "PaintFacadeAtlas_0_-1_0.5m".
-std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::Texture> textures);
+std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::SharedTexture> textures);
 
 /// Returns the material of this name, if there is one.
 std::optional<materials::Material> material_named(std::string_view name);

@@ -23,7 +23,7 @@ std::string scope_path() { return std::string(kUsdTilePath) + "/materials"; }
 const materials::Texture* texture_of(const UsdBuilder& b, const Primitive& p) {
   if (p.colour_source != ColourSource::kByMaterial || p.uvs.empty()) return nullptr;
   const auto found = std::ranges::find(b.tile.textures, p.material, &materials::Texture::material);
-  return found == b.tile.textures.end() ? nullptr : &*found;
+  return found == b.tile.textures.end() ? nullptr : &**found;
 }
 
 // Integer arithmetic, rounded to the nearest.
@@ -189,7 +189,7 @@ ImageUses image_uses_of(UsdBuilder& b, const UsdMaterialKey& key) {
 
 const ImageUse* use_named(const ImageUses& uses, std::string_view name) {
   const auto found = std::ranges::find(uses, name, &ImageUse::name);
-  return found == uses.end() ? nullptr : &*found;
+  return found == uses.end() ? nullptr : &**found;
 }
 
 // ---- the surface ----

@@ -34,9 +34,9 @@ const MaterialTexture* BakedScene::material_of(const bake::BakedTile& tile, mate
   const auto own = std::ranges::find(tile.textures, material, &materials::Texture::material);
   if (own == tile.textures.end()) return nullptr;
   const auto same =
-      std::ranges::find_if(material_textures_, [&](const auto& other) { return other->texture() == *own; });
+      std::ranges::find_if(material_textures_, [&](const auto& other) { return other->texture() == **own; });
   if (same != material_textures_.end()) return same->get();
-  return material_textures_.emplace_back(std::make_unique<MaterialTexture>(*own)).get();
+  return material_textures_.emplace_back(std::make_unique<MaterialTexture>(**own)).get();
 }
 
 // No two tiles have equal facade atlases.

@@ -74,7 +74,8 @@ std::shared_ptr<const T> counted(Use& in, std::shared_ptr<const void> source, Ar
 }  // namespace
 
 std::shared_ptr<const MaterialTexture> SharedByCells::material(materials::Material material, double tolerance_m) {
-  const materials::Texture& texture = source_->prototypes().textures().texture(material, tolerance_m);
+  // the cache keeps it
+  const materials::Texture& texture = *source_->prototypes().textures().texture(material, tolerance_m);
   return shared(materials_, &texture, [&] { return counted<MaterialTexture>(use_.textures, nullptr, texture); });
 }
 

@@ -1,5 +1,5 @@
 // Costs and looks of facades over the tolerance: triangles, bytes and time of some houses of a map, and the error of
-// their picture at the distance where the tolerance is one pixel, and at 100 m.
+// their picture at the distance where the tolerance is one pixel, and at 100 m, and how bright the picture is.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -117,7 +117,7 @@ preview::Image facade_picture(const bake::BakedTile& tile, const sky::Sky& sky, 
 
 struct Costs {
   double triangles = 0, bytes = 0, ms = 0, error = 0, error_by_low_sun = 0, noise = 0, error_at_100_m = 0,
-         noise_at_100_m = 0;
+         noise_at_100_m = 0, brightness = 0;
 };
 
 double triangles_in_tile(const bake::BakedTile& tile) {
@@ -151,7 +151,9 @@ void add_picture_error(const House& house, const bake::BakedTile& finest, double
   const preview::Image truth = facade_picture(finest, sky, camera, pixels, 1);
   costs.noise += difference(truth, facade_picture(finest, sky, camera, pixels, 2));
   const bake::BakedTile tile = baked(house, tolerance_m, threads);
-  costs.error += difference(truth, facade_picture(tile, sky, camera, pixels, 2));
+  const preview::Image picture = facade_picture(tile, sky, camera, pixels, 2);
+  costs.error += difference(truth, picture);
+  costs.brightness += luminance_difference(picture, truth).ratio;
   const sky::Sky low = sun_along(house.chunk.buildings.front(), sky);
   costs.error_by_low_sun +=
       difference(facade_picture(finest, low, camera, pixels, 1), facade_picture(tile, low, camera, pixels, 2));
@@ -184,7 +186,7 @@ void add_error_across_the_square(const House& house, const Finest& finest, doubl
 }
 
 std::vector<Chart> empty_facade_charts(std::size_t houses) {
-  std::vector<Chart> charts(3);
+  std::vector<Chart> charts(4);
   for (Chart& chart : charts) chart.x.label = "tolerance (m)", chart.x.is_logarithmic = true;
   charts[0].name = "facade_costs", charts[0].title = fmt::format("A house, mean of {}", houses);
   charts[0].y.label = "triangles; bytes of .glb; microseconds", charts[0].y.is_logarithmic = true;
@@ -197,6 +199,9 @@ std::vector<Chart> empty_facade_charts(std::size_t houses) {
   charts[2].title = "Error of the picture from 100 m";
   charts[2].y.label = charts[1].y.label;
   charts[2].series = {{"against 0.01 m", {}}, {"noise: 0.01 m twice", {}}};
+  charts[3].name = "facade_brightness", charts[3].title = "Brightness from where the tolerance is one pixel";
+  charts[3].y.label = "share of that at 0.01 m";
+  charts[3].series = {{"mean of the picture", {}}};
   return charts;
 }
 
@@ -209,6 +214,7 @@ void add_points(double tolerance_m, const Costs& costs, double houses, std::vect
   charts[1].series[2].points.emplace_back(tolerance_m, costs.error_by_low_sun / houses);
   charts[2].series[0].points.emplace_back(tolerance_m, costs.error_at_100_m / houses);
   charts[2].series[1].points.emplace_back(tolerance_m, costs.noise_at_100_m / houses);
+  charts[3].series[0].points.emplace_back(tolerance_m, costs.brightness / houses);
 }
 
 }  // namespace

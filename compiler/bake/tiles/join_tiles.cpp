@@ -123,10 +123,10 @@ std::vector<FeatureAttributes> joined_attributes(const std::vector<OsmId>& featu
 
 /// Adds one texture for each material: tiles of one tolerance and seed have equal textures.
 void add_textures(BakedTile& joined, std::span<const BakedTile> tiles) {
-  std::map<materials::Material, const materials::Texture*> first;
+  std::map<materials::Material, materials::SharedTexture> first;
   for (const BakedTile& tile : tiles)
-    for (const materials::Texture& texture : tile.textures) first.emplace(texture.material, &texture);
-  for (const auto& [material, texture] : first) joined.textures.push_back(*texture);
+    for (const materials::SharedTexture& texture : tile.textures) first.emplace(texture->material, texture);
+  for (const auto& [material, texture] : first) joined.textures.push_back(texture);
 }
 
 }  // namespace

@@ -158,7 +158,7 @@ const materials::TextureImage* image_under_uvs(const BakedTile& tile, const bake
   if (p.colour_source == materials::ColourSource::kByAtlas) return &tile.facade_atlas.colour;
   if (p.colour_source == materials::ColourSource::kByCutout) return cutout == nullptr ? nullptr : &cutout->colour;
   const auto texture = std::ranges::find(tile.textures, p.material, &materials::Texture::material);
-  return texture == tile.textures.end() ? nullptr : &shown_image(*texture);
+  return texture == tile.textures.end() ? nullptr : &shown_image(**texture);
 }
 
 void put_uvs_in_metres(std::vector<bake::Primitive>& primitives, const impostor::Cutout* cutout,

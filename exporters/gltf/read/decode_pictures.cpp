@@ -131,7 +131,9 @@ void read_pictures(GltfReader& reader, std::span<const std::optional<std::size_t
   std::size_t i = 0;
   for (const auto& [name, target] : images_of_tile)
     if (i < images.size() && images[i].name == name) *target = read_picture(reader, images[i++]);
-  for (; i < images.size() && images[i].name != kCutoutImage; ++i) read_texture(reader, images[i], tile.textures);
+  std::vector<materials::Texture> textures;
+  for (; i < images.size() && images[i].name != kCutoutImage; ++i) read_texture(reader, images[i], textures);
+  for (materials::Texture& texture : textures) tile.textures.emplace_back(std::move(texture));
   read_cutouts(reader, i, cutouts, tile);
   expect(are_one_size(tile.facade_atlas), "a facade atlas whose images are of one size");
 }

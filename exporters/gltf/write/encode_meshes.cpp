@@ -126,7 +126,7 @@ MaterialKey material_key_of(const GlbBuilder& f, const Primitive& p, const impos
   if (p.colour_source != ColourSource::kByMaterial) return key;
   const auto found = std::ranges::find(f.tile.textures, p.material, &materials::Texture::material);
   key.primitive.has_uvs = key.primitive.has_uvs && found != f.tile.textures.end();
-  if (key.primitive.has_uvs) key.texture = &*found;
+  if (key.primitive.has_uvs) key.texture = &**found;
   return key;
 }
 

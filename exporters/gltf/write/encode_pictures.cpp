@@ -41,11 +41,11 @@ std::vector<TileImage> images_of_tile(const GlbBuilder& f) {
   add(kGroups[1], kFacadeSurfaceImage, facades.surface);
   add(kGroups[1], kFacadeEmissionImage, facades.emission, PictureContent::kAtlas);
   add(kGroups[1], kFacadeNormalImage, facades.normal);
-  for (const materials::Texture& texture : f.tile.textures) {
-    const std::string name(values_of(texture.material).name);
-    add(kGroups[2], name + "Colour", texture.colour, PictureContent::kColour, texture.opacity);
-    add(kGroups[2], name + "Normal", texture.normal);
-    add(kGroups[2], name + "Surface", texture.surface);
+  for (const materials::SharedTexture& texture : f.tile.textures) {
+    const std::string name(values_of(texture->material).name);
+    add(kGroups[2], name + "Colour", texture->colour, PictureContent::kColour, texture->opacity);
+    add(kGroups[2], name + "Normal", texture->normal);
+    add(kGroups[2], name + "Surface", texture->surface);
   }
   for (const impostor::Cutout* cutout : f.cutouts) {
     add(kGroups[3], kCutoutImage, cutout->colour, PictureContent::kExact, cutout->opacity);
