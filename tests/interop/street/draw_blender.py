@@ -18,6 +18,8 @@ import numpy
 # the importer of Blender 3.4 uses numpy.bool, which newer NumPy no longer has
 numpy.bool = bool
 
+HOWTO_EXPOSURE = -4
+
 
 def import_by_addon(job):
     bpy.ops.preferences.addon_install(filepath=job["zip"], overwrite=True)
@@ -44,9 +46,6 @@ def sky_of_howto(to_sun):
     background.inputs["Strength"].default_value = 2
     nodes.links.new(texture.outputs["Color"], background.inputs["Color"])
     scene.view_settings.exposure = HOWTO_EXPOSURE
-
-
-HOWTO_EXPOSURE = -4
 
 
 def look_from(job):

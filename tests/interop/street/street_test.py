@@ -72,7 +72,7 @@ class Scene:
         """Depth and normals of the preview's picture, which tell sky, walls and ground apart."""
         light, depth, up = (self.folder / name for name in ("layers.exr", "depth.tif", "up.tif"))
         place = ["--eye=" + ",".join(map(str, self.eye)), "--look=" + ",".join(map(str, self.look)), "--fov", self.fov_deg]
-        kiln("preview", self.run_for("blender"), "--level", 0, *place, "--clouds", "clear", "--size", "{}x{}".format(*SIZE), "--spp", 4, "-o", light)
+        kiln("preview", self.run_for("blender"), "--level", 0, *place, "--size", "{}x{}".format(*SIZE), "--spp", 4, "-o", light)
         done(["oiiotool", light, "--ch", "Z", "-d", "float", "-o", depth])
         done(["oiiotool", light, "--ch", "normal.Z", "-d", "float", "-o", up])
         import numpy
