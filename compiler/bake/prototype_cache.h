@@ -49,11 +49,13 @@ enum class KeptPlants {
 /// per mesh.
 class PrototypeCache {
  public:
-  explicit PrototypeCache(const scene::Header& header, KeptPlants kept = KeptPlants::kAll)
+  /// @param own  Textures that replace those of citykiln.
+  explicit PrototypeCache(const scene::Header& header, KeptPlants kept = KeptPlants::kAll,
+                          std::vector<materials::Texture> own = {})
       : kept_(kept),
         month_(month_of(header)),
         grown_plants_(header.species, month_),
-        textures_(header.seed),
+        textures_(header.seed, 1, std::move(own)),
         rulebook_(buildings::parse_rulebook(header.rules)),
         seed_(header.seed),
         is_night_(scene::night_of(header).has_value()),

@@ -8,7 +8,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
+
+#include "compiler/contract/texts/parse.h"
 
 namespace citykiln::commands {
 namespace {
@@ -100,10 +103,10 @@ void Console::end_json() const {
 }
 
 void Console::print_error(const Error& error) const {
-  // prints a single line, even if a library's message has several
-  std::string line = to_string(error);
-  std::ranges::replace(line, '\n', ' ');
-  fmt::print(stderr, "citykiln: {}\n", line);
+  // one line, even if a library's message has several; a list without a place has one for each item
+  std::string text = to_string(error);
+  if (!error.where.empty()) std::ranges::replace(text, '\n', ' ');
+  for (const std::string_view line : split(text, '\n')) fmt::print(stderr, "citykiln: {}\n", line);
   if (!is_json) return;
   const auto [file, place] = file_and_place(error.where);
   const auto text_or_null = [](const std::string& text) {

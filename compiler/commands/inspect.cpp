@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "compiler/bake/merge.h"
+#include "compiler/commands/atlas_sheet.h"
 #include "compiler/commands/console.h"
 #include "compiler/commands/layers/geojson.h"
 #include "compiler/commands/layers/lots_layer.h"
@@ -153,7 +154,7 @@ struct InspectRequest {
   std::string path, layer, geojson_path;
   ThingsSheet sheet;
   std::string picture;
-  bool draws_materials = false;
+  bool draws_materials = false, draws_atlases = false;
 };
 
 // ---- descriptions ----
@@ -361,6 +362,11 @@ Result<Exit> run_inspect(const InspectRequest& asked, const Console& console) {
   }
   if (asked.path.empty())
     return Error{"", "no file is given; expected a .kiln, a .glb, a map, the folder of a run, or a species with -o"};
+  if (asked.draws_atlases) {
+    if (asked.picture.empty()) return Error{"--atlases", "expected -o FILE.png too"};
+    const Result<Done> done = draw_atlas_sheet(asked.path, asked.picture, console);
+    return done ? Result<Exit>(Exit::kDone) : done.error();
+  }
   if (!asked.picture.empty()) {
     const Result<Done> done = draw_plant_sheet({asked.path, asked.picture}, console);
     return done ? Result<Exit>(Exit::kDone) : done.error();
@@ -415,6 +421,14 @@ Verb inspect_verb() {
        "draws a species at 0.1, 0.5, 1.2, 2.5 and 12.5 m (at a tenth if it is low), and prints its triangles and "
        "errors",
        false, store_text(request->picture)},
+      {"--atlases", "",
+       "with -o: draws all pictures of windows, doors and facades of a .glb or of a run's level 0, with their sizes in "
+       "metres",
+       false,
+       [request](const std::string&) -> Result<Done> {
+         request->draws_atlases = true;
+         return Done{};
+       }},
       {"--materials", "", "with -o: draws all materials with textures, on a sphere, a wall and the ground", false,
        [request](const std::string&) -> Result<Done> {
          request->draws_materials = true;
@@ -427,8 +441,11 @@ Verb inspect_verb() {
       {"--kind", "NAME", "for --sheet: a row of the table to draw, such as bench (default: all)", true,
        append_text(request->sheet.names)},
   };
-  verb.examples = {"citykiln inspect oak -o oak.png", "citykiln inspect --sheet things.png --kind bench --kind bollard",
-                   "citykiln inspect --materials -o materials.png", "citykiln inspect out/town/scene.kiln",
+  verb.examples = {"citykiln inspect oak -o oak.png",
+                   "citykiln inspect --sheet things.png --kind bench --kind bollard",
+                   "citykiln inspect --materials -o materials.png",
+                   "citykiln inspect out/town --atlases -o atlases.png",
+                   "citykiln inspect out/town/scene.kiln",
                    "citykiln inspect out/town/scene.kiln --layer buildings --geojson buildings.geojson"};
   verb.run = [request](const Console& console) { return run_inspect(*request, console); };
   return verb;

@@ -11,7 +11,9 @@
 
 #include "compiler/bake/merge.h"
 #include "compiler/commands/sheet.h"
+#include "compiler/sky/generate.h"
 #include "preview/picture/denoise.h"
+#include "preview/picture/exposure.h"
 #include "preview/render.h"
 
 namespace citykiln::commands {
@@ -19,11 +21,12 @@ namespace {
 
 using materials::Material;
 
-constexpr int kMaterialWidth_px = 240, kMaterialHeight_px = 190, kName_px = 18, kMaterialsInRow = 8,
-              kMaterialSamples = 16;
+constexpr int kMaterialWidth_px = 240, kMaterialHeight_px = 190, kName_px = 22, kMaterialsInRow = 8,
+              kMaterialSamples = 8;
 constexpr double kMaterialTolerance_m = 0.02;
 // The width of what is seen of each material.
 constexpr double kStand_m = 2.4;
+constexpr float kSheetExposure = 0.7f;
 
 bake::Primitive blank_surface(Material material) {
   bake::Primitive surface{material, {}, {}, {}, {}, {}};
@@ -85,7 +88,8 @@ bake::BakedTile tile_of_materials(std::span<const Material> row) {
 }
 
 // From so far away that all are seen alike.
-preview::Image drawn_row(std::span<const Material> row, const sky::Sky& sky) {
+// @param white  The radiance of level white ground.
+preview::Image drawn_row(std::span<const Material> row, const sky::Sky& sky, const preview::Rgb& white) {
   constexpr double kAway_m = 60;
   preview::Options options;
   options.width = kMaterialWidth_px * kMaterialsInRow, options.height = kMaterialHeight_px;
@@ -93,11 +97,12 @@ preview::Image drawn_row(std::span<const Material> row, const sky::Sky& sky) {
   const bake::BakedTile tile = tile_of_materials(row);
   const double high_m = kStand_m * kMaterialHeight_px / kMaterialWidth_px;
   const double view_deg = 2 * std::atan(high_m / 2 / kAway_m) * 180 / std::numbers::pi;
-  const Vec3 middle{0, 0.5, 0.75}, eye = middle + unit(Vec3{0.1, -1, 0.32}) * kAway_m;
+  const Vec3 middle{0, 0.5, 0.75}, eye = middle + unit(Vec3{0, -1, 0.32}) * kAway_m;
   preview::Image image =
       preview::denoise(preview::render(std::span(&tile, 1), sky, {eye, middle, view_deg}, options), options.threads);
-  // a white wall in the sun is not burnt
-  for (float& value : image.rgb) value *= 0.5f;
+  // a white wall in the sun is not burnt, and white
+  for (float& value : image.rgb) value *= kSheetExposure;
+  preview::balance(image, preview::white_balance(white));
   return image;
 }
 
@@ -113,14 +118,15 @@ Result<Done> draw_materials_sheet(const std::string& path, const Console& consol
   constexpr int kRow_px = kMaterialHeight_px + kName_px;
   preview::Image sheet = empty_sheet(kMaterialWidth_px * kMaterialsInRow, kRow_px * rows);
   const sky::Sky sky = sheet_sky();
+  const preview::Rgb white = sky::generate(sky).white_ground;
   for (int i = 0; i < count; i += kMaterialsInRow) {
     const auto row = std::span(drawn).subspan(static_cast<std::size_t>(i),
                                               static_cast<std::size_t>(std::min(kMaterialsInRow, count - i)));
     const int y0 = i / kMaterialsInRow * kRow_px;
-    put_picture(drawn_row(row, sky), 0, y0, sheet);
+    put_picture(drawn_row(row, sky, white), 0, y0, sheet);
     for (int k = 0; k < static_cast<int>(row.size()); ++k)
-      put_text(values_of(row[static_cast<std::size_t>(k)]).name, k * kMaterialWidth_px + 4, y0 + kMaterialHeight_px + 2,
-               sheet);
+      put_text(materials::words_of(row[static_cast<std::size_t>(k)]), k * kMaterialWidth_px + 4,
+               y0 + kMaterialHeight_px + 2, sheet);
   }
   console.print_line(fmt::format("{} materials", count));
   return preview::write_image(sheet, path);

@@ -9,7 +9,7 @@
 namespace citykiln::commands {
 
 /// Draws all materials with textures, each with its name: a sphere with a diameter of 1 m, a wall and the ground, in
-/// the light of sheet_sky(). Takes about a minute of CPU time. Errors: those of writing the picture.
+/// the light of sheet_sky(). Takes about two minutes of CPU time. Errors: those of writing the picture.
 Result<Done> draw_materials_sheet(const std::string& path, const Console& console);
 
 }  // namespace citykiln::commands

@@ -17,6 +17,7 @@
 #include "compiler/commands/view/preview_scene.h"
 #include "compiler/commands/view/view_options.h"
 #include "compiler/contract/texts/parse.h"
+#include "compiler/outputs/texture_choice.h"
 #include "compiler/parse_values.h"
 #include "preview/camera/camera_rays.h"
 #include "preview/camera/cell_view.h"
@@ -48,7 +49,7 @@ struct PreviewRequest {
   LoadRequest load;
   CellRequest cells;
   CameraRequest camera;
-  std::string picture_path, environment_path;
+  std::string picture_path, environment_path, materials_folder;
   double environment_turn_deg = 0;
   PictureSize size;
   Exposure exposure;
@@ -251,6 +252,23 @@ void clear_haze(const PreviewRequest& request, const preview::Camera& camera, sk
   sky.visibility_km = std::max(sky.visibility_km, std::min(wanted_km, sky::kClearest_km));
 }
 
+// Artists' textures, which replace those of a scene's recipes and tiles.
+Result<std::vector<outputs::MaterialSet>> own_textures(const std::string& folder) {
+  Outputs asked;
+  asked.materials_folder = folder;
+  return outputs::sets_of(asked);
+}
+
+CellRequest with_textures(CellRequest cells, const std::vector<outputs::MaterialSet>& sets) {
+  for (const outputs::MaterialSet& set : sets) cells.textures.push_back(set.texture);
+  return cells;
+}
+
+void replace_textures(const std::vector<outputs::MaterialSet>& sets, std::vector<bake::BakedTile>& tiles) {
+  const outputs::TextureChoice choice({}, 0, sets);
+  for (bake::BakedTile& tile : tiles) choice.apply(tile);
+}
+
 // The light of a scene, for the first camera.
 preview::Lights lights_of(const PreviewScene& scene, const preview::Camera& camera, const PreviewRequest& request) {
   if (scene.sky.inside) return preview::Lights(preview::InsideLights(scene.sky), scene.lamps);
@@ -258,7 +276,7 @@ preview::Lights lights_of(const PreviewScene& scene, const preview::Camera& came
   return preview::Lights(model, scene.lamps, scene.around, scene.fog, clouds_of(scene, model, camera, request));
 }
 
-Result<Exit> run_preview(const PreviewRequest& request, const Console& console) {
+Result<Exit> run_preview(PreviewRequest request, const Console& console) {
   if (request.picture_path.empty() && !request.is_interactive)
     return Error{"", "no picture is given; add -o FILE.png or -o FILE.exr"};
   for (const std::string& path : request.load.paths) {
@@ -274,6 +292,9 @@ Result<Exit> run_preview(const PreviewRequest& request, const Console& console) 
     if (const Result<Done> ready = preview::check_window(); !ready) return ready.error();
   const Result<std::optional<preview::EnvironmentMap>> environment = environment_of(request, console);
   if (!environment) return environment.error();
+  const Result<std::vector<outputs::MaterialSet>> sets = own_textures(request.materials_folder);
+  if (!sets) return sets.error();
+  request.cells = with_textures(std::move(request.cells), *sets);
   const OnProgress on_progress = console.progress();
   const SceneRequest wanted{.load = request.load,
                             .cells = request.cells,
@@ -293,6 +314,7 @@ Result<Exit> run_preview(const PreviewRequest& request, const Console& console) 
     if (const Result<Done> read = load_levels(*scene, wanted, viewing, on_progress); !read) return read.error();
     if (!scene->recipes) console.print_line(levels_text(scene->loaded.tiles));
   }
+  replace_textures(*sets, scene->loaded.tiles);
   if (scene->recipes)
     scene->panes = preview::lit_panes_of(*scene->recipes, preview::eyes_of(*cameras), request.load.threads);
   bend_tiles(*scene);
@@ -424,6 +446,8 @@ std::vector<Option> light_options(PreviewRequest& request) {
        store_text(request.environment_path)},
       {"--environment-turn", "DEG", "compass bearing of the panorama's middle (default: 0, north)", false,
        store_number(request.environment_turn_deg, {-360, 360, true})},
+      {"--materials", "FOLDER", "artists' textures, as for compile, which replace those of the manifest or the tiles",
+       false, store_text(request.materials_folder)},
   };
 }
 

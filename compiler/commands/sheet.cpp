@@ -1,44 +1,45 @@
 #include "compiler/commands/sheet.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <iterator>
 
 #include "compiler/sky/plan.h"
 
 namespace citykiln::commands {
 namespace {
 
-// The letters A to Z, seven rows of five pixels each.
-constexpr int kLetterRows = 7, kLetterColumns = 5, kTextScale = 2;
-constexpr std::uint8_t kLetters[26][kLetterRows] = {{0b01110, 0b10001, 0b10001, 0b11111, 0b10001, 0b10001, 0b10001},
-                                                    {0b11110, 0b10001, 0b10001, 0b11110, 0b10001, 0b10001, 0b11110},
-                                                    {0b01110, 0b10001, 0b10000, 0b10000, 0b10000, 0b10001, 0b01110},
-                                                    {0b11110, 0b10001, 0b10001, 0b10001, 0b10001, 0b10001, 0b11110},
-                                                    {0b11111, 0b10000, 0b10000, 0b11110, 0b10000, 0b10000, 0b11111},
-                                                    {0b11111, 0b10000, 0b10000, 0b11110, 0b10000, 0b10000, 0b10000},
-                                                    {0b01110, 0b10001, 0b10000, 0b10111, 0b10001, 0b10001, 0b01111},
-                                                    {0b10001, 0b10001, 0b10001, 0b11111, 0b10001, 0b10001, 0b10001},
-                                                    {0b01110, 0b00100, 0b00100, 0b00100, 0b00100, 0b00100, 0b01110},
-                                                    {0b00111, 0b00010, 0b00010, 0b00010, 0b00010, 0b10010, 0b01100},
-                                                    {0b10001, 0b10010, 0b10100, 0b11000, 0b10100, 0b10010, 0b10001},
-                                                    {0b10000, 0b10000, 0b10000, 0b10000, 0b10000, 0b10000, 0b11111},
-                                                    {0b10001, 0b11011, 0b10101, 0b10101, 0b10001, 0b10001, 0b10001},
-                                                    {0b10001, 0b11001, 0b10101, 0b10011, 0b10001, 0b10001, 0b10001},
-                                                    {0b01110, 0b10001, 0b10001, 0b10001, 0b10001, 0b10001, 0b01110},
-                                                    {0b11110, 0b10001, 0b10001, 0b11110, 0b10000, 0b10000, 0b10000},
-                                                    {0b01110, 0b10001, 0b10001, 0b10001, 0b10101, 0b10010, 0b01101},
-                                                    {0b11110, 0b10001, 0b10001, 0b11110, 0b10100, 0b10010, 0b10001},
-                                                    {0b01111, 0b10000, 0b10000, 0b01110, 0b00001, 0b00001, 0b11110},
-                                                    {0b11111, 0b00100, 0b00100, 0b00100, 0b00100, 0b00100, 0b00100},
-                                                    {0b10001, 0b10001, 0b10001, 0b10001, 0b10001, 0b10001, 0b01110},
-                                                    {0b10001, 0b10001, 0b10001, 0b10001, 0b10001, 0b01010, 0b00100},
-                                                    {0b10001, 0b10001, 0b10001, 0b10101, 0b10101, 0b11011, 0b10001},
-                                                    {0b10001, 0b10001, 0b01010, 0b00100, 0b01010, 0b10001, 0b10001},
-                                                    {0b10001, 0b10001, 0b01010, 0b00100, 0b00100, 0b00100, 0b00100},
-                                                    {0b11111, 0b00001, 0b00010, 0b00100, 0b01000, 0b10000, 0b11111}};
+// Letters, five columns each from the left, whose lowest bit is the upper row. Eight rows: small letters hang down by
+// one.
+constexpr int kLetterRows = 8, kLetterColumns = 5, kTextScale = 2;
+struct Glyph {
+  char letter;
+  std::uint8_t columns[kLetterColumns];
+};
+constexpr Glyph kGlyphs[] = {{'a', {0x20, 0x54, 0x54, 0x54, 0x78}}, {'b', {0x7f, 0x48, 0x44, 0x44, 0x38}},
+                             {'c', {0x38, 0x44, 0x44, 0x44, 0x28}}, {'d', {0x38, 0x44, 0x44, 0x48, 0x7f}},
+                             {'e', {0x38, 0x54, 0x54, 0x54, 0x18}}, {'f', {0x08, 0x7e, 0x09, 0x01, 0x02}},
+                             {'g', {0x18, 0xa4, 0xa4, 0xa4, 0x7c}}, {'h', {0x7f, 0x08, 0x04, 0x04, 0x78}},
+                             {'i', {0x00, 0x44, 0x7d, 0x40, 0x00}}, {'j', {0x40, 0x80, 0x84, 0x7d, 0x00}},
+                             {'k', {0x7f, 0x10, 0x28, 0x44, 0x00}}, {'l', {0x00, 0x41, 0x7f, 0x40, 0x00}},
+                             {'m', {0x7c, 0x04, 0x78, 0x04, 0x78}}, {'n', {0x7c, 0x08, 0x04, 0x04, 0x78}},
+                             {'o', {0x38, 0x44, 0x44, 0x44, 0x38}}, {'p', {0xfc, 0x24, 0x24, 0x24, 0x18}},
+                             {'q', {0x18, 0x24, 0x24, 0x24, 0xfc}}, {'r', {0x7c, 0x08, 0x04, 0x04, 0x08}},
+                             {'s', {0x48, 0x54, 0x54, 0x54, 0x24}}, {'t', {0x04, 0x3f, 0x44, 0x44, 0x20}},
+                             {'u', {0x3c, 0x40, 0x40, 0x20, 0x7c}}, {'v', {0x1c, 0x20, 0x40, 0x20, 0x1c}},
+                             {'w', {0x3c, 0x40, 0x30, 0x40, 0x3c}}, {'x', {0x44, 0x28, 0x10, 0x28, 0x44}},
+                             {'y', {0x1c, 0xa0, 0xa0, 0xa0, 0x7c}}, {'z', {0x44, 0x64, 0x54, 0x4c, 0x44}},
+                             {'0', {0x3e, 0x51, 0x49, 0x45, 0x3e}}, {'1', {0x00, 0x42, 0x7f, 0x40, 0x00}},
+                             {'2', {0x42, 0x61, 0x51, 0x49, 0x46}}, {'3', {0x21, 0x41, 0x45, 0x4b, 0x31}},
+                             {'4', {0x18, 0x14, 0x12, 0x7f, 0x10}}, {'5', {0x27, 0x45, 0x45, 0x45, 0x39}},
+                             {'6', {0x3c, 0x4a, 0x49, 0x49, 0x30}}, {'7', {0x01, 0x71, 0x09, 0x05, 0x03}},
+                             {'8', {0x36, 0x49, 0x49, 0x49, 0x36}}, {'9', {0x06, 0x49, 0x49, 0x29, 0x1e}},
+                             {'.', {0x00, 0x60, 0x60, 0x00, 0x00}}, {'-', {0x08, 0x08, 0x08, 0x08, 0x08}},
+                             {'_', {0x40, 0x40, 0x40, 0x40, 0x40}}};
 
 bool is_inked(char letter, int column, int row) {
-  if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
-  return letter >= 'A' && letter <= 'Z' && (kLetters[letter - 'A'][row] >> (kLetterColumns - 1 - column) & 1) != 0;
+  const auto glyph = std::ranges::find(kGlyphs, letter, &Glyph::letter);
+  return glyph != std::end(kGlyphs) && (glyph->columns[column] >> row & 1) != 0;
 }
 
 }  // namespace

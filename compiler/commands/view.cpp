@@ -123,6 +123,8 @@ Verb view_verb() {
          return Done{};
        }},
       {"--lights", "N", "for a tileset that is baked: as for compile", false, store_whole(request->page.lights, 0)},
+      {"--materials", "FOLDER", "for a tileset that is baked: as for compile", false,
+       store_text(request->page.materials_folder)},
       threads_option(request->page.threads)};
   verb.examples = {"citykiln view out/town", "citykiln view out/town --port 8000",
                    "citykiln view out/town --write-only"};

@@ -64,6 +64,16 @@ std::optional<Material> material_named(std::string_view name) {
   return {};
 }
 
+std::string words_of(Material material) {
+  std::string words;
+  for (const char c : values_of(material).name) {
+    const bool is_capital = c >= 'A' && c <= 'Z';
+    if (is_capital && !words.empty()) words += ' ';
+    words += is_capital ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return words;
+}
+
 Material light_variant_of(Material material) {
   switch (material) {
     case Material::kPlaster:

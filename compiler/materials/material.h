@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace citykiln::materials {
@@ -35,6 +36,9 @@ inline constexpr double kEmission_cd_m2 = 100;
 /// materials.
 std::array<float, 3> emission_of(Material material);
 inline bool emits(Material material) { return emission_of(material) != std::array<float, 3>{}; }
+
+/// Returns the name of a material in plain words: "roof tile".
+std::string words_of(Material material);
 
 /// Returns the material that rule files name in snake case: kRoofTile for "roof_tile". O(rows).
 std::optional<Material> material_named(std::string_view name);

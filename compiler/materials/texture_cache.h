@@ -17,7 +17,10 @@ namespace citykiln::materials {
 class TextureCache {
  public:
   /// @param scale  Multiplies the texels of a side: a power of two.
-  explicit TextureCache(std::uint64_t seed, std::uint32_t scale = 1) : seed_(seed), scale_(scale) {}
+  /// @param own    Textures that replace those of their materials, without normals and roughness where the others have
+  /// none.
+  explicit TextureCache(std::uint64_t seed, std::uint32_t scale = 1, std::vector<Texture> own = {})
+      : seed_(seed), scale_(scale), own_(std::move(own)) {}
 
   /// Returns the textures of all materials in a list that have one, in order.
   /// @param materials  Sorted, unique.
@@ -26,6 +29,8 @@ class TextureCache {
   SharedTexture texture(Material material, double tolerance_m) const;
 
  private:
+  Texture made(Material material, double tolerance_m) const;
+
   struct Slot {
     std::once_flag once;
     std::optional<SharedTexture> texture;
@@ -33,6 +38,7 @@ class TextureCache {
 
   std::uint64_t seed_;
   std::uint32_t scale_;
+  std::vector<Texture> own_;
   mutable std::mutex mutex_;
   mutable std::map<std::pair<Material, bool>, Slot> slots_;  // with normals or without
 };

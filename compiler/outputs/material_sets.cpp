@@ -73,6 +73,7 @@ std::optional<MapKind> kind_of(const fs::path& file) {
 
 struct TableRow {
   double size_m = 0;
+  int line = 0;
   std::string credit, licence;
 };
 
@@ -99,10 +100,18 @@ std::map<std::string, TableRow> read_table(const std::string& path, Faults& faul
           fmt::format("{}:{}: expected material,size_m,credit,licence with a size of 0.05 to 64 m", path, number));
       continue;
     }
-    rows[std::string(cells[0])] = {*size_m, cells.size() > 2 ? std::string(cells[2]) : "",
+    rows[std::string(cells[0])] = {*size_m, number, cells.size() > 2 ? std::string(cells[2]) : "",
                                    cells.size() > 3 ? std::string(cells[3]) : ""};
   }
   return rows;
+}
+
+// Adds a fault for each row of a table that has no folder beside it.
+void check_rows(const std::map<std::string, TableRow>& table, const std::string& table_path, Faults& faults) {
+  std::error_code failed;
+  for (const auto& [name, row] : table)
+    if (const fs::path folder = fs::path(table_path).parent_path() / name; !fs::is_directory(folder, failed))
+      faults.push_back(fmt::format("{}:{}: expected a folder {}", table_path, row.line, folder.string()));
 }
 
 // A picture as decoded: square, v upwards as on walls.
@@ -111,7 +120,8 @@ std::optional<TextureImage> read_map(const fs::path& file, Faults& faults) {
   const Result<exporters::CutoutImage> picture =
       bytes ? exporters::decode_picture(*bytes, file.string()) : Result<exporters::CutoutImage>(bytes.error());
   if (!picture) {
-    faults.push_back(to_string(picture.error()));
+    faults.push_back(fmt::format(
+        "{}: expected a whole PNG, baseline JPEG or WebP picture of at most 8192 x 8192 texels", file.string()));
     return {};
   }
   TextureImage image = picture->colour;
@@ -263,7 +273,7 @@ std::optional<MaterialSet> read_set(const fs::path& folder, const std::map<std::
     return {};
   }
   const auto row = table.find(name);
-  if (row == table.end())
+  if (row == table.end() && fs::exists(table_path))
     faults.push_back(fmt::format("{}: expected a row {},size_m,credit,licence", table_path, name));
   const std::size_t before = faults.size();
   const Maps maps = read_maps(folder, faults);
@@ -292,6 +302,7 @@ Result<std::vector<MaterialSet>> read_material_sets(const std::string& folder, s
   for (const fs::path& each : folders)
     if (std::optional<MaterialSet> set = read_set(each, table, table_path, most_px, faults))
       sets.push_back(std::move(*set));
+  check_rows(table, table_path, faults);
   if (!faults.empty()) return Error{"", fmt::format("{}", fmt::join(faults, "\n"))};
   std::ranges::sort(sets, {}, [](const MaterialSet& set) { return set.texture.material; });
   return sets;

@@ -64,7 +64,7 @@ std::vector<std::string> credits_of(const std::vector<MaterialSet>& sets) {
   std::vector<std::string> lines;
   for (const MaterialSet& set : sets)
     if (!set.credit.empty() || !set.licence.empty())
-      lines.push_back(fmt::format("{}: {}{}{}", values_of(set.texture.material).name, set.credit,
+      lines.push_back(fmt::format("{}: {}{}{}", words_of(set.texture.material), set.credit,
                                   set.credit.empty() || set.licence.empty() ? "" : ", ", set.licence));
   return lines;
 }

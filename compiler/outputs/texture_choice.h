@@ -36,7 +36,7 @@ class TextureChoice {
   std::uint64_t hash_ = 0;
 };
 
-/// Returns lines with the credits of sets, such as "flemish_brick: Jane Doe, CC0".
+/// Returns lines with the credits of sets, such as "flemish brick: Jane Doe, CC0".
 std::vector<std::string> credits_of(const std::vector<MaterialSet>& sets);
 
 /// Returns the sets of the outputs' folder of materials, at the size that the outputs ask for. Errors: those of

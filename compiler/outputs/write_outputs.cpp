@@ -205,14 +205,14 @@ std::string no_surroundings_note(const scene::Header& header) {
 class TileWriter {
  public:
   TileWriter(const scene::Scene& scene, const Outputs& outputs, int threads, exporters::OutputFolder& folder,
-             Report& report, std::vector<MaterialSet> sets)
+             Report& report, const TextureChoice& textures)
       : scene_(scene),
         outputs_(outputs),
         threads_(threads),
         folder_(folder),
         report_(report),
         lights_(lights_of_tiles(scene, outputs.lights, threads)),
-        textures_(outputs, scene.header.seed, std::move(sets)),
+        textures_(textures),
         usd_(scene.header, folder) {}
 
   Result<Done> write_all(const OnProgress& on_progress, WrittenOutputs& written) {
@@ -374,19 +374,19 @@ class TileWriter {
   std::vector<std::uint64_t> keys_;  ///< By chunk and level, like the next members.
   std::vector<std::optional<WholeTile>> whole_;
   std::vector<ReadyTile> ready_;
-  TextureChoice textures_;
+  const TextureChoice& textures_;
   UsdWriter usd_;
 };
 
 // Writes the outputs that need heights above the ellipsoid.
-Result<Done> write_on_ellipsoid(const scene::Scene& scene, const Outputs& outputs, int threads,
-                                exporters::OutputFolder& folder, Report& report, const OnProgress& on_progress,
-                                WrittenOutputs& written) {
+Result<Done> write_on_ellipsoid(const scene::Scene& scene, const Outputs& outputs, const TextureChoice& textures,
+                                int threads, exporters::OutputFolder& folder, Report& report,
+                                const OnProgress& on_progress, WrittenOutputs& written) {
   if (!outputs.tiles3d && !outputs.page) return Done{};
   const Result<map::Geoid> geoid = geoid_of(scene.header, outputs);
   if (!geoid) return geoid.error();
   if (outputs.tiles3d) {
-    auto files = write_tiles3d(scene, outputs, *geoid, threads, folder, report, on_progress);
+    auto files = write_tiles3d(scene, outputs, *geoid, textures, threads, folder, report, on_progress);
     if (!files) return files.error();
     std::ranges::move(*files, std::back_inserter(written.files.files));
   }
@@ -407,6 +407,7 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
   Result<std::vector<MaterialSet>> sets = sets_of(outputs);
   if (!sets) return sets.error();
   for (const std::string& credit : credits_of(*sets)) written.notes.push_back("textures of " + credit);
+  const TextureChoice textures(outputs, scene.header.seed, *sets);
   if (outputs.manifest) {
     on_progress("write", 0);
     const std::vector<std::byte> manifest = exporters::encode_manifest(scene, threads);
@@ -417,10 +418,11 @@ Result<WrittenOutputs> write_outputs(const scene::Scene& scene, const Outputs& o
   }
   if (const auto done = write_clouds(scene, outputs, threads, folder, written.files.files, written.notes); !done)
     return done.error();
-  if (const auto done = write_on_ellipsoid(scene, outputs, threads, folder, report, on_progress, written); !done)
+  if (const auto done = write_on_ellipsoid(scene, outputs, textures, threads, folder, report, on_progress, written);
+      !done)
     return done.error();
   if (!outputs.glb && !outputs.usd) return written;
-  TileWriter writer(scene, outputs, threads, folder, report, std::move(*sets));
+  TileWriter writer(scene, outputs, threads, folder, report, textures);
   if (outputs.max_bytes || outputs.max_triangles) {
     if (const Result<Done> solved = writer.write_solved(on_progress, written); !solved) return solved.error();
     if (const Result<Done> done = writer.finish(written); !done) return done.error();

@@ -44,9 +44,11 @@ std::string name_in_run(const TilesetTile& tile) {
 /// Makes contents of baked tiles, on the ellipsoid or inside of the scene's cylinder.
 class ContentMaker {
  public:
-  ContentMaker(const scene::Header& header, const Outputs& outputs, const map::Geoid& geoid, int threads)
+  ContentMaker(const scene::Header& header, const Outputs& outputs, const map::Geoid& geoid,
+               const TextureChoice& textures, int threads)
       : header_(header),
         geoid_(geoid),
+        textures_(textures),
         globe_(header.origin),
         cylinder_(scene::cylinder_of(header)),
         threads_(threads) {
@@ -60,6 +62,7 @@ class ContentMaker {
   /// @param centre  The centre of the tile's square, at which the axes of its box are those of the plane.
   /// @param lights  Lamps that are lights of the content, in the plane.
   Content content_of(bake::BakedTile&& baked, Vec2 centre, std::string name, const Lights& lights = {}) const {
+    textures_.apply(baked);
     bake::BakedTile tile =
         cylinder_ ? bake::bent(std::move(baked), *cylinder_) : bake::bent(std::move(baked), globe_, geoid_);
     const Lights bent_lights = bent(lights);
@@ -91,6 +94,7 @@ class ContentMaker {
 
   const scene::Header& header_;
   const map::Geoid& geoid_;
+  const TextureChoice& textures_;
   map::Globe globe_;
   std::optional<map::Cylinder> cylinder_;
   exporters::GlbOptions options_;
@@ -358,12 +362,13 @@ exporters::TilesetFacts tileset_facts(const scene::Header& header, const Outputs
 }
 
 Result<std::vector<WrittenFile>> write_tiles3d(const scene::Scene& scene, const Outputs& outputs,
-                                               const map::Geoid& geoid, int threads, exporters::OutputFolder& folder,
-                                               Report& report, const OnProgress& on_progress) {
+                                               const map::Geoid& geoid, const TextureChoice& textures, int threads,
+                                               exporters::OutputFolder& folder, Report& report,
+                                               const OnProgress& on_progress) {
   if (scene.chunks.empty()) return std::vector<WrittenFile>();
   if (!outputs.geoid && !scene::cylinder_of(scene.header)) report.add(Code::kNoGeoidHeight, {});
 
-  const ContentMaker maker(scene.header, outputs, geoid, threads);
+  const ContentMaker maker(scene.header, outputs, geoid, textures, threads);
   TreeWriter writer(scene, outputs, maker, threads, folder);
   Report repeated;  // what the tiles of .glb and USD count again
   Result<TilesetTile> root = writer.write(outputs.glb || outputs.usd ? repeated : report, on_progress);

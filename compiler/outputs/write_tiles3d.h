@@ -7,6 +7,7 @@
 #include "compiler/contract/result.h"
 #include "compiler/map/plane/geoid.h"
 #include "compiler/outputs/run_report.h"
+#include "compiler/outputs/texture_choice.h"
 #include "compiler/scene/scene.h"
 #include "compiler/spec.h"
 #include "compiler/stage_timer.h"
@@ -40,10 +41,12 @@ Result<map::Geoid> geoid_of(const scene::Header& header, const Outputs& outputs)
 /// Adds to `report` kNoGeoidHeight, if no geoid is given and the world is no cylinder; and what baking reports, unless
 /// .glb or USD files are written too, whose tiles are counted instead.
 /// @param geoid  The result of geoid_of(), here and below.
+/// @param textures  Those that contents show.
 /// Memory: bake_scene(), and the coarse levels of tiles and nodes whose parents are not complete yet.
 Result<std::vector<WrittenFile>> write_tiles3d(const scene::Scene& scene, const Outputs& outputs,
-                                               const map::Geoid& geoid, int threads, exporters::OutputFolder& folder,
-                                               Report& report, const OnProgress& on_progress);
+                                               const map::Geoid& geoid, const TextureChoice& textures, int threads,
+                                               exporters::OutputFolder& folder, Report& report,
+                                               const OnProgress& on_progress);
 
 /// Returns the properties of the tileset of a scene.
 exporters::TilesetFacts tileset_facts(const scene::Header& header, const Outputs& outputs, const map::Geoid& geoid);

@@ -7,10 +7,11 @@
 
 namespace citykiln::preview {
 
-CellSource::CellSource(scene::Scene scene, const bake::View& view)
+CellSource::CellSource(scene::Scene scene, const bake::View& view, std::vector<materials::Texture> textures)
     : scene_(std::move(scene)),
       levels_(bake::levels_for(scene_, view)),
-      prototypes_(std::make_shared<const bake::PrototypeCache>(scene_.header, bake::KeptPlants::kRecent)),
+      prototypes_(
+          std::make_shared<const bake::PrototypeCache>(scene_.header, bake::KeptPlants::kRecent, std::move(textures))),
       tiles_(scene_.chunks.size()) {
   const auto bounds = for_each_slot<std::vector<bake::Bounds>>(scene_.chunks.size(), 0, [&](std::size_t chunk) {
     return bake::cell_bounds(scene_.header, scene_.chunks[chunk], levels_);

@@ -1,4 +1,4 @@
-# Runs inside Godot 3: loads a city that importers/godot3 made, writes facts about it as JSON, and draws pictures. The
+# Runs inside Godot 3: loads a city that exporters/godot/godot3 made, writes facts about it as JSON, and draws pictures. The
 # environment variable JOB names a JSON file: "scene", "facts", "pictures" (out, eye, look, fov_deg, size), "rays" (from).
 extends SceneTree
 
@@ -15,6 +15,8 @@ func _init():
 	light_and_camera()
 	var facts = {"tiles": {}, "shown": [], "hits": []}
 	for tile in city.get_children():
+		if tile is Light or tile is WorldEnvironment:
+			continue
 		facts["tiles"][tile.name] = {}
 		for level in tile.get_children():
 			facts["tiles"][tile.name][level.name] = facts_of(level)
@@ -39,7 +41,7 @@ func below(node):
 
 
 func facts_of(level):
-	var facts = {"layers": [], "objects": 0, "multis": 0, "copies": 0, "triangles": 0, "shapes": []}
+	var facts = {"layers": [], "objects": 0, "multis": 0, "copies": 0, "places": 0, "triangles": 0, "shapes": []}
 	for layer in level.get_child(0).get_children():
 		facts["layers"].append(layer.name)
 	for node in below(level):
@@ -49,10 +51,19 @@ func facts_of(level):
 		elif node is MultiMeshInstance:
 			facts["multis"] += 1
 			facts["copies"] += node.multimesh.instance_count
+			facts["places"] += places_of(node.multimesh)
 			facts["triangles"] += triangles_of(node.multimesh.mesh) * node.multimesh.instance_count
 		elif node is CollisionShape:
 			facts["shapes"].append(node.get_parent().get_parent().name)
 	return facts
+
+
+# The number of different places of copies.
+func places_of(multimesh):
+	var places = {}
+	for i in multimesh.instance_count:
+		places[multimesh.get_instance_transform(i).origin] = true
+	return places.size()
 
 
 func triangles_of(mesh):

@@ -43,6 +43,7 @@ class GodotCity(ReaderTest):
         fine, coarse = (facts["tiles"]["0_0"][f"L{level}"] for level in (0, 1))
         self.assertEqual(set(fine["layers"]), set(LAYERS))
         self.assertGreater(fine["copies"], 5 * fine["multis"])
+        self.assertGreater(fine["places"], 0.9 * fine["copies"], "copies stand in places of their own")
         self.assertLess(coarse["triangles"], fine["triangles"])
         self.assertLess(fine["triangles"], triangles_in(facts_of(self.run_folder / "glb/0_0_L0.glb")), "props are left out")
         self.assertEqual((fine["shapes"], coarse["shapes"]), (["ground"], []))

@@ -11,6 +11,7 @@
 #include "compiler/commands/interrupt_notice.h"
 #include "compiler/commands/run_paths.h"
 #include "compiler/outputs/run_report.h"
+#include "compiler/outputs/texture_choice.h"
 #include "compiler/outputs/write_page.h"
 #include "compiler/outputs/write_tiles3d.h"
 #include "exporters/file.h"
@@ -34,6 +35,7 @@ bool has_file(const exporters::FileList& list, const std::string& name) {
 Outputs outputs_of(const PageRequest& request, const outputs::RunRecord& record) {
   Outputs outputs;
   outputs.folder = request.folder, outputs.geoid = request.geoid, outputs.lights = request.lights;
+  outputs.materials_folder = request.materials_folder;
   outputs.compress = record.compress;
   // its ledger counts the objects that levels drop
   outputs.glb = true;
@@ -77,7 +79,10 @@ Result<std::vector<outputs::WrittenFile>> write_missing(const scene::Scene& scen
   std::vector<outputs::WrittenFile> files;
   Report of_tileset;
   if (!has_tileset) {
-    auto tileset = outputs::write_tiles3d(scene, outputs, *geoid, threads, folder, of_tileset, on_progress);
+    Result<std::vector<outputs::MaterialSet>> sets = outputs::sets_of(outputs);
+    if (!sets) return sets.error();
+    const outputs::TextureChoice textures(outputs, scene.header.seed, *sets);
+    auto tileset = outputs::write_tiles3d(scene, outputs, *geoid, textures, threads, folder, of_tileset, on_progress);
     if (!tileset) return tileset.error();
     files = std::move(*tileset);
   }

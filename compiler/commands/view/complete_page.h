@@ -15,6 +15,7 @@ struct PageRequest {
   std::string folder;                     ///< The folder of the run.
   std::optional<map::GeoidSource> geoid;  ///< For a tileset that is baked.
   std::size_t lights = 0;
+  std::string materials_folder;  ///< Artists' textures for a tileset that is baked; "" for none.
   int threads = 0;
 };
 

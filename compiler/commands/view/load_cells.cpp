@@ -85,7 +85,7 @@ std::shared_ptr<const preview::CellSource> cells_for(scene::Scene scene, const V
                                               .pixel_error = request.pixel_error,
                                               .unseen_deg = request.unseen_deg,
                                               .finest_m = request.finest_m});
-  return std::make_shared<preview::CellSource>(std::move(scene), view);
+  return std::make_shared<preview::CellSource>(std::move(scene), view, request.textures);
 }
 
 std::string text_of(const preview::CellCounters& c, std::size_t budget_bytes) {

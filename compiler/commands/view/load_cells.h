@@ -22,7 +22,8 @@ struct CellRequest {
   /// The largest error of cells that are neither in the picture nor cast a shadow into it, as an angle at the eye. 0:
   /// they have pixel_error too.
   double unseen_deg = 0;
-  double finest_m = 0.02;  ///< The smallest tolerance, however near the eye. > 0.
+  double finest_m = 0.02;                      ///< The smallest tolerance, however near the eye. > 0.
+  std::vector<materials::Texture> textures{};  ///< Textures that replace those of citykiln.
 };
 
 /// The pictures to render.

@@ -9,9 +9,12 @@ LUMEN_PER_WATT = 683
 SUN_LX, SUN_DEG = 128e3, 0.53
 # micrometres: red, green, blue
 WAVELENGTHS = (0.61, 0.55, 0.465)
-# the radiance of a white wall in the middle of a picture
-MIDDLE = 0.8
-SKY_TYPES = ("NISHITA", "MULTIPLE_SCATTERING")  # since Blender 5.0 the latter
+# level white ground in the sun, times the exposure: as bright as citykiln's preview meters the streets of the example town
+WHITE = 1.8
+# Blender's skies, the newest last, and their strength. NISHITA leaves out light that is scattered more than once: by Cycles the
+# preview's sky is 1.4 to 2.6 times as bright opposite a sun of 10 to 60 degrees, and gives level ground 2.5 to 3.3 times the
+# light. MULTIPLE_SCATTERING, since Blender 5.0, is not measured.
+SKY_STRENGTHS = {"NISHITA": 2, "MULTIPLE_SCATTERING": 1}
 
 
 def set_world(scene, run):
@@ -34,14 +37,13 @@ def sky_world(sky, to_sun):
     background = next(node for node in nodes if node.type == "BACKGROUND")
     texture = nodes.new("ShaderNodeTexSky")
     texture.location = (-300, 300)
-    set_first(texture, "sky_type", SKY_TYPES)
+    set_first(texture, "sky_type", SKY_STRENGTHS)
     texture.sun_disc = False
     texture.sun_elevation, texture.sun_rotation = math.asin(to_sun.z), math.atan2(to_sun.x, to_sun.y)
     texture.altitude = max(sky["ground_m"], 0)
     # 1 is the haze of a usual day; the run's turbidity of a usual day is 2.6
     set_first(texture, "dust_density" if hasattr(texture, "dust_density") else "aerosol_density", (sky["turbidity"] / 2.6,))
-    # at strength 1 its own sun in the zenith, 127 W/m2, is that of add_sun within an eighth (rendered by Cycles)
-    background.inputs["Strength"].default_value = 1
+    background.inputs["Strength"].default_value = SKY_STRENGTHS[texture.sky_type]
     world.node_tree.links.new(texture.outputs["Color"], background.inputs["Color"])
     return world
 
@@ -68,12 +70,12 @@ def transmission(sine, turbidity):
 
 
 def exposure_of(sine, turbidity):
-    """Stops at which a white wall is bright: by day of the sun's and the sky's light, after sunset 6 stops more at most, one
-    for each degree, as citykiln's preview has."""
+    """Stops at which a street is bright: by day of the sun's and the sky's light, after sunset 6 stops more at most, one for each
+    degree, as citykiln's preview has."""
     direct = transmission(max(sine, 0.02), turbidity)[1] * max(sine, 0.02)
     radiance = SUN_LX / LUMEN_PER_WATT * (direct + 0.1) / math.pi
     after_sunset = min(max(-math.degrees(math.asin(sine)), 0), 6)
-    return math.log2(MIDDLE / radiance) + after_sunset
+    return math.log2(WHITE / radiance) + after_sunset
 
 
 def set_first(thing, name, values):

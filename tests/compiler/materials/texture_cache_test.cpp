@@ -25,6 +25,15 @@ TEST(TextureCache, ReturnsTheTexturesOfItsArguments) {
   }
 }
 
+TEST(TextureCache, PrefersTexturesOfItsOwner) {
+  Texture own = texture_of(Material::kBrick, 0.05, 3);
+  own.colour.texels.assign(own.colour.texels.size(), {1, 2, 3});
+  const TextureCache cache(3, 1, {own});
+  EXPECT_EQ(cache.texture(Material::kBrick, 0.05).colour, own.colour);
+  EXPECT_EQ(cache.texture(Material::kSlate, 0.05), texture_of(Material::kSlate, 0.05, 3));
+  EXPECT_TRUE(cache.texture(Material::kBrick, 0.1).normal.texels.empty());
+}
+
 TEST(TextureCache, IsThreadSafe) {
   const TextureCache cache(1);
   const std::vector<Material> materials = {Material::kGrass, Material::kAsphalt};

@@ -91,6 +91,7 @@ TEST_F(MaterialSets, NameWhatIsMissing) {
   EXPECT_NE(faults().find("brick: expected a picture whose name has Color or diff"), std::string::npos) << faults();
   fs::remove(folder_ / "materials.csv");
   EXPECT_NE(faults().find("materials.csv: expected a table"), std::string::npos) << faults();
+  EXPECT_EQ(faults().find("expected a row"), std::string::npos) << faults();
   write("materials.csv", "brick,zero,me,CC0\n");
   EXPECT_NE(faults().find("materials.csv:1: expected material,size_m"), std::string::npos) << faults();
 }
@@ -107,6 +108,13 @@ TEST_F(MaterialSets, NameEachPictureThatIsWrongInALine) {
   EXPECT_NE(lines.find("a_AO.png: expected a square picture"), std::string::npos) << lines;
   EXPECT_NE(lines.find("found 32 x 32"), std::string::npos) << lines;
   EXPECT_NE(lines.find("cheese: expected the name of a ground, wall or roof"), std::string::npos) << lines;
+}
+
+TEST_F(MaterialSets, NameRowsWithoutAFolder) {
+  write("brick/a_Color.png", exporters::encode_png(picture(64, 64, kDark, kBright)));
+  write("materials.csv", "brick,1.6,me,CC0\nbrik,1.6,me,CC0\n");
+  EXPECT_NE(faults().find("materials.csv:2: expected a folder"), std::string::npos) << faults();
+  EXPECT_EQ(faults().find('\n'), std::string::npos) << faults();
 }
 
 std::uint32_t crc_of(const std::string& bytes) {

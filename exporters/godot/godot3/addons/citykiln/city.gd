@@ -30,6 +30,8 @@ func choose_levels():
 	if camera == null:
 		return
 	for tile in get_children():
+		if tile is Light or tile is WorldEnvironment:
+			continue
 		var level = level_at(distance_m(tile, camera.global_transform.origin), metres_to_pixels(camera))
 		for i in tile.get_child_count():
 			tile.get_child(i).visible = i == min(level, tile.get_child_count() - 1)

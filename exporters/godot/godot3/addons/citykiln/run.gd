@@ -12,6 +12,8 @@ var files = []
 # names such as "0_-1"
 var tiles = []
 var attribution = []
+# direction to the sun, y up; zero if it has set
+var to_sun = Vector3()
 
 
 func read(of_folder):
@@ -40,12 +42,18 @@ func take(report, path):
 		return
 	levels = report["levels"]
 	attribution = report["attribution"]
+	take_sun(report.get("sky", {}).get("to_sun", [0, 0, -1]))
 	for tile in report["tiles"]:
 		files.append(tile)
 		if not name_of(tile) in tiles:
 			tiles.append(name_of(tile))
 	if files.empty():
 		problem = "%s: the run has no .glb tiles; compile with --emit glb" % path
+
+
+func take_sun(v):
+	if v[2] > 0:
+		to_sun = Vector3(v[0], v[2], -v[1])
 
 
 static func name_of(tile):

@@ -4,6 +4,7 @@ tool
 extends EditorScenePostImport
 
 const TileColours = preload("tile_colours.gd")
+const Copies = preload("copies.gd")
 
 # Fewer objects of a mesh than this stay single objects.
 const LEAST_COPIES = 2
@@ -55,12 +56,13 @@ func join(objects, mesh, layer, scene):
 	var multi = MultiMesh.new()
 	multi.transform_format = MultiMesh.TRANSFORM_3D
 	multi.mesh = mesh
-	multi.instance_count = objects.size()
-	for i in objects.size():
-		multi.set_instance_transform(i, objects[i].transform)
-		layer.remove_child(objects[i])
-		objects[i].free()
-	var instance = MultiMeshInstance.new()
+	var instance = Copies.new()
+	# an exported array is one for all objects until another is assigned
+	instance.places = []
+	for object in objects:
+		instance.places.append(object.transform)
+		layer.remove_child(object)
+		object.free()
 	instance.name = mesh.resource_name
 	instance.multimesh = multi
 	layer.add_child(instance)
