@@ -41,7 +41,7 @@ Result<map::Geoid> geoid_of(const scene::Header& header, const Outputs& outputs)
 /// Adds to `report` kNoGeoidHeight, if no geoid is given and the world is no cylinder; and what baking reports, unless
 /// .glb or USD files are written too, whose tiles are counted instead.
 /// @param geoid  The result of geoid_of(), here and below.
-/// @param textures  Those that contents show.
+/// @param textures  The textures that contents show.
 /// Memory: bake_scene(), and the coarse levels of tiles and nodes whose parents are not complete yet.
 Result<std::vector<WrittenFile>> write_tiles3d(const scene::Scene& scene, const Outputs& outputs,
                                                const map::Geoid& geoid, const TextureChoice& textures, int threads,

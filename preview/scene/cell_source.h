@@ -18,7 +18,7 @@ namespace citykiln::preview {
 /// of a tile share are prepared when the first cell of the tile is baked, and kept until drop_tile() frees them.
 class CellSource {
  public:
-  /// @param textures  Those that replace citykiln's of the same materials.
+  /// @param textures  Textures that replace those of citykiln.
   CellSource(scene::Scene scene, const bake::View& view, std::vector<materials::Texture> textures = {});
 
   const scene::Scene& scene() const { return scene_; }

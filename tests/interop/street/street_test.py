@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The same street is as bright in Blender, three.js, Godot and CesiumJS as in `citykiln preview`: from one camera, under the
+"""One street is as bright in Blender, three.js, Godot and CesiumJS as in `citykiln preview`: from one camera, under the
 sun and sky that each program has by our add-on, plugin or how-to.
 
 KEEP=FOLDER keeps the pictures, and a mosaic of them."""
