@@ -26,17 +26,18 @@ using SharedPackedPicture = std::shared_ptr<const impostor::PackedPicture>;
 /// An element as seen straight on.
 struct DrawnElement {
   impostor::SharedPicture picture;       ///< Row 0 is the upper edge; null if all of it has one surface.
-  materials::SurfaceMaterial surface{};  ///< The surface in this case.
+  materials::SurfaceMaterial surface{};  ///< The surface if there is no picture.
 };
 
 /// An element as seen straight on and from afar, with texels of kCoarseElementTexel_m.
 struct CoarseElement {
-  SharedPackedPicture picture;           ///< As in DrawnElement. Elements that share it are alike.
-  materials::SurfaceMaterial surface{};  ///< As in DrawnElement.
+  SharedPackedPicture picture;           ///< The same object for equal elements; null if all of it has one surface.
+  materials::SurfaceMaterial surface{};  ///< The surface if there is no picture.
 };
 
 /// Pictures of elements, each drawn once. Thread-safe. A picture is a function of the element and its colours alone, so
-/// it does not matter which building draws it. Memory: a few kB for a window, and 200 kB while a picture is in use.
+/// results do not depend on the order of calls. Memory: a few kB for each distinct element, and 200 kB more for each
+/// whose DrawnElement exists.
 class ElementPictures {
  public:
   /// Returns an element as drawn. Calls for equal elements return the same picture while one of them is in use.
@@ -63,24 +64,26 @@ class ElementPictures {
 
 /// An element where it stands on a building.
 struct PlacedElement {
-  grammars::Face rectangle;       ///< Plane metres.
+  grammars::Face rectangle;     ///< Plane metres.
   SharedPackedPicture picture;  ///< CoarseElement::picture, not null.
 };
 
-/// The tolerance of the model that facade textures and rows of windows are taken from, which all levels share: windows
-/// keep reveals and frames, railings their bars. No detail of its elements is farther from their rectangle.
+/// The tolerance of the detailed model from which all levels take facade textures and rows of windows. It has the
+/// reveals and frames of windows and the bars of railings. The detail of an element is at most this far from its
+/// rectangle.
 inline constexpr double kDetailedModel_m = 0.05;
 
 /// A detailed model of a building, from which coarser levels take what they leave out.
 struct DetailedFacades {
   impostor::Model walls;  ///< With holes in place of `elements`.
-  impostor::Model whole;  ///< With a rectangle of its mean colour, or what emits light, in place of each element.
+  impostor::Model
+      whole;  ///< An element is a rectangle of its mean colour, or all its detail if some of it emits light.
   std::vector<PlacedElement> elements;
 };
 
-/// The models of DetailedFacades that are made.
+/// The models of DetailedFacades that are made; others stay empty.
 struct NeededModels {
-  bool walls, whole;
+  bool walls = false, whole = false;
 };
 
 /// Returns a derivation as a detailed model. O(n log n).

@@ -34,11 +34,11 @@ struct FacadeMeshes {
 /// min(texel_m, 2 m) in front of it; farther in front there may be another wing.
 /// @param tolerance_m  The tolerance of the derivation, which FacadeMeshes::error_m does not exceed.
 ///
-/// At tolerances with Detail::kFacadeRows windows and doors are rectangles before the faces (facade_rows.h), which show
-/// the detailed model without them. There a face of which one material covers three quarters is a mesh of the mean
-/// colour, so that walls keep their material.
+/// At tolerances with Detail::kFacadeRows windows and doors are rectangles in front of the faces (facade_rows.h), and
+/// faces show the detailed model without windows and doors. There a face that is to three quarters of one material is a
+/// mesh of this material with the mean colour as tint.
 ///
-/// A face becomes
+/// The first that fits decides what a face becomes:
 /// - two rails along its longer sides, if it is a rectangle that the detailed model covers to less than half (a
 ///   railing) and this stays within the tolerance;
 /// - a mesh of one material, if this material covers the whole face (of a roof, 95 %);

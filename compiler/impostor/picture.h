@@ -42,7 +42,7 @@ struct Picture {
 /// A picture that many faces show.
 using SharedPicture = std::shared_ptr<const Picture>;
 
-/// A picture compressed by LZ4: pictures of elements take a twentieth of the memory.
+/// A picture compressed by LZ4, without loss, to be kept in memory: pictures of windows take a twentieth.
 struct PackedPicture {
   std::uint32_t columns = 0, rows = 0;
   std::vector<char> bytes;
@@ -50,7 +50,7 @@ struct PackedPicture {
 
 /// Returns a picture packed. O(texels).
 PackedPicture packed(const Picture& picture);
-/// Returns the picture that packed() was given, at a gigabyte per second. O(texels).
+/// Returns the picture that packed() was given, bit for bit. O(texels): a gigabyte of texels per second.
 Picture unpacked(const PackedPicture& picture);
 
 /// A sum of texels, weighted by their covered samples.

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <utility>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "compiler/materials/material.h"
@@ -32,13 +32,17 @@ struct Texture {
   bool operator==(const Texture&) const = default;
 };
 
-/// A texture that many tiles show. Equal to another if their textures are.
+/// A texture that tiles share and that does not change. Copies are cheap. References into it are valid as long as a
+/// copy exists. Equal to another if their textures are: O(1) for copies, else O(texels).
 class SharedTexture {
  public:
   explicit SharedTexture(Texture texture) : texture_(std::make_shared<const Texture>(std::move(texture))) {}
+  operator const Texture&() const { return *texture_; }
   const Texture& operator*() const { return *texture_; }
   const Texture* operator->() const { return texture_.get(); }
-  bool operator==(const SharedTexture& other) const { return texture_ == other.texture_ || *texture_ == *other.texture_; }
+  bool operator==(const SharedTexture& other) const {
+    return texture_ == other.texture_ || *texture_ == *other.texture_;
+  }
 
  private:
   std::shared_ptr<const Texture> texture_;

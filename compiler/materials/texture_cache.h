@@ -13,12 +13,12 @@
 namespace citykiln::materials {
 
 /// A cache of textures. Thread-safe. A texture is a function of the seed and the arguments. Memory: up to 3 MB per
-/// texture.
+/// texture at scale 1, as long as the cache lives.
 class TextureCache {
  public:
   /// @param scale  Multiplies the texels of a side: a power of two.
-  /// @param own    Textures that replace those of their materials, without normals and roughness where the others have
-  /// none.
+  /// @param own    Textures that replace the drawn ones of their materials, whatever the scale. At tolerances where
+  ///               the drawn one has no normals they lose theirs, and their roughness.
   explicit TextureCache(std::uint64_t seed, std::uint32_t scale = 1, std::vector<Texture> own = {})
       : seed_(seed), scale_(scale), own_(std::move(own)) {}
 

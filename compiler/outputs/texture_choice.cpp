@@ -32,9 +32,9 @@ std::uint64_t hash_of_sets(const std::vector<MaterialSet>& sets, bool is_fine) {
 std::vector<ChosenTexture> chosen(const std::vector<MaterialSet>& sets) {
   std::vector<ChosenTexture> own;
   for (const MaterialSet& set : sets) {
-    materials::Texture flat = set.texture;
-    flat.normal = {}, flat.surface = {};
-    own.push_back({materials::SharedTexture(set.texture), materials::SharedTexture(std::move(flat))});
+    materials::Texture colour_only = set.texture;
+    colour_only.normal = {}, colour_only.surface = {};
+    own.push_back({materials::SharedTexture(set.texture), materials::SharedTexture(std::move(colour_only))});
   }
   return own;
 }
@@ -51,10 +51,9 @@ void TextureChoice::apply(bake::BakedTile& tile) const {
   if (hash_ == 0) return;
   for (materials::SharedTexture& texture : tile.textures) {
     const materials::Material material = texture->material;
-    const auto own =
-        std::ranges::find(own_, material, [](const ChosenTexture& each) { return each.whole->material; });
+    const auto own = std::ranges::find(own_, material, [](const ChosenTexture& each) { return each.whole->material; });
     if (own != own_.end())
-      texture = has_normals(material, tile.tolerance_m) ? own->whole : own->flat;
+      texture = has_normals(material, tile.tolerance_m) ? own->whole : own->colour_only;
     else if (is_fine_)
       texture = fine_.texture(material, tile.tolerance_m);
   }

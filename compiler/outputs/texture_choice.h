@@ -12,9 +12,10 @@
 
 namespace citykiln::outputs {
 
-/// A texture of an artist, as fine levels show it and without normals and roughness.
+/// A texture of an artist in two versions.
 struct ChosenTexture {
-  materials::SharedTexture whole, flat;
+  materials::SharedTexture whole;        ///< With normals and roughness, for fine levels.
+  materials::SharedTexture colour_only;  ///< For levels without normals.
 };
 
 /// Replaces the textures of baked tiles. Thread-safe.
@@ -23,8 +24,8 @@ class TextureChoice {
   /// @param seed  The header's.
   TextureChoice(const Outputs& outputs, std::uint64_t seed, const std::vector<MaterialSet>& sets);
 
-  /// Replaces textures as the settings say. Normals and roughness are left out of tiles that are too coarse for those
-  /// of citykiln (Detail::kGroundNormals).
+  /// Replaces a tile's textures as the settings say. Tiles whose tolerance has no Detail::kGroundNormals get textures
+  /// without normals and roughness.
   void apply(bake::BakedTile& tile) const;
   /// A hash of what is replaced; 0 if nothing is.
   std::uint64_t hash() const { return hash_; }

@@ -189,7 +189,7 @@ ImageUses image_uses_of(UsdBuilder& b, const UsdMaterialKey& key) {
 
 const ImageUse* use_named(const ImageUses& uses, std::string_view name) {
   const auto found = std::ranges::find(uses, name, &ImageUse::name);
-  return found == uses.end() ? nullptr : &**found;
+  return found == uses.end() ? nullptr : &*found;
 }
 
 // ---- the surface ----

@@ -15,9 +15,12 @@
 
 namespace citykiln::preview {
 
-/// The surface of heaps: spheres filled evenly; spheres joined smoothly whose density rises from their surface on; the
-/// same with billows.
-enum class CloudEdges { kSharp, kSoft, kBillowed };
+/// The surface of heaps.
+enum class CloudEdges {
+  kSharp,    ///< Separate spheres with density 1 inside.
+  kSoft,     ///< Spheres joined smoothly. Density rises from their surface to 1 at the depth soft_m().
+  kBillowed  ///< kSoft, with billows on the surface.
+};
 
 /// A part of a ray, in plane metres along it, in one column of heaps. begin < end.
 struct HeapStretch {
@@ -30,27 +33,28 @@ class CloudHeaps {
  public:
   /// Generates the clouds of a layer within kFarthestCloud_m of an eye (plane metres). Cost: O(clouds).
   CloudHeaps(const sky::CloudLayer& layer, Vec3 eye);
-  /// Takes given spheres, in the layer's frame.
+  /// Uses these spheres in place of generated clouds. They are copied; places are in the layer's frame.
   CloudHeaps(const sky::CloudLayer& layer, std::span<const sky::CloudParticle> spheres, CloudEdges edges);
 
-  /// Sets `stretches` to the parts of a ray in columns with heaps, between the base and the highest heap of each, in
-  /// order.
+  /// Replaces `stretches` by the parts of a ray that may meet clouds, the nearest first: in each column with heaps from
+  /// the base up to its highest heap.
   ///
   /// @param from        Plane metres; z above sea level.
   /// @param direction   Unit vector.
+  /// @param distance_m  The length of the ray, plane metres; may be infinite.
   void stretches_of(Vec3 from, Vec3 direction, double distance_m, std::vector<HeapStretch>& stretches) const;
 
   /// A ray in the layer's frame: the place at a distance in plane metres is from + along · distance.
   struct Ray {
     Vec3 from, along;
-    double speed;  ///< The length of `along`.
+    double speed;  ///< The length of `along`: metres of the frame per plane metre.
   };
   Ray ray_of(Vec3 from, Vec3 direction) const;
 
   /// The density at a place, and the distance in which it is 0.
   struct Sample {
-    double density = 0;  ///< Relative to the middle of clouds, 0 to 1.
-    double free_m = 0;   ///< About the distance to the nearest surface, in metres of the frame; 0 inside.
+    double density = 0;  ///< As a share of that deep inside a cloud, 0 to 1; times extinction_per_m() the extinction.
+    double free_m = 0;   ///< An estimate of the distance to the nearest surface, in metres of the frame; 0 inside.
   };
   /// Returns the density at a place of the layer's frame in a column.
   /// @param finest_m  Billows that are smaller are left out, and edges are not sharper than a third of it, in metres of

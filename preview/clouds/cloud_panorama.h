@@ -10,9 +10,8 @@
 
 namespace citykiln::preview {
 
-/// A table of the clouds that rays upwards from an eye meet. It has tiles of 16 by 16 directions, which the first ray
-/// into each computes. Many rays in a pixel then cost as much as one. Thread-safe; the same bits for any number of
-/// threads.
+/// A table of the clouds that rays upwards from an eye meet. It has tiles of 16 by 16 directions. The first ray into a
+/// tile computes it, later ones interpolate. Thread-safe; the same bits for any number of threads.
 class CloudPanorama {
  public:
   /// @param field      Must outlive this object.
@@ -20,10 +19,9 @@ class CloudPanorama {
   /// @param pixel_rad  The angle between neighbouring directions, at least 0.0002.
   CloudPanorama(const CloudField& field, Vec3 eye, double pixel_rad);
 
-  /// Returns the clouds along a ray to infinity, interpolated between the directions of the table. From another place
-  /// below the clouds, the ray is followed to the height of the lowest base, and the table is read in the direction
-  /// from the eye to that point. Empty where the place or the eye is above the lowest base, for directions that do not
-  /// go up, and without clouds.
+  /// Returns the clouds along an endless ray, interpolated between the directions of the table. A ray from another
+  /// place than the eye gets those of the eye's ray to the point where it meets the lowest base. Returns nothing if the
+  /// place or the eye is above the lowest base, if the direction does not go up, or if there are no clouds.
   std::optional<CloudPath> along(Vec3 from, Vec3 direction) const;
   Vec3 eye() const { return eye_; }
 

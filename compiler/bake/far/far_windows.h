@@ -1,10 +1,8 @@
 // Windows of buildings beyond the edge: one small picture that all their walls share.
 //
-//     ┌───────────┐      The picture has rows of windows down to its foot, and wall below. A wall shows as many columns
-//     │ ▪ ▪ ▪ ▪ ▪ │      and rows of it, from the foot up, as it has bays and storeys; a gable and what is below the
-//     │ ▪ ▪ ▪ ▪ ▪ │      ground show wall alone.
-//     │           │
-//     └───────────┘
+//     ┌───────────┐      The upper part of the picture has rows of windows, the lower part is plain wall. A wall shows
+//     as │ ▪ ▪ ▪ ▪ ▪ │      many columns, and as many of the lowest rows, as it has bays and storeys. A gable, and the
+//     part │ ▪ ▪ ▪ ▪ ▪ │      of a wall below the ground, show plain wall. │___________│ ground └───────────┘
 #pragma once
 
 #include <array>
@@ -13,8 +11,9 @@
 
 namespace citykiln::bake {
 
-/// The most bays of two neighbouring walls together, the most storeys of a wall, and their usual width and height.
+/// The columns of the picture, which two neighbouring walls share, and its rows.
 inline constexpr int kMostBays = 24, kMostStoreys = 10;
+/// The usual width of a bay and height of a storey. Walls are stretched to whole bays and storeys.
 inline constexpr double kBay_m = 3.2, kStorey_m = 3.1;
 
 /// Returns the picture, 192 × 104 texels of 0.4 m. Walls are white, so that tints give their colour. Same bytes on

@@ -82,9 +82,9 @@ TEST(TexturesShown, AreThoseOfMaterialsWithPlacesOnThem) {
         {name, merged({laid_out(Material::kPlatedBark, ColourSource::kByMaterial)}), {}, {}, {}, {}});
   const auto textures = textures_shown(tile, 0.1, materials::TextureCache(1));
   ASSERT_EQ(textures.size(), 3u);
-  EXPECT_EQ(textures[0].material, Material::kGrass);
-  EXPECT_EQ(textures[1].material, Material::kRock);
-  EXPECT_EQ(textures[2].material, Material::kPlatedBark);
+  EXPECT_EQ(textures[0]->material, Material::kGrass);
+  EXPECT_EQ(textures[1]->material, Material::kRock);
+  EXPECT_EQ(textures[2]->material, Material::kPlatedBark);
   EXPECT_TRUE(textures_shown(tile, 2.5, materials::TextureCache(1)).empty());
 }
 

@@ -14,35 +14,33 @@ namespace {
 using impostor::Picture;
 using impostor::Texel;
 
-constexpr OsmId kHouse{OsmType::kWay, 5};
+constexpr OsmId kHouseWithRows{OsmType::kWay, 5};
 
-Texel grey(std::uint16_t light) {
-  return {.light = {light, light, light}, .shown = impostor::kSamplesPerTexel};
-}
+Texel grey_texel(std::uint16_t light) { return {.light = {light, light, light}, .shown = impostor::kSamplesPerTexel}; }
 
 // A window of one grey, 1 m wide and 1.5 m high.
-SharedPackedPicture window_of(std::uint16_t light) {
+SharedPackedPicture grey_window(std::uint16_t light) {
   return std::make_shared<const impostor::PackedPicture>(
-      impostor::packed(Picture{12, 18, std::vector<Texel>(12 * 18, grey(light))}));
+      impostor::packed(Picture{12, 18, std::vector<Texel>(12 * 18, grey_texel(light))}));
 }
 
-grammars::Face rectangle(Vec3 corner, Vec3 along, double high_m) {
+grammars::Face upright(Vec3 corner, Vec3 along, double high_m) {
   return {.outer = {corner, corner + along, corner + along + Vec3{0, 0, high_m}, corner + Vec3{0, 0, high_m}}};
 }
 
 // A wall that faces south, from x = 0, with its foot at z = 0.
-grammars::Face south_wall(double wide_m, double high_m, double y = 0) {
-  return rectangle({0, y, 0}, {wide_m, 0, 0}, high_m);
+grammars::Face wall_to_the_south(double wide_m, double high_m, double y = 0) {
+  return upright({0, y, 0}, {wide_m, 0, 0}, high_m);
 }
 
-PlacedElement placed(double x, double z, double y = 0, std::uint16_t light = 9000) {
-  return {rectangle({x, y, z}, {1, 0, 0}, 1.5), window_of(light)};
+PlacedElement window_at(double x, double z, double y = 0, std::uint16_t light = 9000) {
+  return {upright({x, y, z}, {1, 0, 0}, 1.5), grey_window(light)};
 }
 
 TEST(ElementsOn, LieOnTheNearestParallelFace) {
-  const std::vector<grammars::Face> faces{south_wall(10, 9, 0), south_wall(10, 9, 0.4),
-                                          rectangle({10, 5, 0}, {-10, 0, 0}, 9)};
-  const std::vector<PlacedElement> elements{placed(2, 1, 0.1), placed(5, 1, 0.3)};
+  const std::vector<grammars::Face> faces{wall_to_the_south(10, 9, 0), wall_to_the_south(10, 9, 0.4),
+                                          upright({10, 5, 0}, {-10, 0, 0}, 9)};
+  const std::vector<PlacedElement> elements{window_at(2, 1, 0.1), window_at(5, 1, 0.3)};
   const auto on_faces = elements_on(faces, elements, 0.5);
   ASSERT_EQ(on_faces[0].size(), 1u);
   ASSERT_EQ(on_faces[1].size(), 1u);
@@ -53,22 +51,23 @@ TEST(ElementsOn, LieOnTheNearestParallelFace) {
 }
 
 TEST(ElementsOn, AreLeftOutWithoutRoomOrFartherThanTheReach) {
-  const std::vector<grammars::Face> faces{south_wall(10, 9)};
-  const std::vector<PlacedElement> elements{placed(9.5, 1), placed(2, 8), placed(2, 1, 0.6)};
+  const std::vector<grammars::Face> faces{wall_to_the_south(10, 9)};
+  const std::vector<PlacedElement> elements{window_at(9.5, 1), window_at(2, 8), window_at(2, 1, 0.6)};
   EXPECT_TRUE(elements_on(faces, elements, 0.5)[0].empty());
 }
 
 TEST(ElementsOn, AreLeftOutOverAHole) {
-  std::vector<grammars::Face> faces{south_wall(10, 9)};
-  faces[0].holes = {rectangle({1, 0, 0.5}, {3, 0, 0}, 3).outer};
-  const std::vector<PlacedElement> elements{placed(2, 1), placed(6, 1)};
+  std::vector<grammars::Face> faces{wall_to_the_south(10, 9)};
+  faces[0].holes = {upright({1, 0, 0.5}, {3, 0, 0}, 3).outer};
+  const std::vector<PlacedElement> elements{window_at(2, 1), window_at(6, 1)};
   EXPECT_EQ(elements_on(faces, elements, 0.5)[0].size(), 1u);
 }
 
 // A wall with windows in columns and rows 3 m apart, every other of another kind.
-WallWithElements wall_with(std::size_t columns, std::size_t rows, std::uint16_t even = 9000, std::uint16_t odd = 9000) {
-  WallWithElements wall{{{}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}}, grey(40000), {}};
-  const SharedPackedPicture kinds[] = {window_of(even), even == odd ? nullptr : window_of(odd)};
+WallWithElements wall_with_windows(std::size_t columns, std::size_t rows, std::uint16_t even = 9000,
+                                   std::uint16_t odd = 9000) {
+  WallWithElements wall{{{}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}}, grey_texel(40000), {}};
+  const SharedPackedPicture kinds[] = {grey_window(even), even == odd ? nullptr : grey_window(odd)};
   for (std::size_t r = 0; r < rows; ++r)
     for (std::size_t c = 0; c < columns; ++c) {
       const Vec2 low{1 + 3.0 * static_cast<double>(c), 1 + 3.0 * static_cast<double>(r)};
@@ -77,30 +76,30 @@ WallWithElements wall_with(std::size_t columns, std::size_t rows, std::uint16_t 
   return wall;
 }
 
-std::size_t rectangles(const std::vector<TexturedFace>& faces) {
+std::size_t count_of_rectangles(const std::vector<TexturedFace>& faces) {
   std::size_t triangles = 0;
   for (const TexturedFace& face : faces) triangles += face.mesh.mesh.triangles.size();
   return triangles / 2;
 }
 
 TEST(RowsOf, JoinWindowsOfLargeWalls) {
-  const std::vector<WallWithElements> walls{wall_with(16, 40)};
-  EXPECT_EQ(rectangles(rows_of(walls, row_sizes(0.5), kHouse)), 10u);
-  EXPECT_EQ(rectangles(rows_of(walls, row_sizes(2.5), kHouse)), 10u);
+  const std::vector<WallWithElements> walls{wall_with_windows(16, 40)};
+  EXPECT_EQ(count_of_rectangles(rows_of(walls, row_sizes(0.5), kHouseWithRows)), 10u);
+  EXPECT_EQ(count_of_rectangles(rows_of(walls, row_sizes(2.5), kHouseWithRows)), 10u);
 }
 
 // Three windows are no reason for a picture of the wall between them.
 TEST(RowsOf, KeepFewWindowsApartAtFineLevels) {
-  const std::vector<WallWithElements> walls{wall_with(3, 1)};
-  const std::vector<TexturedFace> fine = rows_of(walls, row_sizes(0.5), kHouse);
-  EXPECT_EQ(rectangles(fine), 3u);
+  const std::vector<WallWithElements> walls{wall_with_windows(3, 1)};
+  const std::vector<TexturedFace> fine = rows_of(walls, row_sizes(0.5), kHouseWithRows);
+  EXPECT_EQ(count_of_rectangles(fine), 3u);
   ASSERT_EQ(fine.size(), 1u);
   EXPECT_EQ(fine[0].picture->columns, 8u);
-  EXPECT_EQ(rectangles(rows_of(walls, row_sizes(2.5), kHouse)), 1u);
+  EXPECT_EQ(count_of_rectangles(rows_of(walls, row_sizes(2.5), kHouseWithRows)), 1u);
 }
 
 // The light of a rectangle with its uvs, times its area.
-double light_m2(const TexturedFace& face, std::size_t first, double unit_m) {
+double light_times_area(const TexturedFace& face, std::size_t first, double unit_m) {
   const auto& p = face.mesh.mesh.positions;
   const Vec2 low = face.mesh.uvs[first + 3] * (1 / unit_m), high = face.mesh.uvs[first + 1] * (1 / unit_m);
   double sum = 0, texels = 0;
@@ -113,11 +112,11 @@ double light_m2(const TexturedFace& face, std::size_t first, double unit_m) {
 // Mean colours of levels agree, though windows have whole texels and kinds have whole places.
 TEST(RowsOf, HaveTheMeanColourOfTheirWindows) {
   for (const double tolerance_m : {0.5, 1.2, 2.5}) {
-    const std::vector<WallWithElements> walls{wall_with(8, 8, 4000, 12000)};
+    const std::vector<WallWithElements> walls{wall_with_windows(8, 8, 4000, 12000)};
     double light = 0, m2 = 0;
-    for (const TexturedFace& face : rows_of(walls, row_sizes(tolerance_m), kHouse))
+    for (const TexturedFace& face : rows_of(walls, row_sizes(tolerance_m), kHouseWithRows))
       for (std::size_t i = 0; i < face.mesh.mesh.positions.size(); i += 4) {
-        light += light_m2(face, i, tolerance_m);
+        light += light_times_area(face, i, tolerance_m);
         m2 += length(face.mesh.mesh.positions[i + 1] - face.mesh.mesh.positions[i]) *
               length(face.mesh.mesh.positions[i + 2] - face.mesh.mesh.positions[i + 1]);
       }
@@ -127,7 +126,7 @@ TEST(RowsOf, HaveTheMeanColourOfTheirWindows) {
   }
 }
 
-bool overlap(const std::vector<Vec3>& p, std::size_t a, std::size_t b) {
+bool do_overlap(const std::vector<Vec3>& p, std::size_t a, std::size_t b) {
   return p[a].x + 0.01 < p[b + 2].x && p[b].x + 0.01 < p[a + 2].x && p[a].z + 0.01 < p[b + 2].z &&
          p[b].z + 0.01 < p[a + 2].z;
 }
@@ -136,7 +135,7 @@ bool overlap(const std::vector<Vec3>& p, std::size_t a, std::size_t b) {
 TEST(RowsOf, NeverCoverAnother) {
   const RandomSequence random(1, {}, "rows");
   for (std::uint32_t run = 0; run < 200; ++run) {
-    WallWithElements wall = wall_with(10, 6);
+    WallWithElements wall = wall_with_windows(10, 6);
     for (std::uint32_t i = 0; i < wall.elements.size(); ++i) {
       Box2& box = wall.elements[i].box;
       if (random.below(3, 100 * run + i) == 0) box.max.y = box.min.y + 0.75;
@@ -144,10 +143,10 @@ TEST(RowsOf, NeverCoverAnother) {
     }
     for (const double tolerance_m : {0.5, 2.5}) {
       std::vector<Vec3> all;
-      for (const TexturedFace& face : rows_of(std::span(&wall, 1), row_sizes(tolerance_m), kHouse))
+      for (const TexturedFace& face : rows_of(std::span(&wall, 1), row_sizes(tolerance_m), kHouseWithRows))
         all.insert(all.end(), face.mesh.mesh.positions.begin(), face.mesh.mesh.positions.end());
       for (std::size_t a = 0; a < all.size(); a += 4)
-        for (std::size_t b = a + 4; b < all.size(); b += 4) ASSERT_FALSE(overlap(all, a, b)) << run;
+        for (std::size_t b = a + 4; b < all.size(); b += 4) ASSERT_FALSE(do_overlap(all, a, b)) << run;
     }
   }
 }
@@ -157,7 +156,7 @@ TEST(RowsOf, ShowWindowsOfHousesAtCoarseLevels) {
   static const Rulebook book = parse_rulebook(shipped_rules());
   const ElementPictures pictures;
   Building house;
-  house.id = {kHouse, 0};
+  house.id = {kHouseWithRows, 0};
   house.footprint = {{{0, 0}, {18, 0}, {18, 12}, {0, 12}}, {}};
   house.top_m = 15, house.levels = 5;
   house.wall = materials::Material::kPlaster, house.roof = materials::Material::kFlatRoof;
@@ -169,9 +168,10 @@ TEST(RowsOf, ShowWindowsOfHousesAtCoarseLevels) {
           generate(house, book, {.seed = 1, .night = {}, .pictures = &pictures}, tolerance_m, report);
       EXPECT_LE(made.error_m, tolerance_m);
       const auto is_pane = [](const Texel& texel) { return texel.roughness < 60; };
-      EXPECT_TRUE(std::ranges::any_of(made.textured_faces, [&](const TexturedFace& face) {
-        return std::ranges::any_of(face.picture->texels, is_pane);
-      })) << static_cast<int>(style) << " at " << tolerance_m;
+      EXPECT_TRUE(std::ranges::any_of(
+          made.textured_faces,
+          [&](const TexturedFace& face) { return std::ranges::any_of(face.picture->texels, is_pane); }))
+          << static_cast<int>(style) << " at " << tolerance_m;
     }
 }
 

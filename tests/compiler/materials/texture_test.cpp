@@ -25,8 +25,9 @@ std::vector<Material> all_materials() {
 // Drawn once for each seed.
 std::vector<Texture> all_textures(double tolerance_m, std::uint64_t seed = 1) {
   static std::map<std::uint64_t, TextureCache> caches;
-  std::vector<Texture> textures =
+  const std::vector<SharedTexture> shared =
       caches.try_emplace(seed, seed).first->second.textures_of(all_materials(), tolerance_m);
+  std::vector<Texture> textures(shared.begin(), shared.end());
   EXPECT_EQ(std::ranges::all_of(textures, [](const Texture& t) { return has_holes(t.material); }),
             !has_detail(Detail::kMaterialTextures, tolerance_m));
   return textures;

@@ -225,7 +225,7 @@ TEST(GlbTextures, OfPackedMeshesHaveUvsInStepsWhere16BitsHoldThem) {
     return gltf["accessors"][attributes_of(gltf, name)["TEXCOORD_0"].get<std::size_t>()];
   };
   EXPECT_EQ(uvs("Grass")["componentType"], 5123);
-  EXPECT_EQ(scale_of("Grass"), uvs("Grass")["extras"]["step_m"].get<double>() / side_m(*grass));
+  EXPECT_EQ(scale_of("Grass"), uvs("Grass")["extras"]["step_m"].get<double>() / side_m(**grass));
 }
 
 TEST(GlbTextures, NormalsComeWithTangents) {
