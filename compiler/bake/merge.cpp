@@ -98,7 +98,7 @@ void merge(PrimitiveMap& merged, const LayeredMesh& part, Vec3 origin, std::uint
 }
 
 std::vector<materials::SharedTexture> textures_shown(const BakedTile& tile, double tolerance_m,
-                                               const materials::TextureCache& textures) {
+                                                     const materials::TextureCache& textures) {
   using materials::ColourSource;
   std::set<materials::Material> shown;
   const auto look_at = [&](const std::vector<Primitive>& primitives) {

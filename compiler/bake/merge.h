@@ -31,7 +31,7 @@ std::vector<Primitive> instanced_primitives(std::span<const materials::MaterialM
 
 /// The textures of all materials of primitives and instanced meshes with uvs, sorted by material.
 std::vector<materials::SharedTexture> textures_shown(const BakedTile& tile, double tolerance_m,
-                                               const materials::TextureCache& textures);
+                                                     const materials::TextureCache& textures);
 
 /// The unit normal of a triangle; zero if it is degenerate.
 Vec3 normal_of(const Mesh& mesh, const Triangle& t);

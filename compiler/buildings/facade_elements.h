@@ -31,7 +31,7 @@ struct DrawnElement {
 
 /// An element as seen straight on and from afar, with texels of kCoarseElementTexel_m.
 struct CoarseElement {
-  SharedPackedPicture picture;           ///< The same object for equal elements; null if all of it has one surface.
+  SharedPackedPicture picture;           ///< Equal elements share one object. Null if all of it has one surface.
   materials::SurfaceMaterial surface{};  ///< The surface if there is no picture.
 };
 

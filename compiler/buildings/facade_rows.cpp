@@ -143,9 +143,9 @@ Box2 box_of_row(const GridOfElements& grid, std::size_t row) {
 bool continues(const GridOfElements& grid, const GridOfElements& row, const RowSizes& sizes) {
   const Box2 &first = grid.first(), &next = row.first();
   const double step_m = next.min.y - grid.elements.back()->box.min.y;
-  return grid.columns == row.columns && grid.rows() < kWindowsOfPicture && are_near(grid.step_m.x, row.step_m.x, sizes) &&
-         are_near(first.min.x, next.min.x, sizes) && have_one_size(first, next, sizes) &&
-         may_be_joined(step_m, first.height(), sizes) &&
+  return grid.columns == row.columns && grid.rows() < kWindowsOfPicture &&
+         are_near(grid.step_m.x, row.step_m.x, sizes) && are_near(first.min.x, next.min.x, sizes) &&
+         have_one_size(first, next, sizes) && may_be_joined(step_m, first.height(), sizes) &&
          (grid.rows() == 1 || are_near(step_m, grid.step_m.y, sizes)) &&
          is_bare(*grid.wall, wall_above(box_of_row(grid, grid.rows() - 1), box_of_row(row, 0), sizes.same_m));
 }
@@ -177,8 +177,8 @@ GridKey key_of_grid(const GridOfElements& grid, double texel_m) {
   return {wide, high, step(grid.step_m.x, wide), step(grid.step_m.y, high), grid.wall->colour, nullptr};
 }
 
-// The grids of one key: how often each picture is seen in them, in the order in which they are met, and the most columns
-// and rows that any has.
+// The grids of one key: how often each picture is seen in them, in the order in which they are met, and the most
+// columns and rows that any has.
 struct SeenPictures {
   std::vector<std::pair<SharedPackedPicture, std::uint32_t>> counts;
   std::size_t columns = 1, rows = 1, grids = 0, elements = 0;

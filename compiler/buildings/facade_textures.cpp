@@ -48,8 +48,7 @@ View view_of(const Face& face, double texel_m) {
           .columns = texels_in(box.width(), texel_m),
           .rows = texels_in(box.height(), texel_m),
           .before_m = std::min(texel_m, kMaxProjection_m),
-          .behind_m = texel_m,
-          .has_slopes = has_detail(Detail::kFacadeNormals, texel_m)};
+          .behind_m = texel_m};
 }
 
 // The share of a face that one material has to cover for the face to take it. On most roofs the only other material is
@@ -62,6 +61,15 @@ double uniform_share(const View& view) {
 // The mean colour as a tint of the dominant material. It must cover most of the face: a wall with windows would
 // otherwise become glass of any colour.
 constexpr double kDominant = 0.75;
+
+// True if a wall has windows of its own, such as arched ones, which are no elements: parts much smoother than itself.
+bool shows_panes(const Impostor& impostor) {
+  constexpr int kSmoother = 60;
+  const int wall = impostor::texel_of(impostor.dominant).roughness;
+  return std::ranges::any_of(impostor.picture.texels, [&](const impostor::Texel& texel) {
+    return texel.shown > 0 && texel.roughness < wall - kSmoother;
+  });
+}
 
 SurfaceMaterial mean_material(const Impostor& impostor) {
   const impostor::Texel texel = mean(impostor.picture);
@@ -193,9 +201,9 @@ struct FacadeBuilder {
     return true;
   }
 
-  // True if one surface stands for the face: all of it has one, or it is too small for texels.
+  // True if one surface stands for the face: it has most of it, or the face is too small for texels.
   bool is_plain(const Impostor& impostor, const View& view) const {
-    if (has_rows && impostor.dominant_share >= kDominant) return true;
+    if (has_rows && impostor.dominant_share >= kDominant && !shows_panes(impostor)) return true;
     const bool is_small = view.columns * view.rows < kMinTexels || std::min(view.columns, view.rows) == 1;
     return is_small && !emits(mean(impostor.picture));
   }
@@ -277,8 +285,9 @@ std::uint32_t halvings_for(const View& view) {
 FacadeMeshes texture_facades(const grammars::Derivation& derivation, const DetailedFacades& detailed, double texel_m,
                              double tolerance_m, OsmId feature) {
   assert(texel_m > 0 && tolerance_m >= 0);
-  const bool has_rows = has_detail(Detail::kFacadeRows, texel_m);
-  FacadeBuilder builder{has_rows ? detailed.walls : detailed.whole, texel_m, tolerance_m, feature, has_rows};
+  const bool is_without_elements = has_detail(Detail::kFacadeRows, texel_m);
+  const bool has_rows = is_without_elements && !detailed.elements.empty();
+  FacadeBuilder builder{is_without_elements ? detailed.walls : detailed.whole, texel_m, tolerance_m, feature, has_rows};
   std::vector<SurfaceMaterial> surfaces;
   for (const grammars::Appearance& appearance : derivation.appearances)
     surfaces.push_back(surface_material_of(appearance));

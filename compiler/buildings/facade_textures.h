@@ -35,15 +35,15 @@ struct FacadeMeshes {
 /// @param tolerance_m  The tolerance of the derivation, which FacadeMeshes::error_m does not exceed.
 ///
 /// At tolerances with Detail::kFacadeRows windows and doors are rectangles in front of the faces (facade_rows.h), and
-/// faces show the detailed model without windows and doors. There a face that is to three quarters of one material is a
-/// mesh of this material with the mean colour as tint.
+/// faces show the detailed model without windows and doors. There a face that is to three quarters of one material, and
+/// has no other windows, is a mesh of this material with the mean colour as tint.
 ///
 /// The first that fits decides what a face becomes:
 /// - two rails along its longer sides, if it is a rectangle that the detailed model covers to less than half (a
 ///   railing) and this stays within the tolerance;
 /// - a mesh of one material, if this material covers the whole face (of a roof, 95 %);
 /// - a mesh of the mean colour, if it has fewer than kMinTexels texels or is one texel wide, and emits no light;
-/// - else a textured face, with normals if texels are smaller than 2 m.
+/// - else a textured face.
 /// Then rectangles are joined (meshes/join_rectangles.h): those of one material; and textured ones, unless
 /// their pictures together have more texels than the distinct ones of the parts.
 /// Faces that the detailed model does not cover and faces of more than kMaxTexelsPerFace texels keep the terminal's

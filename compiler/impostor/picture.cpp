@@ -66,7 +66,8 @@ Picture halved(const Picture& picture) {
 PackedPicture packed(const Picture& picture) {
   static_assert(std::is_trivially_copyable_v<Texel>);
   const auto size = static_cast<int>(picture.texels.size() * sizeof(Texel));
-  PackedPicture small{picture.columns, picture.rows, std::vector<char>(static_cast<std::size_t>(LZ4_compressBound(size)))};
+  PackedPicture small{picture.columns, picture.rows,
+                      std::vector<char>(static_cast<std::size_t>(LZ4_compressBound(size)))};
   const int packed_size = LZ4_compress_default(reinterpret_cast<const char*>(picture.texels.data()), small.bytes.data(),
                                                size, static_cast<int>(small.bytes.size()));
   small.bytes.resize(static_cast<std::size_t>(packed_size));

@@ -30,12 +30,17 @@ Result<Done> UsdWriter::write_file(const std::string& name, const std::vector<st
   return Done{};
 }
 
-Result<Done> UsdWriter::write(const ReadyUsd& ready, WrittenFiles& written) {
-  for (const exporters::UsdFile& texture : ready.encoded.textures) {
+Result<Done> UsdWriter::write_textures(const exporters::UsdLevel& level, WrittenFiles& written) {
+  for (const exporters::UsdFile& texture : level.textures) {
     if (!textures_.insert(texture.name).second) continue;
     const Result<Done> done = write_file(exporters::kUsdTextureFolder + texture.name, texture.bytes, written);
     if (!done) return done;
   }
+  return Done{};
+}
+
+Result<Done> UsdWriter::write(const ReadyUsd& ready, WrittenFiles& written) {
+  if (const Result<Done> done = write_textures(ready.encoded, written); !done) return done;
   const WrittenTile& record = ready.record;
   if (tiles_.empty() || tiles_.back().tile != record.tile)
     tiles_.push_back({record.tile, ready.origin, {}, ready.lights});
@@ -47,6 +52,7 @@ Result<Done> UsdWriter::write(const ReadyUsd& ready, WrittenFiles& written) {
 Result<Done> UsdWriter::write_surroundings(const bake::BakedTile& tile, WrittenFiles& written) {
   const exporters::UsdLevel encoded = exporters::encode_level(tile, header_, "textures/");
   around_ = {tile.origin, encoded.bounds};
+  if (const Result<Done> done = write_textures(encoded, written); !done) return done;
   return write_file(exporters::kUsdSurroundingsName, encoded.layer, written);
 }
 

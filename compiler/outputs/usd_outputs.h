@@ -46,6 +46,7 @@ class UsdWriter {
   Result<Done> finish(WrittenFiles& written);
 
  private:
+  Result<Done> write_textures(const exporters::UsdLevel& level, WrittenFiles& written);
   Result<Done> write_file(const std::string& name, const std::vector<std::byte>& bytes, WrittenFiles& written);
 
   const scene::Header& header_;

@@ -53,7 +53,7 @@ class CloudHeaps {
 
   /// The density at a place, and the distance in which it is 0.
   struct Sample {
-    double density = 0;  ///< As a share of that deep inside a cloud, 0 to 1; times extinction_per_m() the extinction.
+    double density = 0;  ///< 0 to 1, deep inside a cloud. Times extinction_per_m() it is the extinction.
     double free_m = 0;   ///< An estimate of the distance to the nearest surface, in metres of the frame; 0 inside.
   };
   /// Returns the density at a place of the layer's frame in a column.

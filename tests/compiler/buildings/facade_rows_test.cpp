@@ -33,14 +33,14 @@ grammars::Face wall_to_the_south(double wide_m, double high_m, double y = 0) {
   return upright({0, y, 0}, {wide_m, 0, 0}, high_m);
 }
 
-PlacedElement window_at(double x, double z, double y = 0, std::uint16_t light = 9000) {
+PlacedElement placed_window(double x, double z, double y = 0, std::uint16_t light = 9000) {
   return {upright({x, y, z}, {1, 0, 0}, 1.5), grey_window(light)};
 }
 
 TEST(ElementsOn, LieOnTheNearestParallelFace) {
   const std::vector<grammars::Face> faces{wall_to_the_south(10, 9, 0), wall_to_the_south(10, 9, 0.4),
                                           upright({10, 5, 0}, {-10, 0, 0}, 9)};
-  const std::vector<PlacedElement> elements{window_at(2, 1, 0.1), window_at(5, 1, 0.3)};
+  const std::vector<PlacedElement> elements{placed_window(2, 1, 0.1), placed_window(5, 1, 0.3)};
   const auto on_faces = elements_on(faces, elements, 0.5);
   ASSERT_EQ(on_faces[0].size(), 1u);
   ASSERT_EQ(on_faces[1].size(), 1u);
@@ -52,20 +52,20 @@ TEST(ElementsOn, LieOnTheNearestParallelFace) {
 
 TEST(ElementsOn, AreLeftOutWithoutRoomOrFartherThanTheReach) {
   const std::vector<grammars::Face> faces{wall_to_the_south(10, 9)};
-  const std::vector<PlacedElement> elements{window_at(9.5, 1), window_at(2, 8), window_at(2, 1, 0.6)};
+  const std::vector<PlacedElement> elements{placed_window(9.5, 1), placed_window(2, 8), placed_window(2, 1, 0.6)};
   EXPECT_TRUE(elements_on(faces, elements, 0.5)[0].empty());
 }
 
 TEST(ElementsOn, AreLeftOutOverAHole) {
   std::vector<grammars::Face> faces{wall_to_the_south(10, 9)};
   faces[0].holes = {upright({1, 0, 0.5}, {3, 0, 0}, 3).outer};
-  const std::vector<PlacedElement> elements{window_at(2, 1), window_at(6, 1)};
+  const std::vector<PlacedElement> elements{placed_window(2, 1), placed_window(6, 1)};
   EXPECT_EQ(elements_on(faces, elements, 0.5)[0].size(), 1u);
 }
 
 // A wall with windows in columns and rows 3 m apart, every other of another kind.
-WallWithElements wall_with_windows(std::size_t columns, std::size_t rows, std::uint16_t even = 9000,
-                                   std::uint16_t odd = 9000) {
+WallWithElements wall_of_grey_windows(std::size_t columns, std::size_t rows, std::uint16_t even = 9000,
+                                      std::uint16_t odd = 9000) {
   WallWithElements wall{{{}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}}, grey_texel(40000), {}};
   const SharedPackedPicture kinds[] = {grey_window(even), even == odd ? nullptr : grey_window(odd)};
   for (std::size_t r = 0; r < rows; ++r)
@@ -83,14 +83,14 @@ std::size_t count_of_rectangles(const std::vector<TexturedFace>& faces) {
 }
 
 TEST(RowsOf, JoinWindowsOfLargeWalls) {
-  const std::vector<WallWithElements> walls{wall_with_windows(16, 40)};
+  const std::vector<WallWithElements> walls{wall_of_grey_windows(16, 40)};
   EXPECT_EQ(count_of_rectangles(rows_of(walls, row_sizes(0.5), kHouseWithRows)), 10u);
   EXPECT_EQ(count_of_rectangles(rows_of(walls, row_sizes(2.5), kHouseWithRows)), 10u);
 }
 
 // Three windows are no reason for a picture of the wall between them.
 TEST(RowsOf, KeepFewWindowsApartAtFineLevels) {
-  const std::vector<WallWithElements> walls{wall_with_windows(3, 1)};
+  const std::vector<WallWithElements> walls{wall_of_grey_windows(3, 1)};
   const std::vector<TexturedFace> fine = rows_of(walls, row_sizes(0.5), kHouseWithRows);
   EXPECT_EQ(count_of_rectangles(fine), 3u);
   ASSERT_EQ(fine.size(), 1u);
@@ -112,7 +112,7 @@ double light_times_area(const TexturedFace& face, std::size_t first, double unit
 // Mean colours of levels agree, though windows have whole texels and kinds have whole places.
 TEST(RowsOf, HaveTheMeanColourOfTheirWindows) {
   for (const double tolerance_m : {0.5, 1.2, 2.5}) {
-    const std::vector<WallWithElements> walls{wall_with_windows(8, 8, 4000, 12000)};
+    const std::vector<WallWithElements> walls{wall_of_grey_windows(8, 8, 4000, 12000)};
     double light = 0, m2 = 0;
     for (const TexturedFace& face : rows_of(walls, row_sizes(tolerance_m), kHouseWithRows))
       for (std::size_t i = 0; i < face.mesh.mesh.positions.size(); i += 4) {
@@ -135,7 +135,7 @@ bool do_overlap(const std::vector<Vec3>& p, std::size_t a, std::size_t b) {
 TEST(RowsOf, NeverCoverAnother) {
   const RandomSequence random(1, {}, "rows");
   for (std::uint32_t run = 0; run < 200; ++run) {
-    WallWithElements wall = wall_with_windows(10, 6);
+    WallWithElements wall = wall_of_grey_windows(10, 6);
     for (std::uint32_t i = 0; i < wall.elements.size(); ++i) {
       Box2& box = wall.elements[i].box;
       if (random.below(3, 100 * run + i) == 0) box.max.y = box.min.y + 0.75;

@@ -140,20 +140,6 @@ TEST(FacadeTextures, ReplaceRailingsByRails) {
   EXPECT_GE(houses_with_balconies, 3u);
 }
 
-// Reveals and sills become slopes if a window is several texels wide.
-TEST(FacadeTextures, HaveSlopesWhereGeometryIsOmitted) {
-  const auto leaning = [](const GeneratedBuilding& house) {
-    std::size_t texels = 0;
-    for (const TexturedFace& face : house.textured_faces)
-      texels += static_cast<std::size_t>(std::ranges::count_if(
-          face.picture->texels, [](const impostor::Texel& t) { return t.slope != std::array<std::int16_t, 2>{}; }));
-    return texels;
-  };
-  const Building old = building_of_style(Style::kOldTownHouse, 17.3, 16);
-  EXPECT_GT(leaning(expanded(old, 0.5)), 200u);
-  EXPECT_EQ(leaning(expanded(old, 2.5)), 0u);
-}
-
 TEST(FacadeTextures, HaveCoordinatesInsideThePicture) {
   std::size_t faces = 0;
   for (const double tolerance_m : {0.5, 2.5, 12.5})
