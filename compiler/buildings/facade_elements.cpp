@@ -43,20 +43,21 @@ bool has_relief(const Element& element) {
   return depths.width() >= kLeast_m;
 }
 
-DrawnElement draw(const Element& element, const std::vector<SurfaceMaterial>& surfaces) {
+CoarseElement draw(const Element& element, const std::vector<SurfaceMaterial>& surfaces, double texel_m,
+                   bool has_slopes) {
   const impostor::View view{.corner = {0, element.height_m, 0},
                             .u = {1, 0, 0},
                             .v = {0, -1, 0},
-                            .texel_m = kElementTexel_m,
-                            .columns = static_cast<std::uint32_t>(element.width_m / kElementTexel_m + 0.5),
-                            .rows = static_cast<std::uint32_t>(element.height_m / kElementTexel_m + 0.5),
+                            .texel_m = texel_m,
+                            .columns = static_cast<std::uint32_t>(element.width_m / texel_m + 0.5),
+                            .rows = static_cast<std::uint32_t>(element.height_m / texel_m + 0.5),
                             .before_m = kDepth_m,
                             .behind_m = kDepth_m,
-                            .has_slopes = has_relief(element)};
+                            .has_slopes = has_slopes};
   impostor::Impostor seen = impostor::render(impostor::model_of(meshes_of_element(element, surfaces)), view);
   if (seen.dominant_share >= 1) return {nullptr, seen.dominant};
   fill_gaps(seen.picture);
-  return {std::make_shared<const impostor::Picture>(std::move(seen.picture)), {}};
+  return {std::make_shared<const impostor::PackedPicture>(impostor::packed(seen.picture)), {}};
 }
 
 void add_surface(const SurfaceMaterial& surface, std::vector<std::int32_t>& key) {
@@ -133,52 +134,48 @@ void add_from_afar(const Element& element, const grammars::Face& rectangle, cons
 
 ElementPictures::Slot& ElementPictures::slot_of(const Element& element,
                                                 const std::vector<SurfaceMaterial>& surfaces) const {
-  Slot* slot = nullptr;
-  {
-    const std::lock_guard lock(mutex_);
-    slot = &slots_[key_of(element, surfaces)];
-  }
-  std::call_once(slot->once, [&] {
-    const DrawnElement fine = draw(element, surfaces);
-    slot->surface = fine.surface;
-    if (!fine.picture) return;
-    slot->fine = std::make_shared<const impostor::PackedPicture>(impostor::packed(*fine.picture));
-    slot->coarse = std::make_shared<const impostor::PackedPicture>(impostor::packed(halved(halved(*fine.picture))));
-  });
-  return *slot;
+  Key key = key_of(element, surfaces);
+  const std::lock_guard lock(mutex_);
+  return slots_[std::move(key)];
 }
 
 DrawnElement ElementPictures::drawn(const Element& element, const std::vector<SurfaceMaterial>& surfaces) const {
   Slot& slot = slot_of(element, surfaces);
-  if (!slot.fine) return {nullptr, slot.surface};
+  std::call_once(slot.fine_once, [&] { slot.fine = draw(element, surfaces, kElementTexel_m, has_relief(element)); });
+  if (!slot.fine.picture) return {nullptr, slot.fine.surface};
   const std::lock_guard lock(mutex_);
   impostor::SharedPicture picture = slot.in_use.lock();
-  if (!picture) slot.in_use = picture = std::make_shared<const impostor::Picture>(impostor::unpacked(*slot.fine));
+  if (!picture)
+    slot.in_use = picture = std::make_shared<const impostor::Picture>(impostor::unpacked(*slot.fine.picture));
   return {std::move(picture), {}};
 }
 
 CoarseElement ElementPictures::drawn_coarsely(const Element& element,
                                               const std::vector<SurfaceMaterial>& surfaces) const {
-  const Slot& slot = slot_of(element, surfaces);
-  return {slot.coarse, slot.surface};
+  Slot& slot = slot_of(element, surfaces);
+  std::call_once(slot.coarse_once, [&] { slot.coarse = draw(element, surfaces, kCoarseElementTexel_m, false); });
+  return slot.coarse;
 }
 
 DetailedFacades detailed_facades(const grammars::Derivation& derivation, const ElementPictures* pictures,
                                  NeededModels needed, OsmId feature) {
   const std::vector<SurfaceMaterial> surfaces = surfaces_of(derivation);
   DetailedFacades detailed;
+  std::vector<CoarseElement> drawn_elements;
+  for (const Element& element : derivation.elements)
+    drawn_elements.push_back(pictures->drawn_coarsely(element, surfaces));
   FacesOfSurfaces faces_of = faces_by_surface(derivation), of_elements;
   for (const grammars::Terminal& terminal : derivation.terminals) {
     if (terminal.element == 0) continue;
     const Element& element = derivation.elements[terminal.element - 1];
     const grammars::Face& rectangle = terminal.faces.front();
-    CoarseElement drawn = pictures->drawn_coarsely(element, surfaces);
+    const CoarseElement& drawn = drawn_elements[terminal.element - 1];
     if (!drawn.picture) {
       faces_of[drawn.surface].push_back({rectangle, 0});
       continue;
     }
     if (needed.whole) add_from_afar(element, rectangle, impostor::unpacked(*drawn.picture), surfaces, of_elements);
-    detailed.elements.push_back({rectangle, std::move(drawn.picture)});
+    detailed.elements.push_back({rectangle, drawn.picture});
   }
   if (needed.walls) detailed.walls = impostor::model_of(meshes_of(faces_of, feature, 0));
   if (!needed.whole) return detailed;

@@ -51,9 +51,8 @@ class ElementPictures {
  private:
   using Key = std::vector<std::int32_t>;  // sizes, materials, tints and coordinates
   struct Slot {
-    std::once_flag once;
-    materials::SurfaceMaterial surface{};
-    SharedPackedPicture fine, coarse;  // null if the element has one surface
+    std::once_flag fine_once, coarse_once;
+    CoarseElement fine, coarse;  // fine: with texels of kElementTexel_m
     std::weak_ptr<const impostor::Picture> in_use;
   };
   Slot& slot_of(const grammars::Element& element, const std::vector<materials::SurfaceMaterial>& surfaces) const;
