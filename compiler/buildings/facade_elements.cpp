@@ -94,14 +94,6 @@ void add_rectangle(const grammars::Face& face, TexturedFace& textured) {
   }
 }
 
-// The surfaces of a derivation, by index into Derivation::appearances.
-std::vector<SurfaceMaterial> surfaces_of(const grammars::Derivation& derivation) {
-  std::vector<SurfaceMaterial> surfaces;
-  for (const grammars::Appearance& appearance : derivation.appearances)
-    surfaces.push_back(surface_material_of(appearance));
-  return surfaces;
-}
-
 using FacesOfSurfaces = std::map<SurfaceMaterial, std::vector<DerivedFace>>;
 
 // Adds the detail of an element where its rectangle stands.

@@ -58,8 +58,8 @@ double uniform_share(const View& view) {
   return std::abs(view.v.z) > kVertical ? 1 : kOfRoof;
 }
 
-// The mean colour as a tint of the dominant material. It must cover most of the face: a wall with windows would
-// otherwise become glass of any colour.
+// A face has the material that covers at least this share of it: a wall with windows would otherwise become glass of
+// any colour.
 constexpr double kDominant = 0.75;
 
 // True if a wall has windows of its own, such as arched ones, which are no elements: parts much smoother than itself.
@@ -71,6 +71,7 @@ bool shows_panes(const Impostor& impostor) {
   });
 }
 
+// The mean colour as a tint of the dominant material, if there is one.
 SurfaceMaterial mean_material(const Impostor& impostor) {
   const impostor::Texel texel = mean(impostor.picture);
   const LinearRgb paint{texel.light[0] / 65535.0, texel.light[1] / 65535.0, texel.light[2] / 65535.0};
@@ -288,9 +289,7 @@ FacadeMeshes texture_facades(const grammars::Derivation& derivation, const Detai
   const bool is_without_elements = has_detail(Detail::kFacadeRows, texel_m);
   const bool has_rows = is_without_elements && !detailed.elements.empty();
   FacadeBuilder builder{is_without_elements ? detailed.walls : detailed.whole, texel_m, tolerance_m, feature, has_rows};
-  std::vector<SurfaceMaterial> surfaces;
-  for (const grammars::Appearance& appearance : derivation.appearances)
-    surfaces.push_back(surface_material_of(appearance));
+  const std::vector<SurfaceMaterial> surfaces = surfaces_of(derivation);
   std::vector<Face> faces;
   std::vector<impostor::Texel> colours;
   for (const grammars::Terminal& terminal : derivation.terminals)

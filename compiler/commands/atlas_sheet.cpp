@@ -48,7 +48,7 @@ std::vector<Box2> rectangles_of(const bake::Primitive& primitive) {
 // The part of an image that a rectangle covers.
 TextureImage part_of(const TextureImage& image, const Box2& box) {
   const auto texel = [&](double at_m, std::uint32_t most) {
-    return static_cast<std::uint32_t>(std::clamp(std::round(at_m / image.texel_m), 0.0, double{most}));
+    return static_cast<std::uint32_t>(std::clamp(std::round(at_m / image.texel_m), 0.0, static_cast<double>(most)));
   };
   const std::uint32_t left = texel(box.min.x, image.columns), right = texel(box.max.x, image.columns),
                       top = texel(box.min.y, image.rows), bottom = texel(box.max.y, image.rows);

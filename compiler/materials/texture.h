@@ -37,6 +37,7 @@ struct Texture {
 class SharedTexture {
  public:
   explicit SharedTexture(Texture texture) : texture_(std::make_shared<const Texture>(std::move(texture))) {}
+  // NOLINTNEXTLINE(google-explicit-constructor): what takes a texture takes a shared one
   operator const Texture&() const { return *texture_; }
   const Texture& operator*() const { return *texture_; }
   const Texture* operator->() const { return texture_.get(); }

@@ -31,6 +31,10 @@ constexpr double kFrayedShare = 0.22, kFrayed = 1.6;
 constexpr double kBlur = 0.3;
 // The share of the layer's height in which density rises from the base on.
 constexpr double kBaseShare = 0.05;
+// Spheres that are joined smoothly swell by this share.
+constexpr double kSwollen = 1.1;
+// A side has at most this many columns.
+constexpr double kMostColumns = 2000;
 
 double smooth_step(double t) {
   t = std::clamp(t, 0.0, 1.0);
@@ -76,38 +80,49 @@ CloudHeaps::CloudHeaps(const sky::CloudLayer& layer, std::span<const sky::CloudP
   build(spheres);
 }
 
+double CloudHeaps::around_m(const sky::CloudParticle& sphere) const { return sphere.radius_m * kSwollen + reach_m_; }
+
 void CloudHeaps::build(std::span<const sky::CloudParticle> spheres) {
   if (edges_ == CloudEdges::kBillowed) {
     const double all_m = billow_m_ * kBillowHeight * (1 - std::pow(kLower, kSizes)) / (1 - kLower);
     reach_m_ = all_m * (1 - noise_.mean() + kOutwards);
     deep_m_ = all_m * (noise_.mean() - kLeastNoise - kOutwards) + soft_m_ * (1 + kFrayed);
   }
+  if (spheres.empty()) return;
   Box2 box;
   for (const sky::CloudParticle& sphere : spheres)
-    for (const Vec2 aside : {Vec2{-1, -1}, Vec2{1, 1}})
-      box.grow(in_plan(sphere.centre) + aside * (sphere.radius_m * 1.1 + reach_m_));
-  if (spheres.empty()) return;
-  column_m_ = std::max(frame_.height_m * kColumnShare, std::max(box.width(), box.height()) / 2000);
+    for (const double side : {-1, 1}) box.grow(in_plan(sphere.centre) + Vec2{side, side} * around_m(sphere));
+  column_m_ = std::max(frame_.height_m * kColumnShare, std::max(box.width(), box.height()) / kMostColumns);
   low_ = box.min;
   columns_ = static_cast<std::int64_t>(box.width() / column_m_) + 1;
   rows_ = static_cast<std::int64_t>(box.height() / column_m_) + 1;
-  std::vector<std::vector<Heap>> by_column(static_cast<std::size_t>(columns_ * rows_));
+  keep(by_column(spheres));
+}
+
+std::vector<std::vector<CloudHeaps::Heap>> CloudHeaps::by_column(std::span<const sky::CloudParticle> spheres) const {
+  std::vector<std::vector<Heap>> columns(static_cast<std::size_t>(columns_ * rows_));
+  const auto index = [&](double m, std::int64_t count) {
+    return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(m / column_m_)), 0, count - 1);
+  };
   for (const sky::CloudParticle& sphere : spheres) {
-    const double around_m = sphere.radius_m * 1.1 + reach_m_;
+    const Heap heap{static_cast<float>(sphere.centre.x), static_cast<float>(sphere.centre.y),
+                    static_cast<float>(sphere.centre.z), static_cast<float>(sphere.radius_m)};
     const Vec2 at = in_plan(sphere.centre) - low_;
-    const auto index = [&](double m) { return static_cast<std::int64_t>(std::floor(m / column_m_)); };
-    for (std::int64_t row = index(at.y - around_m); row <= index(at.y + around_m); ++row)
-      for (std::int64_t column = index(at.x - around_m); column <= index(at.x + around_m); ++column)
-        by_column[static_cast<std::size_t>(std::clamp<std::int64_t>(row, 0, rows_ - 1) * columns_ +
-                                           std::clamp<std::int64_t>(column, 0, columns_ - 1))]
-            .push_back({static_cast<float>(sphere.centre.x), static_cast<float>(sphere.centre.y),
-                        static_cast<float>(sphere.centre.z), static_cast<float>(sphere.radius_m)});
+    const double away_m = around_m(sphere);
+    for (std::int64_t row = index(at.y - away_m, rows_); row <= index(at.y + away_m, rows_); ++row)
+      for (std::int64_t column = index(at.x - away_m, columns_); column <= index(at.x + away_m, columns_); ++column)
+        columns[static_cast<std::size_t>(row * columns_ + column)].push_back(heap);
   }
-  for (const std::vector<Heap>& own : by_column) {
+  return columns;
+}
+
+void CloudHeaps::keep(const std::vector<std::vector<Heap>>& columns) {
+  for (const std::vector<Heap>& column : columns) {
     first_.push_back(static_cast<std::uint32_t>(heaps_.size()));
-    heaps_.insert(heaps_.end(), own.begin(), own.end());
+    heaps_.insert(heaps_.end(), column.begin(), column.end());
     float top_m = 0;
-    for (const Heap& heap : own) top_m = std::max(top_m, heap.z + heap.radius_m * 1.1F + static_cast<float>(reach_m_));
+    for (const Heap& heap : column)
+      top_m = std::max(top_m, heap.z + heap.radius_m * static_cast<float>(kSwollen) + static_cast<float>(reach_m_));
     tops_m_.push_back(top_m);
     top_m_ = std::max<double>(top_m_, top_m);
   }
@@ -137,6 +152,25 @@ void cut_between(double from, double along, double low, double high, double& beg
   begin = std::max(begin, std::min(a, b)), end = std::min(end, std::max(a, b));
 }
 
+// The cells of a line along an axis, one after the other, for a walk from column to column (Amanatides, Woo, "A Fast
+// Voxel Traversal Algorithm for Ray Tracing", Eurographics 1987).
+struct WalkAlong {
+  double from, along, cell_m;
+  std::int64_t count, at, to;
+
+  WalkAlong(double from, double along, double begin, double cell_m, std::int64_t count)
+      : from(from), along(along), cell_m(cell_m), count(count), to(along > 0 ? 1 : -1) {
+    at = std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor((from + along * begin) / cell_m)), 0, count - 1);
+  }
+  bool is_inside() const { return at >= 0 && at < count; }
+  // The distance at which the line leaves the cell.
+  double next() const {
+    if (along == 0) return std::numeric_limits<double>::infinity();
+    return (static_cast<double>(at + (to > 0)) * cell_m - from) / along;
+  }
+  void step() { at += to; }
+};
+
 }  // namespace
 
 void CloudHeaps::stretches_of(Vec3 from, Vec3 direction, double distance_m, std::vector<HeapStretch>& stretches) const {
@@ -147,30 +181,17 @@ void CloudHeaps::stretches_of(Vec3 from, Vec3 direction, double distance_m, std:
   cut_between(ray.from.z, ray.along.z, 0, top_m_, begin, end);
   cut_between(ray.from.x, ray.along.x, low_.x, low_.x + static_cast<double>(columns_) * column_m_, begin, end);
   cut_between(ray.from.y, ray.along.y, low_.y, low_.y + static_cast<double>(rows_) * column_m_, begin, end);
-  // from column to column (Amanatides, Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", Eurographics 1987)
-  constexpr double kNever = std::numeric_limits<double>::infinity();
   if (!(begin < end)) return;
-  const auto index = [&](double m, std::int64_t count) {
-    return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(m / column_m_)), 0, count - 1);
-  };
-  std::int64_t column = index(ray.from.x + ray.along.x * begin - low_.x, columns_),
-               row = index(ray.from.y + ray.along.y * begin - low_.y, rows_);
-  const std::int64_t to_x = ray.along.x > 0 ? 1 : -1, to_y = ray.along.y > 0 ? 1 : -1;
-  const auto crosses = [&](std::int64_t line, double low, double at, double along) {
-    return along == 0 ? kNever : (low + static_cast<double>(line) * column_m_ - at) / along;
-  };
-  while (begin < end && column >= 0 && row >= 0 && column < columns_ && row < rows_) {
-    const double next_x = crosses(column + (to_x > 0), low_.x, ray.from.x, ray.along.x),
-                 next_y = crosses(row + (to_y > 0), low_.y, ray.from.y, ray.along.y);
-    const double leaves = std::max(begin, std::min({next_x, next_y, end}));
-    const auto own = static_cast<std::uint32_t>(row * columns_ + column);
-    if (tops_m_[own] > 0) {
-      double low = begin, high = leaves;
-      cut_between(ray.from.z, ray.along.z, 0, tops_m_[own], low, high);
-      if (low < high) stretches.push_back({low, high, own});
-    }
+  WalkAlong x(ray.from.x - low_.x, ray.along.x, begin, column_m_, columns_);
+  WalkAlong y(ray.from.y - low_.y, ray.along.y, begin, column_m_, rows_);
+  while (begin < end && x.is_inside() && y.is_inside()) {
+    const double leaves = std::max(begin, std::min({x.next(), y.next(), end}));
+    const auto column = static_cast<std::uint32_t>(y.at * columns_ + x.at);
+    double low = begin, high = leaves;
+    cut_between(ray.from.z, ray.along.z, 0, tops_m_[column], low, high);
+    if (tops_m_[column] > 0 && low < high) stretches.push_back({low, high, column});
     begin = leaves;
-    (next_x < next_y ? column : row) += next_x < next_y ? to_x : to_y;
+    (x.next() < y.next() ? x : y).step();
   }
 }
 

@@ -76,6 +76,9 @@ class CloudHeaps {
     float x, y, z, radius_m;
   };
   void build(std::span<const sky::CloudParticle> spheres);
+  double around_m(const sky::CloudParticle& sphere) const;  // the radius in which it reaches columns
+  std::vector<std::vector<Heap>> by_column(std::span<const sky::CloudParticle> spheres) const;
+  void keep(const std::vector<std::vector<Heap>>& columns);
   float distance_inside(const Vec3& own, std::uint32_t column) const;
   float billow(const Vec3& own, double finest_m) const;
   std::int64_t column_at(double x, double y) const;

@@ -10,7 +10,6 @@
 #include "preview/scene/cell_cache.h"
 
 namespace citykiln::preview {
-namespace {
 
 // The backdrop in Embree. Immutable. A ray that stays over Backdrop::clear, where there is no backdrop, or is above
 // all land when it leaves that box, is not tested in Embree. Rays in streets therefore cost a few multiplications.
@@ -35,6 +34,8 @@ class BackdropScene {
   double highest_m_;  // above the origin
 };
 
+namespace {
+
 double highest_m(const bake::BakedTile& tile) {
   double highest = -std::numeric_limits<double>::infinity();
   for (const bake::Primitive& primitive : tile.primitives)
@@ -47,6 +48,8 @@ double leaves_at(double from, double direction, double low, double high) {
   if (direction == 0) return std::numeric_limits<double>::infinity();
   return ((direction > 0 ? high : low) - from) / direction;
 }
+
+}  // namespace
 
 BackdropScene::BackdropScene(RTCDevice device, const Backdrop& backdrop, Vec3 origin)
     : scene_(device, std::span(backdrop.tile, 1), origin),
@@ -84,6 +87,8 @@ bool BackdropScene::is_blocking(RTCRay& ray) const {
   rtcOccluded1(geometry().scene(), &context, &ray);
   return ray.tfar < 0;
 }
+
+namespace {
 
 RTCRay ray_of(Vec3 from, Vec3 direction) {
   RTCRay ray{};

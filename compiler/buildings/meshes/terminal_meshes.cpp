@@ -185,6 +185,13 @@ SurfaceMaterial surface_material_of(const grammars::Appearance& appearance) {
   return {chosen, tint_towards(chosen, paint)};
 }
 
+std::vector<SurfaceMaterial> surfaces_of(const grammars::Derivation& derivation) {
+  std::vector<SurfaceMaterial> surfaces;
+  for (const grammars::Appearance& appearance : derivation.appearances)
+    surfaces.push_back(surface_material_of(appearance));
+  return surfaces;
+}
+
 std::vector<MaterialMesh> meshes_of(const FacesBySurface& faces_of, OsmId feature, double tolerance_m) {
   std::vector<MaterialMesh> meshes;
   for (const auto& [surface, faces] : faces_of) {
@@ -215,10 +222,6 @@ std::vector<MaterialMesh> terminal_meshes(const grammars::Derivation& derivation
   FacesBySurface faces_of = faces_by_surface(derivation);
   for (auto& [surface, faces] : faces_of) faces = join_rectangles(std::move(faces));
   return meshes_of(faces_of, feature, tolerance_m);
-}
-
-std::vector<MaterialMesh> unjoined_meshes(const grammars::Derivation& derivation, OsmId feature) {
-  return meshes_of(faces_by_surface(derivation), feature, 0);
 }
 
 }  // namespace citykiln::buildings

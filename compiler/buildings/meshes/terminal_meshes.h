@@ -19,6 +19,9 @@ namespace citykiln::buildings {
 /// untinted. A colour never changes glass to kPaint.
 materials::SurfaceMaterial surface_material_of(const grammars::Appearance& appearance);
 
+/// Returns the surfaces of a derivation, by index into Derivation::appearances. O(appearances).
+std::vector<materials::SurfaceMaterial> surfaces_of(const grammars::Derivation& derivation);
+
 /// Adds the triangles of a face. Faces without area add nothing.
 void add_face(const grammars::Face& face, Mesh& mesh);
 
@@ -45,9 +48,5 @@ std::vector<materials::MaterialMesh> meshes_of(
 /// Deterministic. Ignores faces without area, assets, and the terminals' own texture frames. O(n log n).
 std::vector<materials::MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature,
                                                      double tolerance_m);
-
-/// Returns the meshes of terminal_meshes at tolerance 0, but without joined rectangles: for meshes that are only
-/// rendered, where joining takes more time than it saves.
-std::vector<materials::MaterialMesh> unjoined_meshes(const grammars::Derivation& derivation, OsmId feature);
 
 }  // namespace citykiln::buildings
