@@ -43,8 +43,8 @@ bool has_relief(const Element& element) {
   return depths.width() >= kLeast_m;
 }
 
-CoarseElement draw(const Element& element, const std::vector<SurfaceMaterial>& surfaces, double texel_m,
-                   bool has_slopes) {
+DrawnElement draw(const Element& element, const std::vector<SurfaceMaterial>& surfaces, double texel_m,
+                  bool has_slopes) {
   const impostor::View view{.corner = {0, element.height_m, 0},
                             .u = {1, 0, 0},
                             .v = {0, -1, 0},
@@ -57,7 +57,7 @@ CoarseElement draw(const Element& element, const std::vector<SurfaceMaterial>& s
   impostor::Impostor seen = impostor::render(impostor::model_of(meshes_of_element(element, surfaces)), view);
   if (seen.dominant_share >= 1) return {nullptr, seen.dominant};
   fill_gaps(seen.picture);
-  return {std::make_shared<const impostor::PackedPicture>(impostor::packed(seen.picture)), {}};
+  return {impostor::shared(seen.picture), {}};
 }
 
 void add_surface(const SurfaceMaterial& surface, std::vector<std::int32_t>& key) {
@@ -134,16 +134,11 @@ ElementPictures::Slot& ElementPictures::slot_of(const Element& element,
 DrawnElement ElementPictures::drawn(const Element& element, const std::vector<SurfaceMaterial>& surfaces) const {
   Slot& slot = slot_of(element, surfaces);
   std::call_once(slot.fine_once, [&] { slot.fine = draw(element, surfaces, kElementTexel_m, has_relief(element)); });
-  if (!slot.fine.picture) return {nullptr, slot.fine.surface};
-  const std::lock_guard lock(mutex_);
-  impostor::SharedPicture picture = slot.in_use.lock();
-  if (!picture)
-    slot.in_use = picture = std::make_shared<const impostor::Picture>(impostor::unpacked(*slot.fine.picture));
-  return {std::move(picture), {}};
+  return slot.fine;
 }
 
-CoarseElement ElementPictures::drawn_coarsely(const Element& element,
-                                              const std::vector<SurfaceMaterial>& surfaces) const {
+DrawnElement ElementPictures::drawn_coarsely(const Element& element,
+                                             const std::vector<SurfaceMaterial>& surfaces) const {
   Slot& slot = slot_of(element, surfaces);
   std::call_once(slot.coarse_once, [&] { slot.coarse = draw(element, surfaces, kCoarseElementTexel_m, false); });
   return slot.coarse;
@@ -153,7 +148,7 @@ DetailedFacades detailed_facades(const grammars::Derivation& derivation, const E
                                  NeededModels needed, OsmId feature) {
   const std::vector<SurfaceMaterial> surfaces = surfaces_of(derivation);
   DetailedFacades detailed;
-  std::vector<CoarseElement> drawn_elements;
+  std::vector<DrawnElement> drawn_elements;
   for (const Element& element : derivation.elements)
     drawn_elements.push_back(pictures->drawn_coarsely(element, surfaces));
   FacesOfSurfaces faces_of = faces_by_surface(derivation), of_elements;
@@ -161,7 +156,7 @@ DetailedFacades detailed_facades(const grammars::Derivation& derivation, const E
     if (terminal.element == 0) continue;
     const Element& element = derivation.elements[terminal.element - 1];
     const grammars::Face& rectangle = terminal.faces.front();
-    const CoarseElement& drawn = drawn_elements[terminal.element - 1];
+    const DrawnElement& drawn = drawn_elements[terminal.element - 1];
     if (!drawn.picture) {
       faces_of[drawn.surface].push_back({rectangle, 0});
       continue;
@@ -184,7 +179,7 @@ void add_elements(const grammars::Derivation& derivation, const ElementPictures&
   const std::vector<SurfaceMaterial> surfaces = surfaces_of(derivation);
   std::vector<DrawnElement> drawn;
   for (const Element& element : derivation.elements) drawn.push_back(pictures.drawn(element, surfaces));
-  std::map<const impostor::Picture*, std::size_t> textured;
+  std::map<const impostor::PackedPicture*, std::size_t> textured;
   std::map<SurfaceMaterial, std::vector<DerivedFace>> plain;
   for (const grammars::Terminal& terminal : derivation.terminals) {
     if (terminal.element == 0) continue;

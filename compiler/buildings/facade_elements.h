@@ -20,40 +20,30 @@ inline constexpr double kElementTexel_m = grammars::kElementStep_m / 6;
 /// The side of a texel on coarse pictures of elements, metres.
 inline constexpr double kCoarseElementTexel_m = 4 * kElementTexel_m;
 
-/// A packed picture that many elements show.
-using SharedPackedPicture = std::shared_ptr<const impostor::PackedPicture>;
-
 /// An element as seen straight on.
 struct DrawnElement {
-  impostor::SharedPicture picture;       ///< Row 0 is the upper edge; null if all of it has one surface.
-  materials::SurfaceMaterial surface{};  ///< The surface if there is no picture.
-};
-
-/// An element as seen straight on and from afar, with texels of kCoarseElementTexel_m.
-struct CoarseElement {
-  SharedPackedPicture picture;           ///< Equal elements share one object. Null if all of it has one surface.
+  /// Row 0 is the upper edge. Equal elements share one object. Null if all of it has one surface.
+  impostor::SharedPicture picture;
   materials::SurfaceMaterial surface{};  ///< The surface if there is no picture.
 };
 
 /// Pictures of elements, each drawn once. Thread-safe. A picture is a function of the element and its colours alone, so
-/// results do not depend on the order of calls. Memory: a few kB for each distinct element, and 200 kB more for each
-/// whose DrawnElement exists.
+/// results do not depend on the order of calls. Memory: a few kB for each distinct element.
 class ElementPictures {
  public:
-  /// Returns an element as drawn. Calls for equal elements return the same picture while one of them is in use.
+  /// Returns an element as drawn, with texels of kElementTexel_m.
   /// @param surfaces  By index into Derivation::appearances.
   DrawnElement drawn(const grammars::Element& element, const std::vector<materials::SurfaceMaterial>& surfaces) const;
 
   /// Returns an element as drawn, with texels of kCoarseElementTexel_m.
-  CoarseElement drawn_coarsely(const grammars::Element& element,
-                               const std::vector<materials::SurfaceMaterial>& surfaces) const;
+  DrawnElement drawn_coarsely(const grammars::Element& element,
+                              const std::vector<materials::SurfaceMaterial>& surfaces) const;
 
  private:
   using Key = std::vector<std::int32_t>;  // sizes, materials, tints and coordinates
   struct Slot {
     std::once_flag fine_once, coarse_once;
-    CoarseElement fine, coarse;  // fine: with texels of kElementTexel_m
-    std::weak_ptr<const impostor::Picture> in_use;
+    DrawnElement fine, coarse;
   };
   Slot& slot_of(const grammars::Element& element, const std::vector<materials::SurfaceMaterial>& surfaces) const;
 
@@ -63,8 +53,8 @@ class ElementPictures {
 
 /// An element where it stands on a building.
 struct PlacedElement {
-  grammars::Face rectangle;     ///< Plane metres.
-  SharedPackedPicture picture;  ///< CoarseElement::picture, not null.
+  grammars::Face rectangle;         ///< Plane metres.
+  impostor::SharedPicture picture;  ///< Of ElementPictures::drawn_coarsely(), not null.
 };
 
 /// The tolerance of the detailed model from which all levels take facade textures and rows of windows. It has the

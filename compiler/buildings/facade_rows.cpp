@@ -180,7 +180,7 @@ GridKey key_of_grid(const GridOfElements& grid, double texel_m) {
 // The grids of one key: how often each picture is seen in them, in the order in which they are met, and the most
 // columns and rows that any has.
 struct SeenPictures {
-  std::vector<std::pair<SharedPackedPicture, std::uint32_t>> counts;
+  std::vector<std::pair<SharedPicture, std::uint32_t>> counts;
   std::size_t columns = 1, rows = 1, grids = 0, elements = 0;
 
   void add(const GridOfElements& grid) {
@@ -189,7 +189,7 @@ struct SeenPictures {
     for (const ElementOnWall* element : grid.elements) add(element->seen);
   }
 
-  void add(const SharedPackedPicture& picture) {
+  void add(const SharedPicture& picture) {
     const auto at = std::ranges::find(counts, picture, [](const auto& each) { return each.first; });
     if (at != counts.end())
       ++at->second;
@@ -198,8 +198,8 @@ struct SeenPictures {
   }
 
   // By the method of D'Hondt: each picture has its share of the places.
-  std::vector<SharedPackedPicture> chosen() const {
-    std::vector<SharedPackedPicture> places;
+  std::vector<SharedPicture> chosen() const {
+    std::vector<SharedPicture> places;
     std::vector<std::uint32_t> given(counts.size());
     while (places.size() < columns * rows) {
       std::size_t best = 0;
@@ -249,7 +249,7 @@ SharedPicture picture_of_grid(const GridKey& key, const SeenPictures& seen) {
   Picture picture{all.columns, all.rows, {}};
   picture.texels.assign(std::size_t{picture.columns} * picture.rows, key.wall);
   std::map<const impostor::PackedPicture*, Picture> small;
-  const std::vector<SharedPackedPicture> places = seen.chosen();
+  const std::vector<SharedPicture> places = seen.chosen();
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto [at, is_new] = small.try_emplace(places[i].get());
     if (is_new) at->second = shrunk(*places[i], key);
@@ -258,7 +258,7 @@ SharedPicture picture_of_grid(const GridKey& key, const SeenPictures& seen) {
                  picture);
   }
   fill_gaps(picture);
-  return std::make_shared<const Picture>(std::move(picture));
+  return impostor::shared(picture);
 }
 
 // Adds the rectangle of a grid, which shows a part of the picture: as many windows as it has, after `skipped` columns.

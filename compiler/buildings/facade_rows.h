@@ -21,9 +21,9 @@ inline constexpr std::uint32_t kWindowsOfPicture = 8;
 
 /// An element on a wall.
 struct ElementOnWall {
-  Box2 box;                  ///< Metres, in WallWithElements::frame.
-  SharedPackedPicture seen;  ///< PlacedElement::picture.
-  double moved_m = 0;        ///< The distance by which it was moved into the wall's plane.
+  Box2 box;                      ///< Metres, in WallWithElements::frame.
+  impostor::SharedPicture seen;  ///< PlacedElement::picture.
+  double moved_m = 0;            ///< The distance by which it was moved into the wall's plane.
 };
 
 /// A wall and its elements.

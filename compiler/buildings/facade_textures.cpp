@@ -125,11 +125,11 @@ Rails rails_of(const Face& face, double share) {
 
 // The texels of all pictures, where equal ones count once (impostor/atlas.h).
 std::uint64_t distinct_texels(std::span<const TexturedFace> faces) {
-  const auto is_less = [](const impostor::Picture* a, const impostor::Picture* b) { return *a < *b; };
-  std::set<const impostor::Picture*, decltype(is_less)> pictures(is_less);
+  const auto is_less = [](const impostor::PackedPicture* a, const impostor::PackedPicture* b) { return *a < *b; };
+  std::set<const impostor::PackedPicture*, decltype(is_less)> pictures(is_less);
   std::uint64_t texels = 0;
   for (const TexturedFace& face : faces)
-    if (pictures.insert(face.picture.get()).second) texels += face.picture->texels.size();
+    if (pictures.insert(face.picture.get()).second) texels += std::uint64_t{face.picture->columns} * face.picture->rows;
   return texels;
 }
 
@@ -154,7 +154,7 @@ struct FacadeBuilder {
   TexturedFace textured_face(const Face& face, impostor::Picture&& picture) const {
     const View view = view_of(face, texel_m);
     fill_gaps(picture);
-    TexturedFace made = textured_by(std::make_shared<const impostor::Picture>(std::move(picture)), feature);
+    TexturedFace made = textured_by(impostor::shared(picture), feature);
     add_face(face, made.mesh.mesh);
     for (const Vec3 p : made.mesh.mesh.positions)
       made.mesh.uvs.push_back({dot(p - view.corner, view.u), dot(p - view.corner, view.v)});
@@ -267,7 +267,7 @@ void add_rows(std::span<const Face> faces, std::span<const impostor::Texel> colo
 
 }  // namespace
 
-TexturedFace textured_by(std::shared_ptr<const impostor::Picture> picture, OsmId feature) {
+TexturedFace textured_by(impostor::SharedPicture picture, OsmId feature) {
   TexturedFace face{std::move(picture), {{}, kUnderTextures, materials::kNoTint, feature}};
   face.mesh.colour_source = materials::ColourSource::kByAtlas;
   return face;

@@ -14,12 +14,12 @@ struct DetailedFacades;  // facade_elements.h
 
 /// A face with its texture. Texture coordinates of the mesh are metres from the corner of the first texel.
 struct TexturedFace {
-  std::shared_ptr<const impostor::Picture> picture;
+  impostor::SharedPicture picture;
   materials::MaterialMesh mesh;
 };
 
 /// Returns a face with a picture and without triangles.
-TexturedFace textured_by(std::shared_ptr<const impostor::Picture> picture, OsmId feature);
+TexturedFace textured_by(impostor::SharedPicture picture, OsmId feature);
 
 /// The faces of a building at a level, with baked textures where they need one.
 struct FacadeMeshes {

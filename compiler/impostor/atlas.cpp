@@ -88,11 +88,11 @@ struct Unique {
   std::vector<std::size_t> number;
 };
 
-// Most pictures that are equal are one object, which are not compared texel by texel.
+// Most pictures that are equal are one object, which is not compared byte by byte.
 Unique unique_of(std::span<const SharedPicture> pictures) {
-  const auto is_less = [](const Picture* a, const Picture* b) { return a != b && *a < *b; };
-  std::map<const Picture*, std::size_t, decltype(is_less)> numbers(is_less);
-  std::map<const Picture*, std::size_t> seen;
+  const auto is_less = [](const PackedPicture* a, const PackedPicture* b) { return a != b && *a < *b; };
+  std::map<const PackedPicture*, std::size_t, decltype(is_less)> numbers(is_less);
+  std::map<const PackedPicture*, std::size_t> seen;
   // numbered by first occurrence: the pictures of a building stay together
   Unique unique;
   for (const SharedPicture& picture : pictures) {
@@ -107,12 +107,9 @@ Unique unique_of(std::span<const SharedPicture> pictures) {
   return unique;
 }
 
-template <typename Is>
-bool any_texel(std::span<const SharedPicture> pictures, Is is) {
-  return std::ranges::any_of(pictures, [&](const SharedPicture& p) { return std::ranges::any_of(p->texels, is); });
+bool any_of(std::span<const SharedPicture> pictures, bool PackedPicture::*has) {
+  return std::ranges::any_of(pictures, [&](const SharedPicture& p) { return (*p).*has; });
 }
-
-bool has_slope(const Texel& texel) { return texel.slope != std::array<std::int16_t, 2>{}; }
 
 bool are_single(std::span<const SharedPicture> pictures) {
   return std::ranges::all_of(pictures, [](const SharedPicture& p) { return p->columns == 1 && p->rows == 1; });
@@ -122,12 +119,13 @@ bool are_single(std::span<const SharedPicture> pictures) {
 
 AtlasLayout lay_out_atlas(std::span<const SharedPicture> pictures, double texel_m, std::uint64_t budget) {
   AtlasLayout layout;
-  assert(texel_m > 0 && std::ranges::none_of(pictures, [](const SharedPicture& p) { return p->texels.empty(); }));
+  assert(texel_m > 0 &&
+         std::ranges::none_of(pictures, [](const SharedPicture& p) { return p->columns * p->rows == 0; }));
   if (pictures.empty()) return layout;
   Unique unique = unique_of(pictures);
   Shelves shelves = shelve_pictures(unique.pictures);
   while (!fits(shelves, budget) && !are_single(unique.pictures)) {
-    for (SharedPicture& picture : unique.pictures) picture = std::make_shared<const Picture>(halved(*picture));
+    for (SharedPicture& picture : unique.pictures) picture = shared(halved(unpacked(*picture)));
     texel_m *= 2;
     shelves = shelve_pictures(unique.pictures);
   }
@@ -135,10 +133,10 @@ AtlasLayout lay_out_atlas(std::span<const SharedPicture> pictures, double texel_
     return materials::blank_image(texel_m, shelves.columns, shelves.rows, texel);
   };
   layout.atlas = {.colour = blank({}), .surface = blank({255, 255, 0}), .emission = {}, .normal = {}};
-  if (any_texel(unique.pictures, [](const Texel& texel) { return emits(texel); })) layout.atlas.emission = blank({});
-  if (any_texel(unique.pictures, has_slope)) layout.atlas.normal = blank(normal_of({}));
+  if (any_of(unique.pictures, &PackedPicture::has_emission)) layout.atlas.emission = blank({});
+  if (any_of(unique.pictures, &PackedPicture::has_slope)) layout.atlas.normal = blank(normal_of({}));
   for (std::size_t i = 0; i < unique.pictures.size(); ++i)
-    draw_picture(*unique.pictures[i], shelves.places[i], layout.atlas);
+    draw_picture(unpacked(*unique.pictures[i]), shelves.places[i], layout.atlas);
   for (const std::size_t number : unique.number) {
     const Place& place = shelves.places[number];
     layout.at_m.push_back({(place.column + 1) * texel_m, (place.row + 1) * texel_m});

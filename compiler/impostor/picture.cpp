@@ -39,7 +39,7 @@ Texel TexelSum::mean(std::uint64_t texels) const {
   }
   mean.roughness = static_cast<std::uint8_t>(share(roughness_));
   mean.metalness = static_cast<std::uint8_t>(share(metalness_));
-  mean.shown = static_cast<std::uint8_t>((shown_ + texels - 1) / texels);
+  mean.shown = static_cast<std::uint16_t>((shown_ + texels - 1) / texels);
   return mean;
 }
 
@@ -64,9 +64,11 @@ Picture halved(const Picture& picture) {
 }
 
 PackedPicture packed(const Picture& picture) {
-  static_assert(std::is_trivially_copyable_v<Texel>);
+  static_assert(std::has_unique_object_representations_v<Texel>, "equal pictures have equal bytes");
   const auto size = static_cast<int>(picture.texels.size() * sizeof(Texel));
-  PackedPicture small{picture.columns, picture.rows,
+  const auto has_slope = [](const Texel& texel) { return texel.slope != std::array<std::int16_t, 2>{}; };
+  PackedPicture small{picture.columns, picture.rows, std::ranges::any_of(picture.texels, emits),
+                      std::ranges::any_of(picture.texels, has_slope),
                       std::vector<char>(static_cast<std::size_t>(LZ4_compressBound(size)))};
   const int packed_size = LZ4_compress_default(reinterpret_cast<const char*>(picture.texels.data()), small.bytes.data(),
                                                size, static_cast<int>(small.bytes.size()));
@@ -74,6 +76,8 @@ PackedPicture packed(const Picture& picture) {
   small.bytes.shrink_to_fit();
   return small;
 }
+
+SharedPicture shared(const Picture& picture) { return std::make_shared<const PackedPicture>(packed(picture)); }
 
 Picture unpacked(const PackedPicture& picture) {
   Picture whole{picture.columns, picture.rows, std::vector<Texel>(std::size_t{picture.columns} * picture.rows)};

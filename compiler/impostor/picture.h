@@ -20,7 +20,7 @@ inline constexpr double kSlopeUnit = 0x1p-12;
 struct Texel {
   std::array<std::uint16_t, 3> light{};  ///< Linear reflectance, 65535 = 1.
   std::uint8_t roughness = 0, metalness = 0;
-  std::uint8_t shown = 0;  ///< The number of covered samples, 0 … kSamplesPerTexel. If 0, all values are 0.
+  std::uint16_t shown = 0;  ///< The number of covered samples, 0 … kSamplesPerTexel. If 0, all values are 0.
   std::array<std::uint16_t, 3> emission{};  ///< Linear, 65535 = materials::kEmission_cd_m2.
   std::array<std::int16_t, 2> slope{};      ///< The rise towards the viewer along rows and down columns, in kSlopeUnit.
   auto operator<=>(const Texel&) const = default;
@@ -39,17 +39,22 @@ struct Picture {
   auto operator<=>(const Picture&) const = default;
 };
 
-/// A picture that many faces show.
-using SharedPicture = std::shared_ptr<const Picture>;
-
-/// A picture compressed by LZ4, without loss, to be kept in memory: pictures of windows take a twentieth.
+/// A picture compressed by LZ4, without loss, to be kept in memory: pictures of windows take a twentieth. Two are equal
+/// if and only if their pictures are.
 struct PackedPicture {
   std::uint32_t columns = 0, rows = 0;
+  bool has_emission = false, has_slope = false;  ///< True if a texel has.
   std::vector<char> bytes;
+  auto operator<=>(const PackedPicture&) const = default;
 };
+
+/// A packed picture that many faces show.
+using SharedPicture = std::shared_ptr<const PackedPicture>;
 
 /// Returns a picture packed. O(texels).
 PackedPicture packed(const Picture& picture);
+/// Returns a picture packed, to be shared. O(texels).
+SharedPicture shared(const Picture& picture);
 /// Returns the picture that packed() was given, bit for bit. O(texels): a gigabyte of texels per second.
 Picture unpacked(const PackedPicture& picture);
 

@@ -39,8 +39,8 @@ TEST(FacadeElements, ShowFramesAndGlassAtToleranceOfAFrame) {
     std::size_t windows = 0;
     for (const TexturedFace& face : house.textured_faces) {
       const auto is_pane = [](const impostor::Texel& texel) { return texel.roughness < 20; };
-      windows +=
-          std::ranges::any_of(face.picture->texels, is_pane) && !std::ranges::all_of(face.picture->texels, is_pane);
+      const impostor::Picture seen = unpacked(*face.picture);
+      windows += std::ranges::any_of(seen.texels, is_pane) && !std::ranges::all_of(seen.texels, is_pane);
     }
     EXPECT_GE(windows, 1u) << static_cast<int>(style);
     EXPECT_LE(house.error_m, 0.1);
@@ -63,7 +63,7 @@ TEST(FacadeElements, FillTheirRectangles) {
 // A run has few distinct windows: sixty houses of one style need hardly more pictures than ten.
 TEST(FacadeElements, AreSharedByHouses) {
   const ElementPictures pictures;
-  std::set<impostor::Picture> distinct;
+  std::set<impostor::PackedPicture> distinct;
   std::size_t windows = 0, after_ten = 0;
   for (std::uint64_t id = 1; id <= 60; ++id) {
     for (const TexturedFace& face : at_tolerance(house_of_style(Style::kPanelBlock, id), 0.1, pictures).textured_faces)
@@ -74,7 +74,7 @@ TEST(FacadeElements, AreSharedByHouses) {
   EXPECT_LT(10 * distinct.size(), windows);
 }
 
-TEST(FacadeElements, AreOnePictureForAllHousesInUse) {
+TEST(FacadeElements, AreOnePictureForAllHouses) {
   const ElementPictures pictures;
   const GeneratedBuilding one = at_tolerance(house_of_style(Style::kPanelBlock, 1), 0.1, pictures),
                           same = at_tolerance(house_of_style(Style::kPanelBlock, 1), 0.1, pictures);
@@ -99,9 +99,8 @@ TEST(FacadeElements, ShineByNight) {
   const ElementPictures pictures;
   const auto shines = [&](std::optional<WeekTime> night) {
     const GeneratedBuilding house = at_tolerance(house_of_style(Style::kCourtyardBlock), 0.25, pictures, night);
-    return std::ranges::any_of(house.textured_faces, [](const TexturedFace& face) {
-      return std::ranges::any_of(face.picture->texels, [](const impostor::Texel& t) { return impostor::emits(t); });
-    });
+    return std::ranges::any_of(house.textured_faces,
+                               [](const TexturedFace& face) { return face.picture->has_emission; });
   };
   EXPECT_FALSE(shines({}));
   EXPECT_TRUE(shines(WeekTime{19.5}));

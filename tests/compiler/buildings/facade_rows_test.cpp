@@ -19,9 +19,8 @@ constexpr OsmId kHouseWithRows{OsmType::kWay, 5};
 Texel grey_texel(std::uint16_t light) { return {.light = {light, light, light}, .shown = impostor::kSamplesPerTexel}; }
 
 // A window of one grey, 1 m wide and 1.5 m high.
-SharedPackedPicture grey_window(std::uint16_t light) {
-  return std::make_shared<const impostor::PackedPicture>(
-      impostor::packed(Picture{12, 18, std::vector<Texel>(12 * 18, grey_texel(light))}));
+impostor::SharedPicture grey_window(std::uint16_t light) {
+  return impostor::shared(Picture{12, 18, std::vector<Texel>(12 * 18, grey_texel(light))});
 }
 
 grammars::Face upright(Vec3 corner, Vec3 along, double high_m) {
@@ -67,7 +66,7 @@ TEST(ElementsOn, AreLeftOutOverAHole) {
 WallWithElements wall_of_grey_windows(std::size_t columns, std::size_t rows, std::uint16_t even = 9000,
                                       std::uint16_t odd = 9000) {
   WallWithElements wall{{{}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}}, grey_texel(40000), {}};
-  const SharedPackedPicture kinds[] = {grey_window(even), even == odd ? nullptr : grey_window(odd)};
+  const impostor::SharedPicture kinds[] = {grey_window(even), even == odd ? nullptr : grey_window(odd)};
   for (std::size_t r = 0; r < rows; ++r)
     for (std::size_t c = 0; c < columns; ++c) {
       const Vec2 low{1 + 3.0 * static_cast<double>(c), 1 + 3.0 * static_cast<double>(r)};
@@ -102,10 +101,11 @@ TEST(RowsOf, KeepFewWindowsApartAtFineLevels) {
 double light_times_area(const TexturedFace& face, std::size_t first, double unit_m) {
   const auto& p = face.mesh.mesh.positions;
   const Vec2 low = face.mesh.uvs[first + 3] * (1 / unit_m), high = face.mesh.uvs[first + 1] * (1 / unit_m);
+  const Picture seen = unpacked(*face.picture);
   double sum = 0, texels = 0;
   for (auto y = static_cast<std::uint32_t>(low.y + 0.5); y < static_cast<std::uint32_t>(high.y + 0.5); ++y)
     for (auto x = static_cast<std::uint32_t>(low.x + 0.5); x < static_cast<std::uint32_t>(high.x + 0.5); ++x)
-      sum += face.picture->texels[y * face.picture->columns + x].light[0], ++texels;
+      sum += seen.texels[y * seen.columns + x].light[0], ++texels;
   return sum / texels * length(p[first + 1] - p[first]) * length(p[first + 2] - p[first + 1]);
 }
 
@@ -171,7 +171,7 @@ TEST(RowsOf, ShowWindowsOfHousesAtCoarseLevels) {
       const auto is_pane = [](const Texel& texel) { return texel.roughness < 60; };
       EXPECT_TRUE(std::ranges::any_of(
           made.textured_faces,
-          [&](const TexturedFace& face) { return std::ranges::any_of(face.picture->texels, is_pane); }))
+          [&](const TexturedFace& face) { return std::ranges::any_of(unpacked(*face.picture).texels, is_pane); }))
           << static_cast<int>(style) << " at " << tolerance_m;
     }
 }

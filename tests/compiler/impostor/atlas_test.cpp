@@ -23,9 +23,9 @@ Picture random_picture(std::uint64_t seed, std::uint32_t widest) {
   return picture;
 }
 
-std::vector<SharedPicture> shared(const std::vector<Picture>& pictures) {
+std::vector<SharedPicture> all_shared(const std::vector<Picture>& pictures) {
   std::vector<SharedPicture> all;
-  for (const Picture& picture : pictures) all.push_back(std::make_shared<const Picture>(picture));
+  for (const Picture& picture : pictures) all.push_back(shared(picture));
   return all;
 }
 
@@ -46,7 +46,7 @@ At texel_at(const AtlasLayout& layout, std::size_t picture) {
 
 TEST(Atlas, ContainsEveryTexel) {
   const std::vector<Picture> pictures = random_pictures(60, 13);
-  const AtlasLayout layout = lay_out_atlas(shared(pictures), 0.5);
+  const AtlasLayout layout = lay_out_atlas(all_shared(pictures), 0.5);
   const auto& [colour, surface, emission, normal] = layout.atlas;
   EXPECT_TRUE(emission.texels.empty());
   EXPECT_TRUE(normal.texels.empty());
@@ -68,7 +68,7 @@ TEST(Atlas, HasNormalsIfAnyPictureHasSlopes) {
   std::vector<Picture> pictures = random_pictures(3, 5);
   const auto one = static_cast<std::int16_t>(1 / kSlopeUnit);
   pictures[1].texels[0].slope = {one, 0}, pictures[2].texels[0].slope = {0, one};
-  const AtlasLayout layout = lay_out_atlas(shared(pictures), 0.5);
+  const AtlasLayout layout = lay_out_atlas(all_shared(pictures), 0.5);
   const materials::TextureImage& normal = layout.atlas.normal;
   ASSERT_EQ(normal.texels.size(), layout.atlas.colour.texels.size());
   const auto first_of = [&](std::size_t picture) {
@@ -84,7 +84,7 @@ TEST(Atlas, HasNormalsIfAnyPictureHasSlopes) {
 TEST(Atlas, HasEmissionIfAnyPictureEmitsLight) {
   std::vector<Picture> pictures = random_pictures(20, 6);
   pictures[7].texels[0].emission = {65535, 30000, 0};
-  const AtlasLayout layout = lay_out_atlas(shared(pictures), 0.5);
+  const AtlasLayout layout = lay_out_atlas(all_shared(pictures), 0.5);
   const materials::TextureImage& emission = layout.atlas.emission;
   ASSERT_EQ(emission.texels.size(), layout.atlas.colour.texels.size());
   const At at = texel_at(layout, 7);
@@ -97,7 +97,7 @@ TEST(Atlas, HasEmissionIfAnyPictureEmitsLight) {
 // Blocks of two by two texels are the texels of the next mip level.
 TEST(Atlas, MixesNoTwoPicturesInTheNextMipLevel) {
   const std::vector<Picture> pictures = random_pictures(80, 9);
-  const AtlasLayout layout = lay_out_atlas(shared(pictures), 1);
+  const AtlasLayout layout = lay_out_atlas(all_shared(pictures), 1);
   const std::size_t columns = layout.atlas.colour.columns, rows = layout.atlas.colour.rows;
   ASSERT_EQ(columns % 2 + rows % 2, 0u);
   std::vector<std::size_t> owner(columns / 2 * (rows / 2), pictures.size());
@@ -115,7 +115,7 @@ TEST(Atlas, MixesNoTwoPicturesInTheNextMipLevel) {
 
 TEST(Atlas, RepeatsTheOutermostTexelsInFrames) {
   const std::vector<Picture> pictures = {random_picture(7, 6)};
-  const AtlasLayout layout = lay_out_atlas(shared(pictures), 1);
+  const AtlasLayout layout = lay_out_atlas(all_shared(pictures), 1);
   const auto& colour = layout.atlas.colour;
   ASSERT_EQ(colour.texels.size(), std::size_t{colour.columns} * colour.rows);
   ASSERT_GE(colour.rows, pictures[0].rows + 2);
@@ -128,9 +128,9 @@ TEST(Atlas, RepeatsTheOutermostTexelsInFrames) {
 
 TEST(Atlas, StoresEqualPicturesOnce) {
   std::vector<Picture> pictures = random_pictures(10, 9);
-  const AtlasLayout once = lay_out_atlas(shared(pictures), 1);
+  const AtlasLayout once = lay_out_atlas(all_shared(pictures), 1);
   for (std::size_t i = 0; i < 10; ++i) pictures.push_back(pictures[i]);
-  const AtlasLayout twice = lay_out_atlas(shared(pictures), 1);
+  const AtlasLayout twice = lay_out_atlas(all_shared(pictures), 1);
   EXPECT_EQ(once.atlas, twice.atlas);
   for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(twice.at_m[i], twice.at_m[i + 10]);
 }
@@ -141,7 +141,7 @@ TEST(Atlas, DoublesTexelsUntilTheBudgetHolds) {
     pictures.push_back({1000, 1000, std::vector<Texel>(1000000)});
     pictures.back().texels[i].roughness = 9, pictures.back().texels[i].shown = 1;
   }
-  const AtlasLayout layout = lay_out_atlas(shared(pictures), 0.5);
+  const AtlasLayout layout = lay_out_atlas(all_shared(pictures), 0.5);
   EXPECT_LE(layout.atlas.colour.texels.size(), kMaxAtlasTexels);
   EXPECT_GT(4 * layout.atlas.colour.texels.size(), kMaxAtlasTexels / 2);
   const double doublings = layout.atlas.colour.texel_m / 0.5;
@@ -152,7 +152,7 @@ TEST(Atlas, IsMostlyPictures) {
   const std::vector<Picture> pictures = random_pictures(300, 60);
   std::uint64_t texels = 0;
   for (const Picture& p : pictures) texels += p.texels.size();
-  EXPECT_LT(lay_out_atlas(shared(pictures), 1).atlas.colour.texels.size(), 2 * texels);
+  EXPECT_LT(lay_out_atlas(all_shared(pictures), 1).atlas.colour.texels.size(), 2 * texels);
 }
 
 TEST(Atlas, OfNothingIsNone) { EXPECT_EQ(lay_out_atlas({}, 1).atlas, Atlas{}); }
