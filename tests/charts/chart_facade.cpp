@@ -26,7 +26,7 @@ constexpr std::size_t kHouses = 4;
 constexpr double kWindow_m = 12.8;
 constexpr int kFewestFacadePixels = 5, kMostFacadePixels = 256;
 /// Samples of all pixels together, so that small pictures have the same noise as large ones.
-constexpr int kFacadeSamples = 48 * 128 * 128, kFewestFacadeSamples = 24;
+constexpr int kFacadeSamples = 12 * 128 * 128, kFewestFacadeSamples = 24;
 /// Distance and width in pixels of the second picture.
 constexpr double kPictureDistance_m = 100;
 constexpr int kPictureSize_px = 160;
