@@ -115,7 +115,7 @@ void bake_things(Baking& baking, const std::vector<PlacedThing>& things, const P
 // at which normals are shown too.
 bool shows_planar_texture(const LayeredMesh& part, double tolerance_m) {
   const bool is_built = part.layer == Layer::kProps || part.layer == Layer::kStructures;
-  return is_built && has_detail(Detail::kGroundNormals, tolerance_m) && has_texture(part.mesh.material, tolerance_m) &&
+  return is_built && has_texture(part.mesh.material, tolerance_m) &&
          !has_holes(part.mesh.material);
 }
 
