@@ -122,8 +122,8 @@ PatternFields seams(std::uint32_t px, std::uint64_t key) {
 // dried puddles; some sheets were renewed.
 PatternFields felt(std::uint32_t px, std::uint64_t key) {
   constexpr std::uint32_t kRolls = 16;
-  const Field grit = random_values(px, key), clouds = layered_noise(px, {11, 11}, 5, 0.7, key + 1),
-              puddles = layered_noise(px, {10, 10}, 4, 0.5, key + 2), sway = gradient_noise(px, {3, 12}, key + 3);
+  const Field grit = random_values(px, key), clouds = layered_noise(px, {13, 13}, 5, 0.7, key + 1),
+              puddles = layered_noise(px, {13, 13}, 4, 0.5, key + 2), sway = gradient_noise(px, {3, 12}, key + 3);
   const Field rolls = random_values(kRolls, key + 4);
   return by_texel(px, [&](auto c, auto r) -> SheetTexel {
     const double u = (c + 0.5) / px + 0.0006 * sway.at(c, r), v = (r + 0.5) / px, across = u * kRolls + kRolls;
@@ -136,8 +136,8 @@ PatternFields felt(std::uint32_t px, std::uint64_t key) {
                  puddle = step(puddles.at(c, r), 0.26, 0.24);
     const double chance = rolls.at(roll, 6 + sheet), mend = chance > 0.93 ? 1 : 0;
     const double s = grit.at(c, r) - 0.5, own = rolls.at(roll, 2 + sheet) - 0.5;
-    return {0.45 * s + 0.80 * clouds.at(c, r) + 0.40 * own - 0.8 * edge - 0.7 * end + 0.35 * rim - 0.2 * mend,
-            0.5 * s + 0.9 * (part < 0.08 ? 1 : 0) - edge, 0.45 * puddle + 0.35 * mend, 1.2 * s - 0.8 * puddle - edge};
+    return {0.45 * s + 0.70 * clouds.at(c, r) + 0.30 * own - 0.8 * edge - 0.7 * end + 0.35 * rim - 0.1 * mend,
+            0.5 * s + 0.9 * (part < 0.08 ? 1 : 0) - edge, 0.35 * puddle + 0.15 * mend, 1.2 * s - 0.8 * puddle - edge};
   });
 }
 
@@ -167,7 +167,7 @@ struct Stones {
   SheetTexel at(std::uint32_t c, std::uint32_t r) const {
     const double s = stone.at(c, r), light = s * s * s * s - 0.2, g = grit.at(c, r), cloud = clouds.at(c, r);
     const double oil = step(blots.at(c, r), 0.46, 0.16);
-    return {0.85 * light + 0.35 * g + 0.75 * cloud - 0.6 * oil, 0.8 * light + 0.5 * g, 0.3 * oil,
+    return {0.85 * light + 0.35 * g + 0.70 * cloud - 0.5 * oil, 0.8 * light + 0.5 * g, 0.2 * oil,
             0.6 * g - 0.6 * light + 0.6 * cloud - oil};
   }
 };
@@ -182,16 +182,16 @@ struct AsphaltCracks {
 
   void add(std::uint32_t c, std::uint32_t r, SheetTexel& t) const {
     const double tired = where.at(c, r), hair = crack(net.at(c, r), tired, 0.022);
-    const double band = (1 - step(std::abs(bends.at(c, r)), 0.016, 0.012)) * step(-tired, 0.14, 0.05);
+    const double band = (1 - step(std::abs(bends.at(c, r)), 0.016, 0.012)) * step(-tired, 0.21, 0.05);
     t.tone -= 2.2 * hair, t.relief += 0.6 * band - 3 * hair, t.rough += 0.5 * hair - 1.5 * band;
-    t.accent = std::max(t.accent, 0.8 * band);
+    t.accent = std::max(t.accent, 0.6 * band);
   }
 };
 
 }  // namespace
 
 PatternFields asphalt(std::uint32_t px, std::uint64_t key) {
-  const Stones stones(px, 7, key);
+  const Stones stones(px, 9, key);
   return by_texel(px, [&](auto c, auto r) {
     SheetTexel t = stones.at(c, r);
     t.accent = 0;
@@ -200,7 +200,7 @@ PatternFields asphalt(std::uint32_t px, std::uint64_t key) {
 }
 
 PatternFields worn_asphalt(std::uint32_t px, std::uint64_t key) {
-  const Stones stones(px, 7, key);
+  const Stones stones(px, 9, key);
   const AsphaltCracks cracks(px, {7, 7}, key + 3);
   return by_texel(px, [&](auto c, auto r) {
     SheetTexel t = stones.at(c, r);

@@ -179,8 +179,8 @@ bool has_normals(Material material, double tolerance_m) {
 
 bool has_no_units(Material material) {
   using enum TexturePattern;
-  constexpr TexturePattern kWithoutUnits[] = {kBlades, kTufts,  kLitter, kMottled, kGrains,      kStones,
-                                              kCrags,  kRender, kCast,   kGravelBed, kAsphalt, kWornAsphalt, kRipples};
+  constexpr TexturePattern kWithoutUnits[] = {kBlades, kTufts, kLitter,    kMottled, kGrains,      kStones, kCrags,
+                                              kRender, kCast,  kGravelBed, kAsphalt, kWornAsphalt, kRipples};
   const Row* row = row_of(material);
   return row != nullptr && std::ranges::find(kWithoutUnits, row->pattern) != std::end(kWithoutUnits);
 }
