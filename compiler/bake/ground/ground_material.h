@@ -17,7 +17,7 @@ struct GroundFace {
   bool is_beside_road = false;  ///< True if it shares a corner with a paved surface.
   bool is_vertical = false;     ///< True for built vertical faces: retaining walls, quays, kerbs.
   ground::DryShares dry{};      ///< The straw and bare ground of its class at its place.
-  /// What grows here where land is steep and unmapped (wild_cover.h); empty where nothing is assumed.
+  /// The material of steep unmapped land here (wild_cover.h); empty where nothing is assumed.
   std::optional<materials::Material> wild{};
 };
 

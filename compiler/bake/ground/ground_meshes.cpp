@@ -86,7 +86,7 @@ ground::DryShares dry_shares_at(const CellContext& d, map::LandCoverClass cover,
                   : ground::DryShares{};
 }
 
-// What grows on a face if nothing is mapped there; empty where that is not assumed, or the face is not steep.
+// The material of a face as wild land; empty where that is not assumed, or the face is not steep and unmapped.
 std::optional<Material> wild_at(const CellContext& d, const GroundFace& face) {
   constexpr double kGentlest = kWildSlopeCosine + 0.05;  // is_wild() sways less
   const bool is_asked = d.header.has_wild_slopes && face.surface == map::LandCoverClass::kUnknown;

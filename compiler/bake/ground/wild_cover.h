@@ -1,4 +1,4 @@
-// What grows on steep land of which the map says nothing: slopes that are too steep to build on, to mow and to plough.
+// The cover of steep land of which the map says nothing: slopes that are too steep to build on, to mow and to plough.
 #pragma once
 
 #include <optional>

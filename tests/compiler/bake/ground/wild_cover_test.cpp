@@ -10,7 +10,7 @@ using climate::ClimateMix;
 using materials::Material;
 
 // The normal of a slope along x, of this rise in metres per metre.
-Vec3 slope(double rise) { return unit(Vec3{-rise, 0, 1}); }
+Vec3 normal_rising(double rise) { return unit(Vec3{-rise, 0, 1}); }
 
 TEST(WildCover, IsScrubUpToTheTreeLineAndMeadowAboveIt) {
   for (const ClimateClass climate : {ClimateClass::kCfb, ClimateClass::kCsa, ClimateClass::kDfb, ClimateClass::kAf}) {
@@ -27,15 +27,15 @@ TEST(WildCover, IsNothingInDesertsAndUnderIce) {
 TEST(WildCover, BeginsAtAbout25Degrees) {
   for (int i = 0; i < 200; ++i) {
     const Vec3 at{7.0 * i, 3.0 * i, 0};
-    EXPECT_FALSE(is_wild(slope(0.36), at, 1));  // 20 degrees
-    EXPECT_TRUE(is_wild(slope(0.58), at, 1));   // 30 degrees
+    EXPECT_FALSE(is_wild(normal_rising(0.36), at, 1));  // 20 degrees
+    EXPECT_TRUE(is_wild(normal_rising(0.58), at, 1));   // 30 degrees
   }
 }
 
 TEST(WildCover, HasMoreRockTheSteeperItIs) {
   const auto rocks = [](double rise) {
     int count = 0;
-    for (int i = 0; i < 500; ++i) count += is_bare_rock(slope(rise), {7.0 * i, 3.0 * i, 0}, 1);
+    for (int i = 0; i < 500; ++i) count += is_bare_rock(normal_rising(rise), {7.0 * i, 3.0 * i, 0}, 1);
     return count;
   };
   EXPECT_EQ(rocks(0.6), 0);                // 31 degrees
