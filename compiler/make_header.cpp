@@ -149,7 +149,8 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
                        .attributions = {std::string(kOsmCredit)},
                        .snow_line_m = spec.snow_line_m,
                        .around = std::move(*around),
-                       .climate = climate_of(plane, extent)};
+                       .climate = climate_of(plane, extent),
+                       .has_wild_slopes = has(spec.assume, Assumption::kSurfaces)};
   if (!header.snow_line_m && climate::is_under_snow(header.climate.origin_class, scene::local_month_of(header)))
     header.snow_line_m = kBelowAllLand_m;
   for (const source::RasterSpec& raster : spec.rasters) header.sources.push_back(file_name_of(raster.path));

@@ -111,12 +111,21 @@ void bake_things(Baking& baking, const std::vector<PlacedThing>& things, const P
   report.account("bake", "thing") = account;
 }
 
-// Walls beside streets, bridges and piers have no coordinates of their own. They are worth their bytes at tolerances
-// at which normals are shown too.
+// The mean area of a mesh's triangles.
+double mean_triangle_m2(const Mesh& mesh) {
+  double twice_m2 = 0;
+  for (const Triangle& t : mesh.triangles)
+    twice_m2 += length(cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]));
+  return mesh.triangles.empty() ? 0 : twice_m2 / 2 / static_cast<double>(mesh.triangles.size());
+}
+
+// Walls beside streets, bridges and piers have no coordinates of their own. At tolerances that show no bumps,
+// coordinates are worth their bytes on meshes of large faces, such as walls, not on the ribs and posts of others.
 bool shows_planar_texture(const LayeredMesh& part, double tolerance_m) {
+  constexpr double kLeastMean_m2 = 0.4;
   const bool is_built = part.layer == Layer::kProps || part.layer == Layer::kStructures;
-  return is_built && has_detail(Detail::kGroundNormals, tolerance_m) && has_texture(part.mesh.material, tolerance_m) &&
-         !has_holes(part.mesh.material);
+  if (!is_built || !has_texture(part.mesh.material, tolerance_m) || has_holes(part.mesh.material)) return false;
+  return has_detail(Detail::kGroundNormals, tolerance_m) || mean_triangle_m2(part.mesh.mesh) >= kLeastMean_m2;
 }
 
 // Frees each mesh when it is merged, so that no tile is held twice.

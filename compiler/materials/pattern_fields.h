@@ -58,8 +58,10 @@ PatternFields shutters(std::uint32_t px, std::uint64_t key);
 PatternFields corrugations(std::uint32_t px, std::uint64_t key);
 PatternFields seams(std::uint32_t px, std::uint64_t key);
 PatternFields felt(std::uint32_t px, std::uint64_t key);
+PatternFields gravel_bed(std::uint32_t px, std::uint64_t key);
 PatternFields asphalt(std::uint32_t px, std::uint64_t key);
 PatternFields worn_asphalt(std::uint32_t px, std::uint64_t key);
+PatternFields lanes(std::uint32_t px, std::uint64_t key);
 PatternFields cast(std::uint32_t px, std::uint64_t key);
 PatternFields ripples(std::uint32_t px, std::uint64_t key);
 

@@ -1,5 +1,5 @@
-// Patterns of surfaces that are spread, cast or rolled out: render, concrete, metal sheets, bitumen sheets, asphalt,
-// sand.
+// Patterns of surfaces that are spread, cast or rolled out: render, concrete, metal sheets, bitumen sheets, gravel,
+// asphalt, sand.
 #include <algorithm>
 #include <cmath>
 
@@ -118,53 +118,126 @@ PatternFields seams(std::uint32_t px, std::uint64_t key) {
   });
 }
 
-// Bitumen sheets in rolls 1 m wide on 4 m, lapped by 80 mm (EN 13707 rolls; DIN 18531 laps), with dried puddles.
+// Bitumen sheets in rolls 1 m wide on 16 m, lapped by 80 mm (EN 13707 rolls; DIN 18531 laps), each 4 m long here, with
+// dried puddles; some sheets were renewed.
 PatternFields felt(std::uint32_t px, std::uint64_t key) {
-  const Field grit = random_values(px, key), clouds = layered_noise(px, {9, 9}, 5, 0.65, key + 1),
-              puddles = layered_noise(px, {6, 6}, 4, 0.5, key + 2), sway = gradient_noise(px, {3, 12}, key + 3);
-  const Field rolls = random_values(8, key + 4);
+  constexpr std::uint32_t kRolls = 16;
+  const Field grit = random_values(px, key), clouds = layered_noise(px, {13, 13}, 5, 0.7, key + 1),
+              puddles = layered_noise(px, {13, 13}, 4, 0.5, key + 2), sway = gradient_noise(px, {3, 12}, key + 3);
+  const Field rolls = random_values(kRolls, key + 4);
   return by_texel(px, [&](auto c, auto r) -> SheetTexel {
-    const double u = (c + 0.5) / px + 0.0015 * sway.at(c, r), v = (r + 0.5) / px, part = u * 4 - std::floor(u * 4);
-    const auto roll = static_cast<std::uint32_t>(u * 4 + 4) % 4;
-    const double edge = 1 - step(std::min(part, 1 - part), 0.008, 0.010),
-                 weld = 1 - step(std::abs(part - 0.08), 0.012, 0.015);
-    const double end = 1 - step(off_lines(v + rolls.at(roll, 1), 1) * 4, 0.010, 0.010);
+    const double u = (c + 0.5) / px + 0.0006 * sway.at(c, r), v = (r + 0.5) / px, across = u * kRolls + kRolls;
+    const auto roll = static_cast<std::uint32_t>(across) % kRolls;
+    const double along = v * 4 + rolls.at(roll, 1), part = across - std::floor(across);
+    const auto sheet = static_cast<std::uint32_t>(along) % 4;
+    const double edge = 1 - step(std::min(part, 1 - part), 0.030, 0.030),
+                 end = 1 - step(off_lines(along, 1) * 4, 0.030, 0.030);
     const double rim = 1 - std::min(1.0, std::abs(puddles.at(c, r) - 0.16) / 0.05),
-                 puddle = step(puddles.at(c, r), 0.24, 0.22);
-    const double s = grit.at(c, r) - 0.5;
-    return {0.8 * s + 0.5 * clouds.at(c, r) + 0.35 * (rolls.at(roll, 0) - 0.5) - 0.9 * edge - 0.5 * end + 0.3 * weld +
-                0.35 * rim - 0.15 * puddle,
-            0.5 * s + 0.9 * (part < 0.08 ? 1 : 0) - edge, 0.55 * puddle, 1.2 * s - 0.8 * puddle - edge};
+                 puddle = step(puddles.at(c, r), 0.26, 0.24);
+    const double chance = rolls.at(roll, 6 + sheet), mend = chance > 0.93 ? 1 : 0;
+    const double s = grit.at(c, r) - 0.5, own = rolls.at(roll, 2 + sheet) - 0.5;
+    return {0.45 * s + 0.70 * clouds.at(c, r) + 0.30 * own - 0.8 * edge - 0.7 * end + 0.35 * rim - 0.1 * mend,
+            0.5 * s + 0.9 * (part < 0.08 ? 1 : 0) - edge, 0.35 * puddle + 0.15 * mend, 1.2 * s - 0.8 * puddle - edge};
+  });
+}
+
+// Gravel that wind has moved about, of single texels: DIN 18531 asks for stones of 16 to 32 mm. Moss grows where it is
+// thin.
+PatternFields gravel_bed(std::uint32_t px, std::uint64_t key) {
+  const Field stones = random_values(px, key), drifts = layered_noise(px, {10, 10}, 4, 0.7, key + 1),
+              moss = layered_noise(px, {9, 9}, 5, 0.65, key + 2);
+  return by_texel(px, [&](auto c, auto r) -> SheetTexel {
+    const double stone = stones.at(c, r) - 0.5, drift = drifts.at(c, r);
+    return {1.1 * stone + 0.9 * drift, stone + 0.5 * drift, 0.7 * step(moss.at(c, r) - 0.3 * drift, 0.30, 0.45), stone};
   });
 }
 
 namespace {
 
-// Stones of up to 11 mm (EN 13108-1, AC 11) in bitumen on 4 m, polished where wheels roll.
-SheetTexel asphalt_texel(double stone, double grit, double clouds, double hair, double repair, double rim) {
-  return {0.6 * stone + 0.55 * grit + 0.35 * clouds - 2.2 * hair - 0.5 * repair - 0.9 * rim,
-          0.8 * stone + 0.5 * grit - 3 * hair - rim, 0, 0.6 * grit - 0.6 * stone + 0.6 * clouds + 0.5 * hair - repair};
-}
+// Stones of up to 11 mm (EN 13108-1, AC 11) in bitumen, on a square of 4 m or more.
+struct Stones {
+  Field stone, grit, clouds, blots;
+  Stones(std::uint32_t px, std::uint32_t cloud_waves, std::uint64_t key)
+      : stone(random_values(px, key)),
+        grit(layered_noise(px, {px / 4, px / 4}, 2, 1, key + 1)),
+        clouds(layered_noise(px, {cloud_waves, cloud_waves}, 5, 0.75, key + 2)),
+        blots(gradient_noise(px, {cloud_waves + 2, cloud_waves + 2}, key + 9)) {}
+
+  // Light stones stand out where traffic wore the bitumen off them, and drops of oil are dark.
+  SheetTexel at(std::uint32_t c, std::uint32_t r) const {
+    const double s = stone.at(c, r), light = s * s * s * s - 0.2, g = grit.at(c, r), cloud = clouds.at(c, r);
+    const double oil = step(blots.at(c, r), 0.46, 0.16);
+    return {0.85 * light + 0.35 * g + 0.70 * cloud - 0.5 * oil, 0.8 * light + 0.5 * g, 0.2 * oil,
+            0.6 * g - 0.6 * light + 0.6 * cloud - oil};
+  }
+};
+
+// Cracks of asphalt: open ones are thin, and bands of bitumen fill others.
+struct AsphaltCracks {
+  Field net, where, bends;
+  AsphaltCracks(std::uint32_t px, WaveCounts waves, std::uint64_t key)
+      : net(layered_noise(px, waves, 5, 0.55, key)),
+        where(layered_noise(px, {5, 5}, 3, 0.6, key + 1)),
+        bends(layered_noise(px, {waves.across / 2 + 1, waves.along / 2 + 1}, 3, 0.35, key + 2)) {}
+
+  void add(std::uint32_t c, std::uint32_t r, SheetTexel& t) const {
+    const double tired = where.at(c, r), hair = crack(net.at(c, r), tired, 0.022);
+    const double band = (1 - step(std::abs(bends.at(c, r)), 0.016, 0.012)) * step(-tired, 0.21, 0.05);
+    t.tone -= 2.2 * hair, t.relief += 0.6 * band - 3 * hair, t.rough += 0.5 * hair - 1.5 * band;
+    t.accent = std::max(t.accent, 0.6 * band);
+  }
+};
 
 }  // namespace
 
 PatternFields asphalt(std::uint32_t px, std::uint64_t key) {
-  const Field stones = random_values(px, key), grit = layered_noise(px, {px / 4, px / 4}, 2, 1, key + 1),
-              clouds = layered_noise(px, {7, 7}, 4, 0.7, key + 2);
+  const Stones stones(px, 9, key);
   return by_texel(px, [&](auto c, auto r) {
-    const double stone = stones.at(c, r);
-    return asphalt_texel(stone * stone - 0.33, grit.at(c, r), clouds.at(c, r), 0, 0, 0);
+    SheetTexel t = stones.at(c, r);
+    t.accent = 0;
+    return t;
   });
 }
 
-// Asphalt with cracks where it is tired.
 PatternFields worn_asphalt(std::uint32_t px, std::uint64_t key) {
-  const Field stones = random_values(px, key), grit = layered_noise(px, {px / 4, px / 4}, 2, 1, key + 1),
-              clouds = layered_noise(px, {7, 7}, 4, 0.7, key + 2), net = layered_noise(px, {7, 7}, 5, 0.55, key + 3),
-              tired = layered_noise(px, {5, 5}, 3, 0.6, key + 4);
+  const Stones stones(px, 9, key);
+  const AsphaltCracks cracks(px, {7, 7}, key + 3);
   return by_texel(px, [&](auto c, auto r) {
-    const double stone = stones.at(c, r), hair = crack(net.at(c, r), tired.at(c, r), 0.022);
-    return asphalt_texel(stone * stone - 0.33, grit.at(c, r), clouds.at(c, r), hair, 0, 0);
+    SheetTexel t = stones.at(c, r);
+    cracks.add(c, r, t);
+    return t;
+  });
+}
+
+namespace {
+
+// The wear of a street of two lanes, as shares of its width from a gutter to the middle. Wheels of most cars are 1.5 m
+// apart; streets are about 6 m wide.
+struct LaneWear {
+  double track = 0, oil = 0, gutter = 0, seam = 0;
+};
+LaneWear lane_wear(double across, double sway) {
+  const double u = std::min(across, 1 - across) + sway;
+  const auto bump = [&](double at, double wide) { return 1 - step(std::abs(u - at), wide / 2, wide); };
+  return {std::max(bump(0.155, 0.10), bump(0.390, 0.10)), bump(0.27, 0.10), 1 - step(u, 0.045, 0.09),
+          1 - step(std::abs(across - 0.5 + 0.3 * sway), 0.004, 0.004)};
+}
+
+}  // namespace
+
+PatternFields lanes(std::uint32_t px, std::uint64_t key) {
+  const Stones stones(px, 9, key);
+  const AsphaltCracks cracks(px, {14, 9}, key + 3);
+  const Field sway = gradient_noise(px, {1, 5}, key + 7), worn = layered_noise(px, {12, 7}, 3, 0.7, key + 8);
+  return by_texel(px, [&](auto c, auto r) {
+    SheetTexel t = stones.at(c, r);
+    cracks.add(c, r, t);
+    const double varied = 1 + 0.7 * worn.at(c, r);
+    const LaneWear wear = lane_wear((c + 0.5) / px, 0.012 * sway.at(c, r));
+    const double open = wear.seam * step(worn.at(c, r), -0.1, 0.2);
+    t.tone += varied * (0.75 * wear.track - 0.40 * wear.oil - 0.80 * wear.gutter) - 1.3 * open;
+    t.rough += 0.6 * wear.gutter - 0.8 * wear.track, t.relief -= 1.5 * open;
+    return t;
   });
 }
 

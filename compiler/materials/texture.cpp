@@ -179,10 +179,15 @@ bool has_normals(Material material, double tolerance_m) {
 
 bool has_no_units(Material material) {
   using enum TexturePattern;
-  constexpr TexturePattern kWithoutUnits[] = {kBlades, kTufts,  kLitter, kMottled, kGrains,      kStones,
-                                              kCrags,  kRender, kCast,   kAsphalt, kWornAsphalt, kRipples};
+  constexpr TexturePattern kWithoutUnits[] = {kBlades, kTufts, kLitter,    kMottled, kGrains,      kStones, kCrags,
+                                              kRender, kCast,  kGravelBed, kAsphalt, kWornAsphalt, kRipples};
   const Row* row = row_of(material);
   return row != nullptr && std::ranges::find(kWithoutUnits, row->pattern) != std::end(kWithoutUnits);
+}
+
+bool runs_along_lanes(Material material) {
+  const Row* row = row_of(material);
+  return row != nullptr && row->pattern == TexturePattern::kLanes;
 }
 
 double texture_side_m(Material material) {

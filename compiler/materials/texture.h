@@ -73,6 +73,9 @@ bool has_holes(Material material);
 /// blended anywhere.
 bool has_no_units(Material material);
 
+/// True if the texture shows the lanes of a street along v: patches of it can be blended if they move along v alone.
+bool runs_along_lanes(Material material);
+
 /// Returns the side of the material's texture, metres; 0 if it has none.
 double texture_side_m(Material material);
 

@@ -38,12 +38,14 @@ enum class TexturePattern : std::uint8_t {
   kCast,           ///< Brushed concrete.
   kCorrugations,   ///< Corrugated sheet along v, 77 mm apart on 2 m.
   kSeams,          ///< Sheet metal with standing seams along v, 0.5 m apart on 4 m.
-  kFelt,           ///< Rolls of bitumen sheet along v, 1 m wide on 4 m.
+  kFelt,           ///< Rolls of bitumen sheet along v, 1 m wide on 16 m, with patches and dried puddles.
+  kGravelBed,      ///< Gravel of 16 to 32 mm on a roof of 8 m, with moss.
   kAsphalt,        ///< Asphalt.
-  kWornAsphalt,    ///< Asphalt with hair cracks.
-  kRipples,        ///< Sand with ripples along u, 0.1 m apart on 4 m.
-  kWaves,          ///< Water; brightness is constant.
-  kBars,           ///< A railing: eight bars along v below a rail, with holes between; brightness is constant.
+  kWornAsphalt,    ///< Asphalt with cracks, some filled with bitumen.
+  kLanes,    ///< Worn asphalt of two lanes along v, from gutter to gutter: four wheel tracks, a seam between lanes.
+  kRipples,  ///< Sand with ripples along u, 0.1 m apart on 4 m.
+  kWaves,    ///< Water; brightness is constant.
+  kBars,     ///< A railing: eight bars along v below a rail, with holes between; brightness is constant.
   // Bark; v runs along the stem.
   kFurrows,    ///< Ridges along the stem that part and join: oak.
   kStreaks,    ///< Faint streaks across the stem: beech.

@@ -63,6 +63,7 @@ struct Header {
   std::vector<buildings::RuleText> things{};
   surroundings::Surroundings around{};  ///< The land and sea beyond the extent; may be empty.
   climate::ClimateField climate = climate::uniform_climate(climate::ClimateClass::kCfb);
+  bool has_wild_slopes = true;  ///< Steep land that is not mapped is taken to be scrub and rock (--assume surfaces).
   bool operator==(const Header&) const = default;
 };
 

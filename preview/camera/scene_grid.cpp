@@ -46,7 +46,8 @@ bool is_built(Material material) {
 }
 
 bool is_street(Material material) {
-  return material == Material::kAsphalt || material == Material::kOldAsphalt || material == Material::kPaving;
+  return material == Material::kAsphalt || material == Material::kOldAsphalt || material == Material::kStreetAsphalt ||
+         material == Material::kPaving;
 }
 
 SceneGrid::SceneGrid(std::span<const bake::BakedTile> tiles)

@@ -27,7 +27,7 @@ MaterialTexture::MaterialTexture(const materials::Texture& texture)
   const bool is_water = texture.material == Material::kWater || texture.material == Material::kSea ||
                         texture.material == Material::kPoolWater;
   const auto& colour = texture.colour;
-  if (!colour.texels.empty() && materials::has_no_units(texture.material))
+  if (!colour.texels.empty() && (materials::has_no_units(texture.material) || runs_along_lanes(texture.material)))
     blended_.emplace(colour);
   else if (!colour.texels.empty())
     colour_.emplace(colour, TexelMeaning::kColours, WrapMode::kRepeat);
@@ -45,7 +45,9 @@ std::size_t MaterialTexture::bytes() const {
 BlendedPatches MaterialTexture::patches(const TextureFootprint& footprint, double period_m) const {
   const Vec2 at = footprint.centre;
   if (!blended_ || !std::isfinite(at.x + at.y)) return {{}, {1, 0, 0}};
-  const BlendedPatches all = patches_at(at, side_m(*texture_), period_m);
+  BlendedPatches all = patches_at(at, side_m(*texture_), period_m);
+  if (runs_along_lanes(texture_->material))
+    for (Vec2& offset : all.offsets_m) offset.x = 0;
   return footprint.is_rough ? largest_only(all) : all;
 }
 

@@ -11,7 +11,8 @@ namespace citykiln::preview {
 
 /// The textures of a material. Refers to the texture, which must outlive this object. Water has no normals here, since
 /// its waves (water_waves.h) never repeat. Patterns without units, such as gravel, do not repeat either: patches of
-/// them are blended (tile_blending.h). Patterns with units, such as bricks, repeat, and vary in brightness over metres.
+/// them are blended (tile_blending.h), of lanes along these. Patterns with units, such as bricks, repeat, and vary in
+/// brightness over metres.
 class MaterialTexture {
  public:
   explicit MaterialTexture(const materials::Texture& texture);

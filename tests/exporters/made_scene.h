@@ -135,6 +135,7 @@ class SceneMaker {
     h.sky.clouds = {{sky::CloudKind::kCumulus, 0.4, 1500, 2300, {3, -4}, 7},
                     {sky::CloudKind::kCirrus, 1, 8000, 8100, {}, 0}};
     if (h.seed % 2 == 0) h.snow_line_m = 2200.5;
+    h.has_wild_slopes = h.seed % 3 != 0;
     if (h.seed % 4 < 2) h.around = surroundings();
     h.rules = {{"house.cga", "Building --> Wall."}, {"parts/door.cga", "Door --> NIL\n"}};
     if (h.seed % 3 < 2) h.things = {{"bench", "bench amenity=bench"}, {"bench.cga", "Thing --> Seat."}};

@@ -1,6 +1,7 @@
 #include "compiler/bake/ground/ground_material.h"
 
 #include "compiler/bake/ground/dry_ground.h"
+#include "compiler/bake/ground/wild_cover.h"
 #include "compiler/materials/noise.h"
 
 namespace citykiln::bake {
@@ -46,6 +47,9 @@ Material material_of(const GroundFace& face, const std::optional<double>& snow_l
   if (face.is_vertical) return Material::kStone;
   const bool is_snowed = snow_line_m && face.normal.z >= kSnowCosine && is_above(face.centre, *snow_line_m, seed);
   if (is_snowed) return Material::kSnow;
+  const bool may_be_wild = face.wild && face.surface == map::LandCoverClass::kUnknown && !face.is_beside_road;
+  if (face.normal.z >= kSteepCosine && may_be_wild && is_wild(face.normal, face.centre, seed))
+    return is_bare_rock(face.normal, face.centre, seed) ? Material::kRock : *face.wild;
   if (face.normal.z >= kSteepCosine) return dry_material_of(face.surface, face.dry);
   return is_town(values.group) || face.is_beside_road ? Material::kStone : Material::kRock;
 }

@@ -11,9 +11,11 @@
 #include "compiler/bake/ground/ground_material.h"
 #include "compiler/bake/ground/ground_tint.h"
 #include "compiler/bake/ground/ground_uvs.h"
+#include "compiler/bake/ground/wild_cover.h"
 #include "compiler/bake/merge.h"
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/materials/texture.h"
+#include "compiler/plants/species_mix.h"
 #include "compiler/roads/markings/marking_atlas.h"
 
 namespace citykiln::bake {
@@ -84,6 +86,15 @@ ground::DryShares dry_shares_at(const CellContext& d, map::LandCoverClass cover,
                   : ground::DryShares{};
 }
 
+// The material of a face as wild land; empty where that is not assumed, or the face is not steep and unmapped.
+std::optional<Material> wild_at(const CellContext& d, const GroundFace& face) {
+  constexpr double kGentlest = kWildSlopeCosine + 0.05;  // is_wild() sways less
+  const bool is_asked = d.header.has_wild_slopes && face.surface == map::LandCoverClass::kUnknown;
+  if (!is_asked || face.normal.z > kGentlest) return std::nullopt;
+  return wild_material(climate_mix_at(d.header.climate, in_plan(face.centre)),
+                       plants::belt_m_at(d.header.origin.lat_deg, face.centre.z));
+}
+
 // The flatter one of the face's own normal and of its corners' mean, since rounding may turn slivers any way.
 Vec3 slope_of(const Mesh& mesh, std::size_t face) {
   const Triangle& t = mesh.triangles[face];
@@ -96,6 +107,18 @@ Vec3 centre_of(const Mesh& mesh, std::size_t face) {
   return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) * (1.0 / 3);
 }
 
+// The widest street whose two lanes one texture shows, stretched, and the widest one of a single lane.
+constexpr double kWidestStreet_m = 11, kWidestLane_m = 4.2;
+
+// True for unmarked asphalt from kerb to kerb, which shows the texture of a street (on_street).
+bool is_unmarked_street(const CellContext& d, std::uint32_t surface, Material material) {
+  const roads::Piece* piece = piece_of(d.cover, surface);
+  return piece && material == Material::kOldAsphalt && piece->frame.left_u_m == 0 &&
+         piece->frame.width_m <= kWidestStreet_m && !column_of_piece(d.markings, piece) &&
+         map::values_of(piece->surface).group == map::LandCoverGroup::kRoad &&
+         has_texture(Material::kStreetAsphalt, d.tolerance_m);
+}
+
 std::vector<Material> materials_of_faces(const CellContext& d) {
   const std::vector<bool> is_beside = beside_roads(d);
   const Mesh& mesh = d.ground.mesh;
@@ -105,8 +128,10 @@ std::vector<Material> materials_of_faces(const CellContext& d) {
     GroundFace face{class_of(d.cover, d.ground.face_cover[f]), slope_of(mesh, f), centre_of(mesh, f)};
     face.is_vertical = f >= d.ground.first_vertical;
     face.dry = dry_shares_at(d, face.surface, in_plan(face.centre));
+    face.wild = wild_at(d, face);
     for (const std::uint32_t v : t) face.is_beside_road = face.is_beside_road || is_beside[v];
     all.push_back(material_of(face, d.header.snow_line_m, d.header.seed));
+    if (is_unmarked_street(d, d.ground.face_cover[f], all.back())) all.back() = Material::kStreetAsphalt;
   }
   return all;
 }
@@ -137,16 +162,29 @@ FaceUvs uvs_on_land(const CellContext& d, std::uint32_t face, Material material)
   return minus(of_face, periods_below_cell(in_plan(centre_of(d.ground.mesh, face)), east));
 }
 
+// Stretches u so that the texture's lanes are those of a piece: both, or the left one on a street of one lane.
+Vec2 on_street(const roads::PieceFrame& frame, Vec2 uv) {
+  const double side_m = materials::texture_side_m(Material::kStreetAsphalt);
+  const double shown_m = frame.width_m > kWidestLane_m ? side_m : side_m / 2;
+  return frame.width_m > 0 ? Vec2{uv.x * shown_m / frame.width_m, uv.y} : uv;
+}
+
+FaceUvs uvs_on_piece(const CellContext& d, std::uint32_t face, const roads::PieceFrame& frame, Material material) {
+  const bool is_street = material == Material::kStreetAsphalt;
+  const FaceUvs along = each_corner(d, face, [&](Vec3 p) {
+    const Vec2 uv = roads::uv_at(frame, in_plan(p));
+    return on_grid(is_street ? on_street(frame, uv) : uv);
+  });
+  return minus(along, periods_below(along));
+}
+
 // Nothing where the face shows neither the marking atlas nor a texture.
 std::optional<FaceUvs> uvs_of(const CellContext& d, std::uint32_t face, Material material) {
   const std::uint32_t surface = d.ground.face_cover[face];
   const roads::Piece* piece = piece_of(d.cover, surface);
   if (const Column* column = column_of_piece(d.markings, piece))
     return each_corner(d, face, [&](Vec3 p) { return on_atlas(*column, roads::uv_at(piece->frame, in_plan(p))); });
-  if (piece) {
-    const FaceUvs along = each_corner(d, face, [&](Vec3 p) { return on_grid(roads::uv_at(piece->frame, in_plan(p))); });
-    return minus(along, periods_below(along));
-  }
+  if (piece) return uvs_on_piece(d, face, piece->frame, material);
   if (!shows_texture(d, surface, material)) return std::nullopt;
   const Vec3 normal = slope_of(d.ground.mesh, face);
   if (normal.z >= kSteepCosine) return uvs_on_land(d, face, material);

@@ -173,6 +173,26 @@ TEST(Texture, BricksHaveTheHeightsOfTheirStandards) {
   EXPECT_NEAR(height_m(Material::kFlemishBrick), 0.075, 0.0025);
 }
 
+// Mean brightness of columns from u = from to up_to, as shares of the side.
+double brightness_of(const TextureImage& image, double from, double up_to) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < image.texels.size(); ++i) {
+    const double u = (static_cast<double>(i % image.columns) + 0.5) / image.columns;
+    if (u >= from && u < up_to) sum += linear_of_srgb(image.texels[i][1]), ++count;
+  }
+  return sum / count;
+}
+
+TEST(Texture, StreetsHaveLightWheelTracksAndDarkGutters) {
+  const TextureImage image = texture_of(Material::kStreetAsphalt, 0.1, 1).colour;
+  const double gutters = (brightness_of(image, 0, 0.04) + brightness_of(image, 0.96, 1)) / 2;
+  const double between = (brightness_of(image, 0.25, 0.29) + brightness_of(image, 0.71, 0.75)) / 2;
+  for (const double track : {0.155, 0.390, 0.610, 0.845}) {
+    EXPECT_GT(brightness_of(image, track - 0.03, track + 0.03), 1.04 * between) << track;
+    EXPECT_GT(between, 1.02 * gutters);
+  }
+}
+
 TEST(Texture, ScalesItsTexelsAlone) {
   for (const Material material : {Material::kBrick, Material::kGrass, Material::kAsphalt}) {
     const Texture usual = texture_of(material, 0.02, 1), fine = texture_of(material, 0.02, 1, 2);

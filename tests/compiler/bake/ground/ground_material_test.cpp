@@ -39,6 +39,20 @@ TEST(GroundMaterial, SteepLandIsRockAndMasonryInTownsAndBesideRoads) {
   }
 }
 
+TEST(GroundMaterial, OnlySteepUnmappedLandIsWild) {
+  const auto of = [](LandCoverClass surface, double rise, bool is_beside_road = false) {
+    GroundFace wild = face(surface, rise, 100, is_beside_road);
+    wild.wild = Material::kScrub;
+    return material_of(wild, {}, 1);
+  };
+  EXPECT_EQ(of(LandCoverClass::kUnknown, 0.6), Material::kScrub);  // 31 degrees
+  EXPECT_EQ(of(LandCoverClass::kUnknown, 0.3), Material::kUnknownGround);
+  EXPECT_EQ(of(LandCoverClass::kUnknown, 0.6, true), Material::kUnknownGround);
+  EXPECT_EQ(of(LandCoverClass::kUnknown, kSteep), Material::kRock);
+  EXPECT_EQ(of(LandCoverClass::kMeadow, 0.6), Material::kMeadow);
+  EXPECT_EQ(of(LandCoverClass::kResidential, 0.6), values_of(LandCoverClass::kResidential).material);
+}
+
 TEST(GroundMaterial, WhatIsBuiltAndWaterKeepTheirsAtAnySlopeAndHeight) {
   for (const LandCoverClass surface :
        {LandCoverClass::kPrimaryRoad, LandCoverClass::kFootPath, LandCoverClass::kRailway, LandCoverClass::kKerb,

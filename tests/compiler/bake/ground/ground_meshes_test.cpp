@@ -84,6 +84,36 @@ TEST(GroundMeshes, TellsTheMetresOfPiecesThatAreNotMarkedLessWholePeriods) {
   EXPECT_EQ(meshes[0].uvs[0], (Vec2{7, 100 - materials::kTexturePeriod_m}));
 }
 
+// The meshes of an unmarked residential street this wide.
+std::vector<materials::MaterialMesh> street(double width_m, double tolerance_m, double left_u_m = 0) {
+  OnePiece one(roads::kNoMarkingLayout);
+  one.cover.pieces[0].surface = one.cover.surfaces[0].surface = map::LandCoverClass::kResidentialRoad;
+  roads::PieceFrame& frame = one.cover.pieces[0].frame;
+  frame.width_m = width_m, frame.left_u_m = left_u_m, frame.start.right_m = frame.end.right_m = 3 - width_m;
+  for (Vec3& p : one.ground.mesh.positions) p.y = p.y < 0 ? 3 - width_m : 3;
+  return without_layers(
+      material_meshes(one.ground, one.cover, lay_out_markings(one.cover.layouts, 0.05), {}, tolerance_m));
+}
+
+TEST(GroundMeshes, UnmarkedStreetsShowTheLanesOfTheirTextureFromEdgeToEdge) {
+  using materials::Material;
+  const double side_m = materials::texture_side_m(Material::kStreetAsphalt);
+  for (const auto& [width_m, shown_m] : {std::pair{5.5, side_m}, std::pair{9.0, side_m}, std::pair{3.0, side_m / 2}}) {
+    const auto meshes = street(width_m, 0.1);
+    ASSERT_EQ(meshes.size(), 1u);
+    EXPECT_EQ(meshes[0].material, Material::kStreetAsphalt);
+    EXPECT_NEAR(meshes[0].uvs[0].x, shown_m, materials::kTextureCoordinateStep_m);
+    EXPECT_NEAR(meshes[0].uvs[2].x, 0, materials::kTextureCoordinateStep_m);
+    EXPECT_EQ(meshes[0].uvs[1].y - meshes[0].uvs[0].y, 10);
+  }
+}
+
+TEST(GroundMeshes, SquaresPartsOfStreetsAndCoarseLevelsShowPlainAsphalt) {
+  EXPECT_EQ(street(16, 0.1)[0].material, materials::Material::kOldAsphalt);
+  EXPECT_EQ(street(5.5, 0.1, 2.75)[0].material, materials::Material::kOldAsphalt);
+  EXPECT_EQ(street(5.5, 0.5)[0].material, materials::Material::kOldAsphalt);
+}
+
 TEST(GroundMeshes, KnowTheLayerOfTheirClass) {
   EXPECT_EQ(layer_of(map::LandCoverClass::kMeadow), Layer::kGround);
   EXPECT_EQ(layer_of(map::LandCoverClass::kBuilding), Layer::kGround);
@@ -111,9 +141,10 @@ struct Slope {
     ground.first_vertical = 4;
   }
 
-  std::vector<materials::MaterialMesh> dressed(double tolerance_m, std::optional<double> snow_line_m = {}) const {
+  std::vector<materials::MaterialMesh> dressed(double tolerance_m, std::optional<double> snow_line_m = {},
+                                               bool has_wild_slopes = true) const {
     scene::Header header;
-    header.snow_line_m = snow_line_m;
+    header.snow_line_m = snow_line_m, header.has_wild_slopes = has_wild_slopes;
     return without_layers(material_meshes(ground, cover, {}, header, tolerance_m));
   }
 };
@@ -155,6 +186,18 @@ TEST(GroundMeshes, SnowIsAskedForByTheHeader) {
   const auto meshes = high.dressed(0.02, -100);
   ASSERT_EQ(meshes.size(), 1u);
   EXPECT_EQ(meshes[0].material, materials::Material::kSnow);
+}
+
+TEST(GroundMeshes, SteepUnmappedLandIsScrubOnAllLevelsWhereThatIsAssumed) {
+  const Slope hill(map::LandCoverClass::kUnknown, 0.6);
+  for (const double tolerance_m : {0.02, 0.1, 2.5}) {
+    const auto wild = hill.dressed(tolerance_m), plain = hill.dressed(tolerance_m, {}, false);
+    ASSERT_EQ(wild.size(), 2u);
+    EXPECT_EQ(wild[0].material, materials::Material::kUnknownGround);
+    EXPECT_EQ(wild[1].material, materials::Material::kScrub);
+    ASSERT_EQ(plain.size(), 1u);
+    EXPECT_EQ(plain[0].material, materials::Material::kUnknownGround);
+  }
 }
 
 TEST(GroundMeshes, EachVertexHasATintAndAPlaceWhereThereIsATexture) {
