@@ -1,0 +1,37 @@
+// Bakes tufts of grass and flowers beside paths (plants/tufts), on levels with Detail::kGrassTufts. They are drawn from
+// seed and land cover alone, so no recipe has them. They do not count in the error.
+#pragma once
+
+#include <compare>
+#include <map>
+#include <vector>
+
+#include "compiler/bake/baking.h"
+#include "compiler/bake/tile_levels.h"
+#include "compiler/plants/tufts/tuft_form.h"
+
+namespace citykiln::bake {
+
+/// Spacing of the places of tufts, metres: at most one stands in each square of it. That of a viewpoint suits the eye
+/// near the ground; a whole tile has a 64th of these tufts.
+inline constexpr double kViewTuftSpacing_m = 0.125, kTileTuftSpacing_m = 1;
+
+/// Tufts that share a mesh. The colour is that of the ground, in steps of 1/256 of the linear reflectance.
+struct TuftKind {
+  plants::TuftForm form{};
+  std::uint8_t variant = 0;
+  std::array<std::uint8_t, 3> colour{};
+  auto operator<=>(const TuftKind&) const = default;
+};
+
+/// The tufts of a tile, part or cell.
+using BakedTufts = std::map<TuftKind, std::vector<Placement>>;
+
+/// Returns the tufts on the ground of a level: none if the level lacks Detail::kGrassTufts, and in a view none where the
+/// tolerance lacks it. None on snow, rock and steep ground. Cost: linear in the tufts, some 3 µs each.
+BakedTufts tufts_on(const Baking& baking, const TileLevel& level);
+
+/// Adds tufts as instances. Their features are in BakedTile::features.
+void bake_tufts(Baking& baking, const BakedTufts& tufts);
+
+}  // namespace citykiln::bake
