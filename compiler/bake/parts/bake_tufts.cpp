@@ -12,7 +12,7 @@
 #include "compiler/bake/merge.h"
 #include "compiler/bake/parts/bake_instances.h"
 #include "compiler/contract/detail_tolerances.h"
-#include "compiler/contract/random_sequence.h"
+#include "compiler/geometry/segment.h"
 #include "compiler/plants/tufts/place_tufts.h"
 #include "compiler/plants/tufts/tuft_mesh.h"
 
@@ -26,6 +26,9 @@ using plants::Tuft;
 constexpr double kTuftSquare_m = 4;
 // Room for tufts and for the slope of a square, up and down.
 constexpr double kTuftRoom_m = 2;
+
+// Half of the height of the tallest tuft: tufts keep this far from walls.
+constexpr double kBesideWall_m = 0.5;
 
 // Steps of colours. Tufts are rounded up or down at random, which also makes them differ.
 constexpr double kColourSteps = 256, kColourStep = 12;
@@ -84,7 +87,27 @@ std::array<std::uint8_t, 3> stepped_colour(const TintFactor& colour, double chan
   return {step(colour.red), step(colour.green), step(colour.blue)};
 }
 
-void add_tufts(BakedTufts& baked, const Baking& baking, const plants::TuftGround& land, const Box2& square) {
+bool is_solid(map::BarrierKind kind) {
+  using enum map::BarrierKind;
+  return kind == kWall || kind == kCityWall || kind == kRetainingWall || kind == kHedge;
+}
+
+// The pieces of walls and hedges in a box.
+std::vector<plants::TuftObstacle> obstacles_in(std::span<const props::Barrier> barriers, const Box2& box) {
+  std::vector<plants::TuftObstacle> obstacles;
+  for (const props::Barrier& barrier : barriers)
+    for (std::size_t i = 0; is_solid(barrier.kind) && i + 1 < barrier.axis.size(); ++i) {
+      const Vec2 from = barrier.axis[i], to = barrier.axis[i + 1];
+      if (box_of_segment(from, to).widened(barrier.width_m / 2).touches(box))
+        obstacles.push_back({from, to, barrier.width_m / 2});
+    }
+  return obstacles;
+}
+
+void add_tufts(BakedTufts& baked, const Baking& baking, plants::TuftGround land, const Box2& square,
+               std::span<const props::Barrier> barriers) {
+  const std::vector<plants::TuftObstacle> obstacles = obstacles_in(barriers, square.widened(kBesideWall_m));
+  land.obstacles = obstacles;
   const double spacing_m = baking.part ? kViewTuftSpacing_m : kTileTuftSpacing_m;
   for (const Tuft& tuft : place_tufts(land, square, spacing_m)) {
     const Vec3 at = tuft.placement.at, normal = normal_at(land.graded.terrain, in_plan(at));
@@ -114,7 +137,7 @@ void add_tufts_of_cell(BakedTufts& baked, const Baking& baking, const TileLevel&
                                 .seed = baking.header.seed};
   constexpr double kNear_m = plants::kTuftReach_m + kTuftSquare_m;
   for (const Box2& square : squares)
-    if (clearance_m(walked_index, square.centre(), 0, kNear_m) < kNear_m) add_tufts(baked, baking, land, square);
+    if (clearance_m(walked_index, square.centre(), 0, kNear_m) < kNear_m) add_tufts(baked, baking, land, square, level.barriers);
 }
 
 std::string name_of(const TuftKind& kind) {

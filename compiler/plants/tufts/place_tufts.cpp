@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "compiler/contract/random_sequence.h"
+#include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/geometry/trig.h"
 #include "compiler/ground/cover/dry_cover.h"
@@ -99,6 +100,12 @@ Standing standing_at(const TuftGround& land, const TuftCover& cover, Vec2 at, do
   return {TuftForm::kMown, cover.height_m * (1 + 0.4 * materials::noise_at(at, kHeightPatch_m, land.seed))};
 }
 
+bool is_obstructed(const TuftGround& land, Vec2 at, double height_m) {
+  return std::ranges::any_of(land.obstacles, [&](const TuftObstacle& each) {
+    return distance(at, nearest_point(each.from, each.to, at)) < each.half_width_m + height_m / 2;
+  });
+}
+
 // A place with its numbers.
 struct Candidate {
   Vec2 at;
@@ -140,6 +147,7 @@ std::optional<Tuft> tuft_of(const TuftGround& land, const Candidate& candidate) 
   if (draw.unit(kIsStanding) < dry.bare) return std::nullopt;
   Standing standing = standing_at(land, *row, at, dry.straw, draw.unit(kForm));
   if (standing.form == TuftForm::kMown && away_m < kMissed_m) standing.height_m *= kMissedHeight;
+  if (is_obstructed(land, at, standing.height_m)) return std::nullopt;
   return tuft_at(land, candidate, surface, standing);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "compiler/climate/climate_field.h"
@@ -15,9 +16,15 @@
 namespace citykiln::plants {
 
 /// The largest distance of a tuft from walked ground. Tufts are densest up to kDenseTufts_m, then thin out.
-inline constexpr double kTuftReach_m = 6, kDenseTufts_m = 2;
+inline constexpr double kTuftReach_m = 16, kDenseTufts_m = 4;
 /// The least distance of a tuft's foot from walked ground, over whose border its blades hang.
 inline constexpr double kTuftClearance_m = 0.03125;
+
+/// A piece of a wall or hedge, in which no tuft stands.
+struct TuftObstacle {
+  Vec2 from, to;
+  double half_width_m = 0;
+};
 
 /// The ground of tufts.
 struct TuftGround {
@@ -28,6 +35,8 @@ struct TuftGround {
   climate::LocalMonth local_month{6};
   Month month = kMidsummer;  ///< Decides which plants are in flower.
   std::uint64_t seed = 0;
+  /// Tufts keep half of their height from these.
+  std::span<const TuftObstacle> obstacles{};
 };
 
 /// A tuft. Placement::scale is its height in metres, Placement::feature the element of its land cover.
