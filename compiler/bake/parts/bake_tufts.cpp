@@ -24,6 +24,8 @@ using plants::Tuft;
 
 // Tufts are placed in squares of this side, so that a view places only those near the eye.
 constexpr double kTuftSquare_m = 4;
+// In a view the viewer walks on lawns too, so tufts near the eye do not end beside paths.
+constexpr double kViewFarShare = 0.5;
 // Room for tufts and for the slope of a square, up and down.
 constexpr double kTuftRoom_m = 2;
 
@@ -37,7 +39,8 @@ constexpr double kColourSteps = 256, kColourStep = 12;
 constexpr double kLeafGain = 1.3;
 
 bool is_grassy(Material material) {
-  return material == Material::kGrass || material == Material::kMeadow || material == Material::kDryGrass;
+  return material == Material::kGrass || material == Material::kMeadow || material == Material::kDryGrass ||
+         material == Material::kScrub || material == Material::kOrchard;
 }
 
 // The squares of a cell in which the level has tufts.
@@ -125,7 +128,6 @@ void add_tufts_of_cell(BakedTufts& baked, const Baking& baking, const TileLevel&
   if (squares.empty()) return;
   const Box2 box = box_around(squares), wide = box.widened(plants::kTuftReach_m + kTuftSquare_m);
   const std::vector<ground::LandCoverPolygon> walked = plants::walked_ground(level.cover->surfaces, wide);
-  if (walked.empty()) return;
   const ground::LandCoverIndex cover_index = ground::index_land_cover(level.cover->surfaces, box.widened(1)),
                                walked_index = ground::index_land_cover(walked, wide);
   const plants::TuftGround land{.cover = cover_index,
@@ -134,10 +136,11 @@ void add_tufts_of_cell(BakedTufts& baked, const Baking& baking, const TileLevel&
                                 .climate = baking.header.climate,
                                 .local_month = local_month_of(baking.header),
                                 .month = month_of(baking.header),
-                                .seed = baking.header.seed};
+                                .seed = baking.header.seed,
+                                .far_share = baking.part ? kViewFarShare : 0};
   constexpr double kNear_m = plants::kTuftReach_m + kTuftSquare_m;
   for (const Box2& square : squares)
-    if (clearance_m(walked_index, square.centre(), 0, kNear_m) < kNear_m) add_tufts(baked, baking, land, square, level.barriers);
+    if (land.far_share > 0 || clearance_m(walked_index, square.centre(), 0, kNear_m) < kNear_m) add_tufts(baked, baking, land, square, level.barriers);
 }
 
 std::string name_of(const TuftKind& kind) {

@@ -56,10 +56,10 @@ const TuftCover* row_of(LandCoverClass cover) {
 }
 
 // The share of tufts that is left at a distance from walked ground.
-double share_at(double away_m) {
+double share_at(double away_m, double far_share) {
   if (away_m < kTuftClearance_m) return 0;
   const double left = std::clamp((kTuftReach_m - away_m) / (kTuftReach_m - kDenseTufts_m), 0.0, 1.0);
-  return left * left;
+  return far_share + (1 - far_share) * left * left;
 }
 
 // The climates of temperate lawns, C and D.
@@ -142,7 +142,7 @@ std::optional<Tuft> tuft_of(const TuftGround& land, const Candidate& candidate) 
   const TuftCover* row = row_of(cover);
   if (row == nullptr) return std::nullopt;
   const double away_m = clearance_m(land.walked, at, 0, kTuftReach_m);
-  if (draw.unit(kIsKept) >= share_at(away_m)) return std::nullopt;
+  if (draw.unit(kIsKept) >= share_at(away_m, land.far_share)) return std::nullopt;
   const ground::DryShares dry = ground::dry_shares(cover, climate_mix_at(land.climate, at), land.local_month);
   if (draw.unit(kIsStanding) < dry.bare) return std::nullopt;
   Standing standing = standing_at(land, *row, at, dry.straw, draw.unit(kForm));

@@ -15,8 +15,8 @@
 
 namespace citykiln::plants {
 
-/// The largest distance of a tuft from walked ground. Tufts are densest up to kDenseTufts_m, then thin out.
-inline constexpr double kTuftReach_m = 16, kDenseTufts_m = 4;
+/// Tufts are densest up to kDenseTufts_m from walked ground, and thin out up to kTuftReach_m.
+inline constexpr double kTuftReach_m = 8, kDenseTufts_m = 3;
 /// The least distance of a tuft's foot from walked ground, over whose border its blades hang.
 inline constexpr double kTuftClearance_m = 0.03125;
 
@@ -35,6 +35,8 @@ struct TuftGround {
   climate::LocalMonth local_month{6};
   Month month = kMidsummer;  ///< Decides which plants are in flower.
   std::uint64_t seed = 0;
+  /// The share of tufts beyond kTuftReach_m of walked ground.
+  double far_share = 0;
   /// Tufts keep half of their height from these.
   std::span<const TuftObstacle> obstacles{};
 };
