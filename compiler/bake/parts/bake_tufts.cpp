@@ -32,11 +32,11 @@ constexpr double kTuftRoom_m = 2;
 // Half of the height of the tallest tuft: tufts keep this far from walls.
 constexpr double kBesideWall_m = 0.5;
 
-// Steps of colours. Tufts are rounded up or down at random, which also makes them differ.
-constexpr double kColourSteps = 256, kColourStep = 12;
+// Steps of colours: few, so that many tufts share a mesh.
+constexpr double kColourSteps = 256, kColourStep = 4;
 
 // Between blades light is lost: so much brighter leaves make tufts as light as the ground, as measured in pictures.
-constexpr double kLeafGain = 1.3;
+constexpr double kLeafGain = 1.25;
 
 bool is_grassy(Material material) {
   return material == Material::kGrass || material == Material::kMeadow || material == Material::kDryGrass ||
@@ -82,12 +82,18 @@ std::optional<TintFactor> ground_colour(const scene::Header& header, const groun
   return times(tint, {base[0], base[1], base[2]});
 }
 
-std::array<std::uint8_t, 3> stepped_colour(const TintFactor& colour, double chance) {
-  const auto step = [chance](double c) {
-    const double steps = std::floor(c * kColourSteps / kColourStep + chance) * kColourStep;
+std::array<std::uint8_t, 3> stepped_colour(const TintFactor& colour, double brightness) {
+  const auto step = [brightness](double c) {
+    const double steps = std::floor(c * brightness * kColourSteps / kColourStep + 0.5) * kColourStep;
     return static_cast<std::uint8_t>(std::clamp(steps, 0.0, 255.0));
   };
   return {step(colour.red), step(colour.green), step(colour.blue)};
+}
+
+// Neighbours differ a little. The heading is as random as any number.
+double brightness_of(const Placement& placement) {
+  if (std::abs(placement.cos_yaw) < 0.5) return 1;
+  return placement.cos_yaw > 0 ? 1.15 : 0.85;
 }
 
 bool is_solid(map::BarrierKind kind) {
@@ -116,9 +122,7 @@ void add_tufts(BakedTufts& baked, const Baking& baking, plants::TuftGround land,
     const Vec3 at = tuft.placement.at, normal = normal_at(land.graded.terrain, in_plan(at));
     const auto colour = ground_colour(baking.header, land.cover.surfaces[tuft.surface], at, normal);
     if (!colour) continue;
-    // the heading is as random as any number
-    const double chance = 0.5 + 0.5 * tuft.placement.cos_yaw;
-    baked[{tuft.form, tuft.variant, stepped_colour(*colour, chance)}].push_back(tuft.placement);
+    baked[{tuft.form, tuft.variant, stepped_colour(*colour, brightness_of(tuft.placement))}].push_back(tuft.placement);
   }
 }
 

@@ -2,7 +2,9 @@
 // seed and land cover alone, so no recipe has them. They do not count in the error.
 #pragma once
 
+#include <array>
 #include <compare>
+#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -16,7 +18,7 @@ namespace citykiln::bake {
 /// near the ground; a whole tile has a 64th of these tufts.
 inline constexpr double kViewTuftSpacing_m = 0.125, kTileTuftSpacing_m = 1;
 
-/// Tufts that share a mesh. The colour is that of the ground, in steps of 1/256 of the linear reflectance.
+/// Tufts that share a mesh. The colour is about that of the ground, in 256ths of linear reflectance.
 struct TuftKind {
   plants::TuftForm form{};
   std::uint8_t variant = 0;
@@ -28,7 +30,7 @@ struct TuftKind {
 using BakedTufts = std::map<TuftKind, std::vector<Placement>>;
 
 /// Returns the tufts on the ground of a level: none if the level lacks Detail::kGrassTufts, and in a view none where the
-/// tolerance lacks it. None on snow, rock and steep ground. Cost: linear in the tufts, some 3 µs each.
+/// tolerance lacks it, which leaves those near the eye. None on snow, rock and steep ground. Linear in the tufts.
 BakedTufts tufts_on(const Baking& baking, const TileLevel& level);
 
 /// Adds tufts as instances. Their features are in BakedTile::features.
