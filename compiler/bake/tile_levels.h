@@ -60,7 +60,7 @@ struct TileLevel {
   Report cell_report{};
   std::optional<BuildingMeshes> buildings{};
   Report building_report{};
-  std::optional<std::size_t> canopy{};  ///< Index into SharedByLevels::canopies.
+  std::optional<std::size_t> canopy{};         ///< Index into SharedByLevels::canopies.
   std::span<const props::Barrier> barriers{};  ///< All of the tile, also for a single cell: tufts keep clear of them.
 };
 

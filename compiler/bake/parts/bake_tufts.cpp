@@ -144,10 +144,11 @@ void add_tufts_of_cell(BakedTufts& baked, const Baking& baking, const TileLevel&
                                 .far_share = baking.part ? kViewFarShare : 0};
   constexpr double kNear_m = plants::kTuftReach_m + kTuftSquare_m;
   for (const Box2& square : squares)
-    if (land.far_share > 0 || clearance_m(walked_index, square.centre(), 0, kNear_m) < kNear_m) add_tufts(baked, baking, land, square, level.barriers);
+    if (land.far_share > 0 || clearance_m(walked_index, square.centre(), 0, kNear_m) < kNear_m)
+      add_tufts(baked, baking, land, square, level.barriers);
 }
 
-std::string name_of(const TuftKind& kind) {
+std::string name_of_tufts(const TuftKind& kind) {
   constexpr const char* kNames[] = {"grass", "tall_grass", "daisy", "dandelion", "clover", "buttercup"};
   static_assert(std::size(kNames) == static_cast<std::size_t>(plants::TuftForm::kCount));
   const auto& [red, green, blue] = kind.colour;
@@ -171,9 +172,9 @@ BakedTufts tufts_on(const Baking& baking, const TileLevel& level) {
 
 void bake_tufts(Baking& baking, const BakedTufts& tufts) {
   for (const auto& [kind, placements] : tufts) {
-    InstancedMesh instanced = instances_of(baking, name_of(kind), placements, 1);
-    instanced.primitives = instanced_primitives(plants::tuft_mesh(kind.form, kind.variant, leaf_colour_of(kind)),
-                                                Layer::kPlants);
+    InstancedMesh instanced = instances_of(baking, name_of_tufts(kind), placements, 1);
+    instanced.primitives =
+        instanced_primitives(plants::tuft_mesh(kind.form, kind.variant, leaf_colour_of(kind)), Layer::kPlants);
     baking.tile.instanced.push_back(std::move(instanced));
   }
 }

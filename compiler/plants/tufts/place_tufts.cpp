@@ -42,7 +42,7 @@ constexpr Flower kFlowers[] = {
 
 // Grass from this height on is a meadow's.
 constexpr double kMeadow_m = 0.1;
-constexpr double kTall_m = 0.4, kMostStrawWithFlowers = 0.5;
+constexpr double kTallGrass_m = 0.4, kMostStrawWithFlowers = 0.5;
 // Wavelength of patches of flowers, and of long and short grass.
 constexpr double kFlowerPatch_m = 3, kHeightPatch_m = 1.5;
 // Mowers miss the grass this near to a border, which grows this much higher.
@@ -83,7 +83,7 @@ double share_of(const Flower& flower, const TuftCover& cover, Vec2 at, double fl
   return flowers * cover.flowers * usual * in_flower(flower, land.month) * patch;
 }
 
-// What stands at a place.
+// The grass or flower at a place.
 struct Standing {
   TuftForm form = TuftForm::kMown;
   double height_m = 0;
@@ -96,7 +96,7 @@ Standing standing_at(const TuftGround& land, const TuftCover& cover, Vec2 at, do
     chance -= share_of(flower, cover, at, flowers, land);
     if (chance < 0) return {flower.form, flower.height_m};
   }
-  if (chance < cover.tall) return {TuftForm::kTall, kTall_m};
+  if (chance < cover.tall) return {TuftForm::kTall, kTallGrass_m};
   return {TuftForm::kMown, cover.height_m * (1 + 0.4 * materials::noise_at(at, kHeightPatch_m, land.seed))};
 }
 
@@ -107,12 +107,12 @@ bool is_obstructed(const TuftGround& land, Vec2 at, double height_m) {
 }
 
 // A place with its numbers.
-struct Candidate {
+struct TuftPlace {
   Vec2 at;
   RandomSequence draw;
 };
 
-Candidate candidate_of(std::int64_t column, std::int64_t row, double spacing_m, std::uint64_t seed) {
+TuftPlace candidate_of(std::int64_t column, std::int64_t row, double spacing_m, std::uint64_t seed) {
   const auto number = static_cast<std::uint64_t>(column) << 32 ^ (static_cast<std::uint64_t>(row) & 0xffffffffu);
   const RandomSequence draw(seed, stable_id(StableId{}, "tuft", number), "tuft");
   return {snapped(Vec2{static_cast<double>(column) + draw.unit(kAlong), static_cast<double>(row) + draw.unit(kAcross)} *
@@ -120,7 +120,7 @@ Candidate candidate_of(std::int64_t column, std::int64_t row, double spacing_m, 
           draw};
 }
 
-Tuft tuft_at(const TuftGround& land, const Candidate& candidate, std::uint32_t surface, const Standing& standing) {
+Tuft tuft_at(const TuftGround& land, const TuftPlace& candidate, std::uint32_t surface, const Standing& standing) {
   const auto& [at, draw] = candidate;
   const ground::LandCoverPolygon& polygon = land.cover.surfaces[surface];
   const double ground_m = layer_height_m(heights_at(land.graded, at), layer_of(polygon));
@@ -134,7 +134,7 @@ Tuft tuft_at(const TuftGround& land, const Candidate& candidate, std::uint32_t s
 }
 
 // The tuft of a candidate, if one stands there.
-std::optional<Tuft> tuft_of(const TuftGround& land, const Candidate& candidate) {
+std::optional<Tuft> tuft_of(const TuftGround& land, const TuftPlace& candidate) {
   const auto& [at, draw] = candidate;
   const std::uint32_t surface = ground::land_cover_at(land.cover, at);
   if (surface == ground::kNoLandCover) return std::nullopt;
@@ -181,7 +181,7 @@ std::vector<Tuft> place_tufts(const TuftGround& land, const Box2& box, double sp
   std::vector<Tuft> tufts;
   for (std::int64_t column = first(box.min.x); column * spacing_m < box.max.x; ++column)
     for (std::int64_t row = first(box.min.y); row * spacing_m < box.max.y; ++row) {
-      const Candidate candidate = candidate_of(column, row, spacing_m, land.seed);
+      const TuftPlace candidate = candidate_of(column, row, spacing_m, land.seed);
       if (!box.contains_half_open(candidate.at)) continue;
       if (const std::optional<Tuft> tuft = tuft_of(land, candidate)) tufts.push_back(*tuft);
     }

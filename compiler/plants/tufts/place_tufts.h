@@ -56,8 +56,8 @@ bool is_walked(map::LandCoverClass cover);
 std::vector<ground::LandCoverPolygon> walked_ground(std::span<const ground::LandCoverPolygon> surfaces,
                                                     const Box2& box);
 
-/// Returns the tufts in a half-open box: at most one for each square of `spacing_m`, fewer away from walked ground, where
-/// grass is dry, and none on bare ground. A tuft depends on seed, place, cover and climate alone, so boxes may be
+/// Returns the tufts in a half-open box: at most one for each square of `spacing_m`, fewer away from walked ground,
+/// where grass is dry, and none on bare ground. A tuft depends on seed, place, cover and climate alone, so boxes may be
 /// divided in any way. O(box / spacing² · edges near).
 std::vector<Tuft> place_tufts(const TuftGround& land, const Box2& box, double spacing_m);
 

@@ -55,8 +55,8 @@ void draw_blade(Drawn& drawn, const Blade& blade, const LeafColour& colour) {
     return drawn.vertex(at_height(at, z), normal, colour, shade);
   };
   const std::uint32_t a = corner(blade.foot - side, blade.from, kFootShade),
-                      b = corner(blade.foot + side, blade.from, kFootShade), c = corner(middle - side * 0.8, middle_z, 1),
-                      d = corner(middle + side * 0.8, middle_z, 1),
+                      b = corner(blade.foot + side, blade.from, kFootShade),
+                      c = corner(middle - side * 0.8, middle_z, 1), d = corner(middle + side * 0.8, middle_z, 1),
                       tip = corner(blade.foot + blade.lean * blade.bend, tip_z, kTipShade);
   drawn.mesh.mesh.triangles.insert(drawn.mesh.mesh.triangles.end(), {{a, b, d}, {a, d, c}, {c, d, tip}});
 }
@@ -73,7 +73,8 @@ void draw_round(Drawn& drawn, const Round& round, const LeafColour& colour) {
   const auto first = middle + 1, count = static_cast<std::uint32_t>(round.corners);
   for (std::uint32_t i = 0; i < count; ++i) {
     const Vec2 out = direction_of(i / static_cast<double>(round.corners));
-    drawn.vertex(at_height(in_plan(round.middle) + out * round.radius, round.rim_z), at_height(out * 0.3, 1), colour, 1);
+    drawn.vertex(at_height(in_plan(round.middle) + out * round.radius, round.rim_z), at_height(out * 0.3, 1), colour,
+                 1);
   }
   for (std::uint32_t i = 0; i < count; ++i)
     drawn.mesh.mesh.triangles.push_back({middle, first + i, first + (i + 1) % count});

@@ -13,8 +13,9 @@ struct LeafColour {
   double red = 0, green = 0, blue = 0;
 };
 
-/// The mesh of a tuft 1 m tall, with its foot at the origin and z up. The same for the same arguments. Blades are darker
-/// at their feet, and have normals that point up, so that they are as light as the ground. At most 100 triangles.
+/// The mesh of a tuft 1 m tall, with its foot at the origin and z up. Equal arguments give equal meshes. Blades are
+/// darker at their feet, and have normals that point up, so that they are as light as the ground. At most 100
+/// triangles.
 /// @param leaf  The colour of blades and leaves. Petals have their own.
 std::vector<materials::MaterialMesh> tuft_mesh(TuftForm form, std::uint8_t variant, const LeafColour& leaf);
 

@@ -63,7 +63,8 @@ TEST(BakedTufts, StandNearTheEye) {
     count += tufts_of(part);
     for (const InstancedMesh& instanced : part.instanced) {
       if (!instanced.name.starts_with("tuft_of_")) continue;
-      for (const Float3& at : instanced.translations) EXPECT_LT(distance(in_plan(part.origin + widened(at)), {90, 120}), 32);
+      for (const Float3& at : instanced.translations)
+        EXPECT_LT(distance(in_plan(part.origin + widened(at)), {90, 120}), 32);
     }
   }
   EXPECT_GT(count, 10'000u);

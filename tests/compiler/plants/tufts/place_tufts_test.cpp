@@ -18,8 +18,7 @@ constexpr double kTestSpacing_m = 0.25;
 
 // A lawn with a path along y = 0, a house and a pond.
 std::vector<LandCoverPolygon> lawn_with_path(LandCoverClass lawn = LandCoverClass::kPark) {
-  return {surface(1, lawn, block(-60, -60, 60, 60)),
-          surface(2, LandCoverClass::kFootPath, block(-60, -1, 60, 1)),
+  return {surface(1, lawn, block(-60, -60, 60, 60)), surface(2, LandCoverClass::kFootPath, block(-60, -1, 60, 1)),
           surface(3, LandCoverClass::kBuilding, block(5, 3, 10, 6)),
           surface(4, LandCoverClass::kLake, block(-10, -6, -5, -3))};
 }
@@ -52,7 +51,7 @@ struct TuftLand {
   }
 };
 
-std::multiset<Vec2> places_of(const std::vector<Tuft>& tufts) {
+std::multiset<Vec2> tuft_places_of(const std::vector<Tuft>& tufts) {
   std::multiset<Vec2> places;
   for (const Tuft& tuft : tufts) places.insert(in_plan(tuft.placement.at));
   return places;
@@ -92,13 +91,13 @@ TEST(Tufts, StandWithinReachOfPathsAndThinOut) {
 
 TEST(Tufts, DependOnSeedAndPlaceAlone) {
   TuftLand land;
-  const std::multiset<Vec2> all = places_of(land.in(kTuftBox));
-  std::multiset<Vec2> halves = places_of(land.in({kTuftBox.min, {3, 24}}));
-  halves.merge(places_of(land.in({{3, -24}, kTuftBox.max})));
+  const std::multiset<Vec2> all = tuft_places_of(land.in(kTuftBox));
+  std::multiset<Vec2> halves = tuft_places_of(land.in({kTuftBox.min, {3, 24}}));
+  halves.merge(tuft_places_of(land.in({{3, -24}, kTuftBox.max})));
   EXPECT_EQ(halves, all);
-  EXPECT_EQ(places_of(land.in(kTuftBox)), all);
+  EXPECT_EQ(tuft_places_of(land.in(kTuftBox)), all);
   land.seed = 8;
-  EXPECT_NE(places_of(land.in(kTuftBox)), all);
+  EXPECT_NE(tuft_places_of(land.in(kTuftBox)), all);
 }
 
 // Without assumptions a map has no lawns and verges but those that are mapped.
@@ -119,15 +118,14 @@ TEST(Tufts, AreFewInDeserts) {
 
 TEST(Tufts, FlowerInSummer) {
   const std::vector<Tuft> summer = TuftLand{}.in(kTuftBox), winter = TuftLand{.month = Month{1}}.in(kTuftBox);
-  EXPECT_EQ(places_of(summer).size(), places_of(winter).size());
+  EXPECT_EQ(tuft_places_of(summer).size(), tuft_places_of(winter).size());
   EXPECT_GT(flowers_among(summer), summer.size() / 200);
   EXPECT_EQ(flowers_among(winter), 0u);
 }
 
 TEST(Tufts, KeepOutOfWalls) {
   const std::vector<TuftObstacle> wall = {{{-30, 2}, {30, 2}, 0.25}};
-  for (const Tuft& tuft : TuftLand{.obstacles = wall}.in(kTuftBox))
-    EXPECT_GE(std::abs(tuft.placement.at.y - 2), 0.25);
+  for (const Tuft& tuft : TuftLand{.obstacles = wall}.in(kTuftBox)) EXPECT_GE(std::abs(tuft.placement.at.y - 2), 0.25);
 }
 
 }  // namespace
