@@ -20,6 +20,7 @@
 #include "compiler/bake/parts/bake_buildings.h"
 #include "compiler/bake/parts/bake_instances.h"
 #include "compiler/bake/parts/bake_structures.h"
+#include "compiler/bake/parts/bake_tufts.h"
 #include "compiler/bake/place_things.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/wires/generate.h"
@@ -202,6 +203,9 @@ BakedTile bake_level(const LevelRequest& request, TileLevel& level, const Protot
   Placed placed = placed_in(baking, shared);
   bake_canopy(baking, level, placed);
   add_features_of(baking, placed);
+  const BakedTufts tufts = tufts_on(baking, level);
+  for (const auto& [kind, placements] : tufts)
+    for (const Placement& p : placements) baking.features.insert(p.feature);
 
   tile.features.assign(baking.features.begin(), baking.features.end());
   if (!cell) tile.attributes = attributes_of(chunk, tile.features, prototypes.thing_classes(), prototypes.species());
@@ -209,6 +213,7 @@ BakedTile bake_level(const LevelRequest& request, TileLevel& level, const Protot
   bake_lamps(baking, placed.lamps, graded, report);
   bake_things(baking, placed.things, prototypes, report);
   bake_trees(baking, placed, prototypes, most_instances);
+  bake_tufts(baking, tufts);
   snap_image_uvs(tile, cell && level.markings ? level.markings->atlas : tile.marking_atlas);
   if (!cell) tile.textures = textures_shown(tile, baking.texel_m(), prototypes.textures());
   return tile;

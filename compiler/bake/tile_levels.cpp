@@ -127,6 +127,7 @@ std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk
     TileLevel& level = levels.emplace_back(TileLevel{tolerance_m, shared.at(tolerance_m)});
     level.cover = std::make_shared<scene::LandCover>(scene::land_cover_of(header, chunk, tolerance_m)),
     level.seen = cells_at(box, tolerance_m);
+    level.barriers = chunk.barriers;
     if (has_canopy(tolerance_m)) level.canopy = canopies++;
   }
   generate_grounds(levels, box, threads, kept);
@@ -146,6 +147,7 @@ std::vector<TileLevel> bare_levels_for_view(const scene::Header& header, const s
   std::map<double, std::shared_ptr<const scene::LandCover>> covers;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     TileLevel& level = levels.emplace_back(TileLevel{tolerances_m[i], shared.at(tolerances_m[i])});
+    level.barriers = chunk.barriers;
     if (std::ranges::none_of(all, [&](const ViewCell& cell) { return cell.number == parts[i]; })) continue;
     const double roads_m = roads_tolerance_m(view, parts[i]);
     std::shared_ptr<const scene::LandCover>& cover = covers[roads_m];

@@ -16,6 +16,7 @@
 #include "compiler/plants/generate.h"
 #include "compiler/plants/prototypes/canopy.h"
 #include "compiler/props/generate.h"
+#include "compiler/props/recipe.h"
 #include "compiler/props/tree_pits.h"
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"
@@ -59,7 +60,8 @@ struct TileLevel {
   Report cell_report{};
   std::optional<BuildingMeshes> buildings{};
   Report building_report{};
-  std::optional<std::size_t> canopy{};  ///< Index into SharedByLevels::canopies.
+  std::optional<std::size_t> canopy{};         ///< Index into SharedByLevels::canopies.
+  std::span<const props::Barrier> barriers{};  ///< All of the tile, also for a single cell: tufts keep clear of them.
 };
 
 /// Choice to keep the cells' reference triangulations (the ground at full detail) after the ground is generated, so
