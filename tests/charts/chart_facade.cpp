@@ -24,9 +24,9 @@ constexpr std::size_t kHouses = 4;
 /// The width of wall in a picture, equal for all tolerances, since more sky around a wall would lower the error. A
 /// pixel is as large as the tolerance, except at the finest tolerances.
 constexpr double kWindow_m = 12.8;
-constexpr int kFewestFacadePixels = 5, kMostFacadePixels = 256;
+constexpr int kFewestFacadePixels = 5, kMostFacadePixels = 128;
 /// Samples of all pixels together, so that small pictures have the same noise as large ones.
-constexpr int kFacadeSamples = 12 * 128 * 128, kFewestFacadeSamples = 24;
+constexpr int kFacadeSamples = 12 * 128 * 128, kFewestFacadeSamples = 8;
 /// Distance and width in pixels of the second picture.
 constexpr double kPictureDistance_m = 100;
 constexpr int kPictureSize_px = 160;
