@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace citykiln::preview {
 namespace {
@@ -23,6 +24,9 @@ Box2 box_around(std::span<const bake::BakedTile> tiles) {
         if (is_finite(point_of(tile, p))) box.grow(in_plan(point_of(tile, p)));
   return box.is_empty() ? Box2{{-100, -100}, {100, 100}} : box;
 }
+
+// Garden walls, ramparts, bridges.
+bool is_no_building(bake::Layer layer) { return layer == bake::Layer::kProps || layer == bake::Layer::kStructures; }
 
 }  // namespace
 
@@ -78,12 +82,19 @@ void SceneGrid::add(const bake::BakedTile& tile, const bake::Primitive& primitiv
     column.low_m = std::min(column.low_m, p.z);
     column.high_m = std::max(column.high_m, p.z);
   }
-  if (!is_built(primitive.material)) return;
+  if (primitive.layer == bake::Layer::kBuildings) add_buildings(tile, primitive);
+  if (!is_built(primitive.material) || is_no_building(primitive.layer)) return;
   for (const auto& t : primitive.triangles) {
     const Vec3 a = point_of(tile, primitive.positions[t[0]]), b = point_of(tile, primitive.positions[t[1]]);
     const Vec3 c = point_of(tile, primitive.positions[t[2]]);
     if (is_finite(a) && is_finite(b) && is_finite(c)) add_built(a, b - a, c - a);
   }
+}
+
+void SceneGrid::add_buildings(const bake::BakedTile& tile, const bake::Primitive& primitive) {
+  std::uint32_t last = 0;  // neighbours belong to one building
+  for (const std::uint32_t feature : primitive.features)
+    if (std::exchange(last, feature) != feature) buildings_.insert(tile.features[feature]);
 }
 
 void SceneGrid::add_built(Vec3 a, Vec3 u, Vec3 v) {

@@ -1,6 +1,7 @@
 // A coarse grid of a scene: the heights and the built area of each column. Named views are chosen from it.
 #pragma once
 
+#include <set>
 #include <span>
 #include <vector>
 
@@ -32,9 +33,11 @@ class SceneGrid {
   std::vector<BuiltPoint> built_points() const;
   /// Returns the highest z of all columns; 0 without positions.
   double top_m() const;
-  /// Returns the core: the middle of the most densely built square of some 300 m, at the height of the ground. If
-  /// nothing is built, the middle of the scene.
+  /// Returns the core: the middle of the square of some 300 m with the most walls and roofs of buildings, at the height
+  /// of the ground. If nothing is built, the middle of the scene.
   Vec3 core_point() const { return core_; }
+  /// True if a map element has a building: not a garden wall, a rampart or a bridge.
+  bool has_building(OsmId feature) const { return buildings_.contains(feature); }
   /// Returns the highest z of the column at a place (plane metres); -infinity outside the scene.
   double highest_m(Vec2 at) const;
   /// Returns the lowest z of the column at a place (plane metres); -infinity outside the scene.
@@ -50,6 +53,7 @@ class SceneGrid {
   std::size_t column_at(Vec2 at) const;
   Vec2 middle_of(std::size_t column) const;
   void add(const bake::BakedTile& tile, const bake::Primitive& primitive);
+  void add_buildings(const bake::BakedTile& tile, const bake::Primitive& primitive);
   // Adds the area of a triangle with the sides u and v from a to the columns that it is in.
   void add_built(Vec3 a, Vec3 u, Vec3 v);
   void find_core();
@@ -57,6 +61,7 @@ class SceneGrid {
 
   Box2 box_;
   std::vector<Column> columns_;
+  std::set<OsmId> buildings_;
   Vec3 core_;
 };
 

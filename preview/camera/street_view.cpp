@@ -20,8 +20,8 @@ constexpr double kStreetFov_deg = 46;
 // The rise of the view over 40 m: a little more of the facades than of the road.
 constexpr double kLookUp_m = 3;
 
-constexpr double kStreetApart_m = 15;
-constexpr int kStreetPlaces = 260;
+constexpr double kStreetApart_m = 25;
+constexpr int kAsphaltPlaces = 170, kPavedPlaces = 90, kOtherPlaces = kAsphaltPlaces + kPavedPlaces;
 
 // Distances ahead at which walls to both sides are looked for.
 constexpr std::array kStations_m = {4.0, 8.0, 13.0, 19.0, 26.0, 34.0, 44.0, 56.0};
@@ -48,12 +48,17 @@ struct Wall {
   bool is_sunlit;
 };
 
+// Surfaces without a map element count by their material.
+bool is_frontage(const ViewScene& scene, const Hit& hit) {
+  return is_built(hit.material) && (hit.feature == OsmId{} || scene.grid.has_building(hit.feature));
+}
+
 std::optional<Wall> wall_at(const ViewScene& scene, Vec3 from, Vec3 side) {
   const World& world = scene.look.world;
   for (const double above_m : kWallHeights_m) {
     const Vec3 start = from + Vec3{0, 0, above_m - kEye_m};
     const auto hit = world.first_hit(start - world.origin(), side);
-    if (!hit || hit->distance_m > kFarSide_m || !is_built(hit->material)) continue;
+    if (!hit || hit->distance_m > kFarSide_m || !is_frontage(scene, *hit)) continue;
     const Vec3 before = start + side * (hit->distance_m - 0.3);
     const bool is_sunlit = scene.to_sun && !world.is_blocked(before - world.origin(), *scene.to_sun);
     return Wall{hit->distance_m, hit->feature, is_sunlit};
@@ -164,13 +169,18 @@ std::optional<Camera> composed(const ViewScene& scene, Vec3 eye, Vec3 direction,
   return std::nullopt;
 }
 
-// Returns the best view along what `counts` takes for streets; empty: there is none.
+// The places nearest to the core on what `counts` takes.
 template <typename Counts>
-std::optional<Camera> view_along(const ViewScene& scene, Counts counts, int most_places) {
+std::vector<Vec3> places_on(const ViewScene& scene, Counts counts, int most_places) {
+  return places_near(scene.tiles, scene.grid.core_point(), counts, kStreetApart_m, most_places);
+}
+
+// Returns the best view along streets from places on them; empty: there is none.
+std::optional<Camera> view_along(const ViewScene& scene, std::span<const Vec3> places) {
   std::optional<Camera> best;
   double most = 0;
   const double top_m = scene.grid.top_m() + 10;
-  for (const Vec3& on : places_near(scene.tiles, scene.grid.core_point(), counts, kStreetApart_m, most_places)) {
+  for (const Vec3& on : places) {
     const auto eye = scene.look.place_above_ground(in_plan(on), kEye_m, top_m);
     // not on a roof that covers the street
     if (!eye || std::abs(eye->z - kEye_m - on.z) > 3) continue;
@@ -187,6 +197,16 @@ std::optional<Camera> view_along(const ViewScene& scene, Counts counts, int most
   return best;
 }
 
+// Paved places also lie on squares and platforms, which can be all there is near the core.
+std::vector<Vec3> places_on_streets(const ViewScene& scene) {
+  const auto is_paved = [](const bake::Primitive& p) { return p.material == Material::kPaving; };
+  const auto is_asphalt = [&](const bake::Primitive& p) { return is_street(p.material) && !is_paved(p); };
+  std::vector<Vec3> places = places_on(scene, is_asphalt, kAsphaltPlaces);
+  const std::vector<Vec3> paved = places_on(scene, is_paved, kPavedPlaces);
+  places.insert(places.end(), paved.begin(), paved.end());
+  return places;
+}
+
 // Returns the view over open land with the most of what stands on it between 8 and 120 m away; empty: there is none.
 std::optional<Camera> view_over_land(const ViewScene& scene) {
   constexpr double kNear_m = 8, kFar_m = 120;
@@ -195,7 +215,7 @@ std::optional<Camera> view_over_land(const ViewScene& scene) {
   };
   std::optional<Camera> best;
   int most = 0;
-  for (const Vec3& on : places_near(scene.tiles, scene.grid.core_point(), is_land, kStreetApart_m, kStreetPlaces)) {
+  for (const Vec3& on : places_on(scene, is_land, kOtherPlaces)) {
     const auto eye = scene.look.place_above_ground(in_plan(on), kEye_m, scene.grid.top_m() + 10);
     if (!eye || scene.look.room_m(*eye, 3) < 3) continue;
     for (int direction = 0; direction < kDirections; ++direction) {
@@ -251,12 +271,11 @@ Camera turned_by_a_third(const Camera& camera, int side) {
 }
 
 Camera street_view(const ViewScene& scene) {
-  const auto is_road = [](const bake::Primitive& p) { return is_street(p.material); };
   const auto is_path = [](const bake::Primitive& p) {
     return p.layer == bake::Layer::kRoads && (p.material == Material::kGravel || p.material == Material::kEarth);
   };
-  if (const auto camera = view_along(scene, is_road, kStreetPlaces)) return *camera;
-  if (const auto camera = view_along(scene, is_path, kStreetPlaces)) return *camera;
+  if (const auto camera = view_along(scene, places_on_streets(scene))) return *camera;
+  if (const auto camera = view_along(scene, places_on(scene, is_path, kOtherPlaces))) return *camera;
   if (const auto camera = view_over_land(scene)) return *camera;
   return view_above_core(scene);
 }

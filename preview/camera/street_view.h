@@ -33,17 +33,17 @@ Camera turned_by_a_third(const Camera& camera, int side);
 /// Returns a view at eye height under the open sky (ViewProbe::place_above_ground()), with free space around and in
 /// front of it (is_free_in_front()). Its kinds, the first that the scene has:
 ///
-/// 1. along a street with frontage on both sides: the street's axis is at a third of the picture's width
+/// 1. along a street with buildings on both sides: the street's axis is at a third of the picture's width
 /// 2. along any street or road, but not over a wide paved area such as a car park
 /// 3. along a path
 /// 4. over open land, towards what stands there
 /// 5. at the core (SceneGrid::core_point()), above everything that is there
 ///
-/// The places are those on streets nearest to the core, at most 260, at least 15 m apart. Each is tried along the
-/// directions in which one sees farthest. The best has the largest product of: the share of the way ahead that has
-/// buildings on both sides within 18 m; the walls near the eye; the number of these buildings, up to 8; the sunlit
-/// share of their walls, if the sun is up; the distance seen ahead. Alleys, and views into the sun, count less. The
-/// picture is turned to the sunlit side.
+/// The places are those on asphalt nearest to the core, at most 170, and on paving, at most 90, at least 25 m apart.
+/// Each is tried along the directions in which one sees farthest. The best has the largest product of: the share of the
+/// way ahead that has buildings on both sides within 18 m; the walls near the eye; the number of these buildings, up to
+/// 8; the sunlit share of their walls, if the sun is up; the distance seen ahead. Alleys, and views into the sun, count
+/// less. The picture is turned to the sunlit side.
 ///
 /// Deterministic. Cost: some 100,000 rays.
 Camera street_view(const ViewScene& scene);

@@ -147,6 +147,27 @@ TEST(NamedView, AStreetIsNotACarPark) {
   EXPECT_LE(std::abs(named_view(tiles, "street")->eye.x), 6);
 }
 
+// The village, and a lane between ramparts of many parts, higher than its houses.
+TEST(NamedView, AStreetIsNotALaneBetweenRamparts) {
+  bake::BakedTile place = village({0, 0, 0});
+  for (std::int64_t id = 0; id <= 10; ++id) place.features.push_back({OsmType::kWay, id});
+  for (bake::Primitive& part : place.primitives) part.features.assign(part.positions.size(), 0);
+  const auto add = [&](bake::Primitive&& part, bake::Layer layer, std::uint32_t feature) {
+    part.layer = layer;
+    part.features.assign(part.positions.size(), feature);
+    place.primitives.push_back(std::move(part));
+  };
+  add(box({-17, -190, 0}, {-9, 190, 12}, Material::kPlaster), bake::Layer::kBuildings, 1);
+  for (std::uint32_t i = 0; i < 9; ++i) {
+    const double y = -190 + 42.0 * i;
+    add(box({180, y, 0}, {188, y + 42, 20}, Material::kStone), bake::Layer::kProps, 2 + i);
+    add(box({200, y, 0}, {208, y + 42, 20}, Material::kStone), bake::Layer::kProps, 2 + i);
+  }
+  add(floor({188, -190, 0.1}, {200, 190, 0.1}, Material::kAsphalt), bake::Layer::kRoads, 0);
+  const std::vector tiles = {place};
+  EXPECT_LE(std::abs(named_view(tiles, "street")->eye.x), 6);
+}
+
 // Ground that rises towards the middle, with a wood on it and no street.
 TEST(NamedView, NoEyeIsBelowTheGround) {
   bake::Primitive hill{Material::kForestFloor, {}, {}, {}, {}, {}};
