@@ -54,7 +54,7 @@ class ElementPictures {
 /// An element where it stands on a building.
 struct PlacedElement {
   grammars::Face rectangle;         ///< Plane metres.
-  impostor::SharedPicture picture;  ///< Of ElementPictures::drawn_coarsely(), not null.
+  impostor::SharedPicture picture;  ///< From ElementPictures::drawn_coarsely(), not null.
 };
 
 /// The tolerance of the detailed model from which all levels take facade textures and rows of windows. It has the
