@@ -8,7 +8,6 @@
 namespace citykiln::bake {
 namespace {
 
-using map::Lane;
 using map::LaneDirection;
 using map::LaneKind;
 
