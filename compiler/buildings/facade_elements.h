@@ -57,16 +57,15 @@ struct PlacedElement {
   impostor::SharedPicture picture;  ///< From ElementPictures::drawn_coarsely(), not null.
 };
 
-/// The tolerance of the detailed model from which all levels take facade textures and rows of windows. It has the
-/// reveals and frames of windows and the bars of railings. The detail of an element is at most this far from its
-/// rectangle.
+/// The tolerance, metres, of the detailed model from which all levels take facade textures and rows of windows: the
+/// model has the reveals and frames of windows and the bars of railings.
 inline constexpr double kDetailedModel_m = 0.05;
 
 /// A detailed model of a building, from which coarser levels take what they leave out.
 struct DetailedFacades {
   impostor::Model walls;  ///< With holes in place of `elements`.
-  impostor::Model
-      whole;  ///< An element is a rectangle of its mean colour, or all its detail if some of it emits light.
+  /// Without holes: each element is a rectangle of its mean colour, or all its detail if some of it emits light.
+  impostor::Model whole;
   std::vector<PlacedElement> elements;
 };
 

@@ -64,8 +64,8 @@ class TexelSum {
   /// Adds a texel.
   void add(const Texel& texel);
   /// Returns the mean, rounded once; Texel{} if nothing is covered.
-  /// @param texels  > 0. Texel::shown is the sum of that of all added texels, divided by this number and rounded up: 4
-  ///                for a texel of half the resolution, even where fewer were added.
+  /// @param texels  The number of texels that the mean stands for, > 0: the sum of their Texel::shown is divided by it
+  ///                and rounded up. It is 4 at half the resolution, also at an edge where fewer were added.
   Texel mean(std::uint64_t texels) const;
 
  private:

@@ -39,11 +39,11 @@ Camera turned_by_a_third(const Camera& camera, int side);
 /// 4. over open land, towards what stands there
 /// 5. at the core (SceneGrid::core_point()), above everything that is there
 ///
-/// The places are those on asphalt nearest to the core, at most 170, and on paving, at most 90, at least 25 m apart.
-/// Each is tried along the directions in which one sees farthest. The best has the largest product of: the share of the
-/// way ahead that has buildings on both sides within 18 m; the walls near the eye; the number of these buildings, up to
-/// 8; the sunlit share of their walls, if the sun is up; the distance seen ahead. Alleys, and views into the sun, count
-/// less. The picture is turned to the sunlit side.
+/// Kinds 1 to 4 are at eye height. The places of kinds 1 and 2 are those on asphalt nearest to the core, at most 170,
+/// 25 m apart, and those on paving, at most 90, 25 m apart. Each is tried along the directions in which one sees
+/// farthest. The best has the largest product of: the share of the way ahead that has buildings on both sides within 18
+/// m; the walls near the eye; the number of these buildings, up to 8; the sunlit share of their walls, if the sun is
+/// up; the distance seen ahead. Alleys, and views into the sun, count less. The picture is turned to the sunlit side.
 ///
 /// Deterministic. Cost: some 100,000 rays.
 Camera street_view(const ViewScene& scene);

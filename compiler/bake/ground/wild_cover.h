@@ -10,7 +10,7 @@
 namespace citykiln::bake {
 
 /// The cosine of the gentlest slope that is assumed to be wild, 25°: tractors work on slopes of up to about 20°, and
-/// new streets and gardens on steeper ones have walls, which maps have.
+/// steeper land is tilled or built on only behind retaining walls, which maps show.
 inline constexpr double kWildSlopeCosine = 0.906;
 
 /// Returns the material of wild land in a climate: scrub below the tree line, meadow above it. Nothing in deserts and
@@ -18,7 +18,9 @@ inline constexpr double kWildSlopeCosine = 0.906;
 /// @param belt_m  The altitude of the place as plants::belt_m_at() gives it.
 std::optional<materials::Material> wild_material(const climate::ClimateMix& climate, double belt_m);
 
-/// True if a face of unmapped land is wild: from about kWildSlopeCosine on, where noise of 40 m frays the edge.
+/// True if a face of unmapped land is wild: steeper than about 25°, a limit that varies with noise of 40 m wavelength.
+/// @param normal  Unit, plane frame, z up.
+/// @param centre  Plane metres.
 bool is_wild(Vec3 normal, Vec3 centre, std::uint64_t seed);
 
 /// True if a face of wild land is rock: the steeper, the more often. A function of the arguments only.

@@ -14,8 +14,8 @@
 
 namespace citykiln::bake {
 
-/// Spacing of the places of tufts, metres: at most one stands in each square of it. Views have a spacing that suits the
-/// eye near the ground; a whole tile has a fortieth of these tufts.
+/// Side of the squares that have at most one tuft each, metres. Views are seen from near the ground and have small
+/// squares; a whole tile has about a fortieth of the tufts per area.
 inline constexpr double kViewTuftSpacing_m = 0.15625, kTileTuftSpacing_m = 1;
 
 /// Tufts that share a mesh. The colour is about that of the ground, in 256ths of linear reflectance.
@@ -29,8 +29,8 @@ struct TuftKind {
 /// The tufts of a tile, part or cell.
 using BakedTufts = std::map<TuftKind, std::vector<Placement>>;
 
-/// Returns the tufts on the ground of a level: none if the level lacks Detail::kGrassTufts, and in a view none where
-/// the tolerance lacks it, which leaves those near the eye. None on snow, rock and steep ground. Linear in the tufts.
+/// Returns the tufts on the ground of a level, where its tolerance has Detail::kGrassTufts: in a view that is near the
+/// eye. None on snow, rock and steep ground. Linear in the tufts.
 BakedTufts tufts_on(const Baking& baking, const TileLevel& level);
 
 /// Adds tufts as instances. Their features are in BakedTile::features.

@@ -35,9 +35,9 @@ struct TuftGround {
   climate::LocalMonth local_month{6};
   Month month = kMidsummer;  ///< Decides which plants are in flower.
   std::uint64_t seed = 0;
-  /// The share of tufts beyond kTuftReach_m of walked ground.
+  /// The probability with which a place farther than kTuftReach_m from walked ground has its tuft, 0 to 1.
   double far_share = 0;
-  /// Tufts keep half of their height from these.
+  /// Walls and hedges: a tuft stands at least half of its height away from them.
   std::span<const TuftObstacle> obstacles{};
 };
 
@@ -56,9 +56,9 @@ bool is_walked(map::LandCoverClass cover);
 std::vector<ground::LandCoverPolygon> walked_ground(std::span<const ground::LandCoverPolygon> surfaces,
                                                     const Box2& box);
 
-/// Returns the tufts in a half-open box: at most one for each square of `spacing_m`, fewer away from walked ground,
-/// where grass is dry, and none on bare ground. A tuft depends on seed, place, cover and climate alone, so boxes may be
-/// divided in any way. O(box / spacing² · edges near).
+/// Returns the tufts in a half-open box: at most one for each square with the side `spacing_m`, fewer far from walked
+/// ground, fewer on dry grass, none on bare ground. A tuft does not depend on the box, so boxes may be divided in any
+/// way. O(box / spacing² · edges near).
 std::vector<Tuft> place_tufts(const TuftGround& land, const Box2& box, double spacing_m);
 
 }  // namespace citykiln::plants
