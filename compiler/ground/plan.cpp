@@ -6,6 +6,7 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/cover/contained_areas.h"
+#include "compiler/ground/water/grown_widths.h"
 #include "compiler/roads/generate.h"
 
 namespace citykiln::ground {
@@ -38,7 +39,9 @@ std::vector<LandCoverPolygon> plan(const map::FeatureView& features, Report& rep
 std::vector<roads::Strip> plan_streams(const map::FeatureView& features, Report& report) {
   std::vector<roads::Strip> streams;
   Account account;
-  for (const map::Waterway& water : features.waterways) {
+  const std::vector<double> widths_m = grown_widths_m(features.waterways, features.extent);
+  for (std::size_t i = 0; i < features.waterways.size(); ++i) {
+    const map::Waterway& water = features.waterways[i];
     account.in += report.counts(water.id.osm);
     // a culvert or an aqueduct does not cover the ground
     if (water.passage != map::Passage::kGround) {
@@ -47,8 +50,8 @@ std::vector<roads::Strip> plan_streams(const map::FeatureView& features, Report&
     }
     account.out += report.counts(water.id.osm);
     // sides are on the grid of the plane: half of a width may not be
-    const double left_m = snapped(water.width_m / 2);
-    streams.push_back({water.id, water.axis, map::LandCoverClass::kRiver, left_m, water.width_m - left_m});
+    const double left_m = snapped(widths_m[i] / 2);
+    streams.push_back({water.id, water.axis, map::LandCoverClass::kRiver, left_m, widths_m[i] - left_m});
   }
   report.account("ground", "waterway") = account;
   return streams;

@@ -21,7 +21,7 @@ LandCoverPolygon surface_of(const map::AreaFeature& area);
 /// recipes. Ledger "ground/area".
 std::vector<LandCoverPolygon> plan(const map::FeatureView& features, Report& report);
 
-/// Returns waterways at ground level as strips, sorted by id. Ledger "ground/waterway".
+/// Returns waterways at ground level as strips, sorted by id, as wide as grown_widths_m(). Ledger "ground/waterway".
 std::vector<roads::Strip> plan_streams(const map::FeatureView& features, Report& report);
 
 /// Returns the axes of waterways in culverts and on aqueducts, sorted by id, directed downstream. They connect rivers.

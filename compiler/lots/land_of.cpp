@@ -161,8 +161,8 @@ MapLand land_of(const map::FeatureView& features, std::span<const Road> roads, s
     if (river.passage == map::Passage::kGround)
       land.lines.push_back({.id = stable_id(river.id),
                             .axis = river.axis,
-                            .left_m = river.width_m / 2,
-                            .right_m = river.width_m / 2,
+                            .left_m = std::max(river.width_m, river.most_width_m) / 2,
+                            .right_m = std::max(river.width_m, river.most_width_m) / 2,
                             .kind = LineKind::kBarrier});
   made.roads.resize(land.lines.size(), parcels::kNoIndex);
   for (const map::AreaFeature& area : features.areas)

@@ -176,6 +176,8 @@ struct Waterway {
   ObjectId id;
   Polyline axis;
   double width_m = 0;
+  /// The range in which the width grows downstream (ground/water/grown_widths.h); both 0 if it is tagged.
+  double least_width_m = 0, most_width_m = 0;
   std::int8_t layer = 0;
   Passage passage = Passage::kGround;
 };

@@ -20,14 +20,20 @@ constexpr int kSmoothingRounds = 32;
 
 using Neighbours = std::vector<std::vector<std::uint32_t>>;
 
-Neighbours downstream_of(const RiverNetwork& network) {
+Neighbours downstream_of(const RiverNetwork& network, const std::vector<bool>& apart) {
   Neighbours downstream(network.nodes.size());
-  for (const RiverLine& line : network.lines)
-    for (std::size_t i = 0; i + 1 < line.stops.size(); ++i) {
-      const std::uint32_t from = line.stops[i].node, to = line.stops[i + 1].node;
-      if (from != to) downstream[from].push_back(to);
-    }
+  for (std::size_t l = 0; l < network.lines.size(); ++l) {
+    const std::vector<RiverStation>& stops = network.lines[l].stops;
+    for (std::size_t i = 0; !apart[l] && i + 1 < stops.size(); ++i)
+      if (stops[i].node != stops[i + 1].node) downstream[stops[i].node].push_back(stops[i + 1].node);
+  }
   return downstream;
+}
+
+// The heights that a node should have: that of the land, and not below the lowest land across the line.
+void add_given(const RiverNode& node, std::vector<WeightedHeight>& given) {
+  given.push_back({node.land_m, node.weight_mm, node.weight_mm * kAboveCost});
+  if (node.low_m < node.land_m) given.push_back({node.low_m, node.weight_mm, 1});
 }
 
 // The strongly connected component of each node, numbered so that every edge leads to its own component or to one with
@@ -53,8 +59,9 @@ struct ContractedNetwork {
   std::vector<double> land_m;  // per component: its node's terrain, or infinity if it says nothing
 };
 
-ContractedNetwork contract_cycles(const RiverNetwork& network, const std::vector<bool>& seas) {
-  const Neighbours downstream = downstream_of(network);
+ContractedNetwork contract_cycles(const RiverNetwork& network, const std::vector<bool>& seas,
+                                  const std::vector<bool>& apart) {
+  const Neighbours downstream = downstream_of(network, apart);
   ContractedNetwork contracted{strong_components(downstream), {}, {}, {}};
   const std::uint32_t count = contracted.components.count;
   contracted.flow = {std::vector<std::vector<WeightedHeight>>(count), Neighbours(count), std::vector<bool>(count)};
@@ -64,7 +71,7 @@ ContractedNetwork contract_cycles(const RiverNetwork& network, const std::vector
     const std::uint32_t c = contracted.components.of[i];
     const RiverNode& node = network.nodes[i];
     contracted.stays[c] = contracted.stays[c] || network.is_water(i) || !contracted.flow.given[c].empty();
-    contracted.flow.given[c].push_back({node.land_m, node.weight_mm, node.weight_mm * kAboveCost});
+    add_given(node, contracted.flow.given[c]);
     if (network.is_water(i) && seas[i]) contracted.flow.is_sea[c] = true;
     if (node.is_known()) contracted.land_m[c] = std::min(contracted.land_m[c], node.land_m);
     for (const std::uint32_t d : downstream[i])
@@ -96,7 +103,7 @@ std::vector<double> smoothed(const ContractedNetwork& contracted, std::vector<do
   std::vector<double> lowest = heights, highest = lowest_lands(contracted), next = heights;
   for (std::size_t i = 0; i < heights.size(); ++i) {
     lowest[i] -= kMaxSmoothing_m;
-    highest[i] = std::max(highest[i], heights[i]);
+    highest[i] = std::max(std::min(highest[i], heights[i] + kMaxLift_m), heights[i]);
   }
   for (int round = 0; round < kSmoothingRounds; ++round) {
     for (std::size_t i = 0; i < heights.size(); ++i) {
@@ -114,9 +121,10 @@ std::vector<double> smoothed(const ContractedNetwork& contracted, std::vector<do
 
 }  // namespace
 
-RiverHeights find_river_heights(const RiverNetwork& network, const std::vector<bool>& seas) {
-  assert(seas.size() == network.water_count);
-  const ContractedNetwork contracted = contract_cycles(network, seas);
+RiverHeights find_river_heights(const RiverNetwork& network, const std::vector<bool>& seas,
+                                const std::vector<bool>& apart) {
+  assert(seas.size() == network.water_count && apart.size() == network.lines.size());
+  const ContractedNetwork contracted = contract_cycles(network, seas, apart);
   const std::vector<double> heights = smoothed(contracted, fit_descending(contracted.flow));
   RiverHeights found;
   std::vector<bool> has_water(contracted.components.count);
@@ -126,6 +134,20 @@ RiverHeights find_river_heights(const RiverNetwork& network, const std::vector<b
     found.is_cycle.push_back(contracted.stays[c] && !has_water[c]);
   }
   return found;
+}
+
+std::vector<double> heights_alone(const RiverNetwork& network, const RiverLine& line, const std::vector<bool>& seas) {
+  FlowGraph flow;
+  for (std::uint32_t i = 0; i < line.stops.size(); ++i) {
+    const std::uint32_t node = line.stops[line.stops.size() - 1 - i].node;
+    add_given(network.nodes[node], flow.given.emplace_back());
+    flow.downstream.emplace_back();
+    if (i > 0) flow.downstream.back().push_back(i - 1);
+    flow.is_sea.push_back(network.is_water(node) && seas[node]);
+  }
+  std::vector<double> heights = fit_descending(flow);
+  std::ranges::reverse(heights);
+  return heights;
 }
 
 }  // namespace citykiln::ground

@@ -18,6 +18,8 @@ constexpr double kRiverStep_m = 0.125;
 constexpr double kClosestStops_m = 8;
 // Sampling distance: finds ditches between two ponds and causeways of this width.
 constexpr double kLook_m = 8;
+// Places across a line on each of its sides.
+constexpr int kAcross = 4;
 // Weight of a metre of shore against a metre of river: heightmaps see shores better than beds between trees and in
 // gorges.
 constexpr std::int64_t kShoreWeight = 8;
@@ -167,7 +169,8 @@ class NetworkMaker {
   NetworkMaker(std::span<const Axis> axes, const StandingCover& cover, const StandingWaters& waters,
                const map::Heightfield& heights)
       : axes_(axes), cover_(cover), heights_(heights), marks_(axes.size()) {
-    for (const StandingWater& water : waters.waters) network_.nodes.push_back({water.level_m, weight_of(water)});
+    for (const StandingWater& water : waters.waters)
+      network_.nodes.push_back({water.level_m, water.level_m, weight_of(water)});
     network_.water_count = waters.waters.size();
   }
 
@@ -186,8 +189,24 @@ class NetworkMaker {
 
   double land_m(Vec2 p) const { return std::floor(height_m_at(heights_, p) / kProfileQuantum_m) * kProfileQuantum_m; }
 
+  // The lowest land on a line across the axis that is as long as the lateral error to both sides.
+  double lowest_across_m(const Axis& axis, double at_m) const {
+    const Vec2 at = point_on_axis(axis, at_m);
+    const Vec2 along = point_on_axis(axis, at_m + kLook_m) - point_on_axis(axis, at_m - kLook_m);
+    const double long_m = length(along), aside_m = kMappedError_m + heights_.longer_step_m() / 2;
+    double lowest_m = land_m(at);
+    if (long_m == 0) return lowest_m;
+    const Vec2 across{-along.y / long_m, along.x / long_m};
+    for (int k = 1; k <= kAcross; ++k)
+      for (const double side : {-1.0, 1.0}) {
+        const Vec2 p = at + across * (side * aside_m * k / kAcross);
+        if (heights_.box().contains(p)) lowest_m = std::min(lowest_m, land_m(p));
+      }
+    return lowest_m;
+  }
+
   std::uint32_t add_node(Vec2 at) {
-    network_.nodes.push_back({land_m(at), 1});
+    network_.nodes.push_back({land_m(at), land_m(at), 1});
     return static_cast<std::uint32_t>(network_.nodes.size() - 1);
   }
 
@@ -248,17 +267,19 @@ class NetworkMaker {
     const auto length_mm = static_cast<std::int64_t>(long_m / n * 1000);
     for (int i = 1; i < n; ++i) {
       const double at_m = snapped_to(kRiverStep_m, last.at_m + long_m * i / n);
-      const Vec2 p = point_on_axis(axis, at_m);
-      stops.push_back({at_m, add_node(p), false});
-      weigh(stops.back().node, p, length_mm);
+      stops.push_back({at_m, add_node(point_on_axis(axis, at_m)), false});
+      weigh(stops.back().node, axis, at_m, length_mm);
     }
     if (axis.is_covered) return;
-    weigh(last.node, point_on_axis(axis, last.at_m), length_mm / 2);
-    weigh(next.node, point_on_axis(axis, next.at_m), length_mm / 2);
+    weigh(last.node, axis, last.at_m, length_mm / 2);
+    weigh(next.node, axis, next.at_m, length_mm / 2);
   }
 
-  void weigh(std::uint32_t node, Vec2 p, std::int64_t length_mm) {
-    if (!network_.is_water(node) && heights_.box().contains(p)) network_.nodes[node].weight_mm += length_mm;
+  void weigh(std::uint32_t number, const Axis& axis, double at_m, std::int64_t length_mm) {
+    if (network_.is_water(number) || !heights_.box().contains(point_on_axis(axis, at_m))) return;
+    RiverNode& node = network_.nodes[number];
+    node.weight_mm += length_mm;
+    node.low_m = std::min(node.low_m, lowest_across_m(axis, at_m));
   }
 
   std::span<const Axis> axes_;

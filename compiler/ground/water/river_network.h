@@ -15,9 +15,12 @@
 
 namespace citykiln::ground {
 
+/// The error of a mapped line, as drawn from aerial pictures.
+inline constexpr double kMappedError_m = 5;
 /// A node whose height is to be found.
 struct RiverNode {
   double land_m = 0;           ///< Height of the terrain; for standing water its level by the shore.
+  double low_m = 0;            ///< The lowest terrain across the lines here within their lateral error; <= land_m.
   std::int64_t weight_mm = 1;  ///< Length of river that it represents; 1 if the terrain is unknown there.
   bool is_known() const { return weight_mm > 1; }
 };
@@ -42,6 +45,9 @@ struct RiverNetwork {
 };
 
 /// Builds the network. Lines meet at common vertices. Stations are half a grid step of the terrain apart, at least 8 m.
+///
+/// The lateral error of a line is kMappedError_m and half a grid step of the terrain: within it the floor of the valley
+/// may lie beside the line.
 ///
 /// @param covered   Axes of culverts and aqueducts, which connect rivers, directed downstream.
 /// @param surfaces  Land cover, with the polygons of `waters`.

@@ -12,10 +12,10 @@ namespace {
 
 struct WaterwayRow {
   std::string_view value;
-  double width_m;
+  double width_m, least_m, most_m;
 };
 constexpr WaterwayRow kWaterways[] = {
-#define WATERWAY(value, width_m) {value, width_m},
+#define WATERWAY(value, width_m, least_m, most_m) {value, width_m, least_m, most_m},
 #include "compiler/map/line_rules.inc"
 #undef WATERWAY
 };
@@ -192,6 +192,8 @@ std::vector<Waterway> locate_waterways(const ReadContext& context) {
         waterways.push_back({.id = {id, 0},
                              .axis = std::move(line.axis),
                              .width_m = width,
+                             .least_width_m = tagged ? 0 : row.least_m,
+                             .most_width_m = tagged ? 0 : row.most_m,
                              .layer = tagged_layer(context, id, way.tags),
                              .passage = tagged_passage(context, way.tags)});
       });

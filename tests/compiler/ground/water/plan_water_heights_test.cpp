@@ -110,7 +110,9 @@ TEST(PlanWaterHeights, RiversHaveALakesLevelWithinIt) {
 
 // Whether a stream stayed on the terrain and was reported.
 bool stays_on_land(const Waters& waters, std::size_t stream, const Report& report) {
-  return waters.streams[stream].profile.empty() && count_of(report, Code::kRiverOffTerrain) > 0;
+  const std::size_t found = count_of(report, Code::kWaterwayRises) + count_of(report, Code::kWaterwayOffLake) +
+                            count_of(report, Code::kWaterwayOffNeighbours);
+  return waters.streams[stream].profile.empty() && found > 0;
 }
 
 TEST(PlanWaterHeights, ABrookIsNotDugDownToALakeWhoseLevelIsWrong) {
@@ -299,6 +301,87 @@ TEST(PlanWaterHeights, AnEvenFallHasNoSteps) {
       plan_water_heights({}, {made_stream(1, {{1010, 3900}, {1300, 100}})}, {}, rough, report).streams[0].profile;
   for (std::size_t i = 0; i + 1 < p.size(); ++i)
     EXPECT_LT((p[i].z_m - p[i + 1].z_m) / (p[i + 1].at_m - p[i].at_m), 0.2);
+}
+
+// A valley with sides of 1 : 2 that falls to the south, winds, and is noisy.
+map::Heightfield winding_valley(std::uint64_t seed) {
+  const RandomSequence draw(seed, StableId{7}, "valley");
+  return made_land([&](Vec2 p) {
+    const double floor_x = 2000 + 60 * std::sin(p.y / 250);
+    const auto index = static_cast<std::uint32_t>(p.x / 32 * 129 + p.y / 32);
+    return 300 + 0.04 * p.y + 0.5 * std::abs(p.x - floor_x) + draw.between(-2, 2, index);
+  });
+}
+
+TEST(PlanWaterHeights, AStreamBesideTheValleysFloorRunsAtItsHeight) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const map::Heightfield land = winding_valley(seed);
+    Polyline axis;  // up to 15 m beside the floor
+    const RandomSequence draw(seed, StableId{3}, "map");
+    for (std::uint32_t i = 0; i <= 60; ++i) {
+      const double y = 3500 - 50.0 * i;
+      axis.push_back(snapped(Vec2{2000 + 60 * std::sin(y / 250) + draw.between(-15, 15, i), y}));
+    }
+    Report report;
+    const Waters waters = plan_water_heights({}, {made_stream(1, axis)}, {}, land, report);
+    ASSERT_FALSE(waters.streams[0].profile.empty());
+    EXPECT_TRUE(report.diagnoses().empty());
+    const WaterMeasures measures = measure_waters({}, waters.streams, land);
+    EXPECT_EQ(measures.streams_that_rise, 0u);
+    EXPECT_LE(measures.deepest_below_land_m, kMaxAside_m);
+    EXPECT_LE(measures.highest_above_land_m, 5);
+  }
+}
+
+TEST(PlanWaterHeights, AStreamOverARidgeDoesNotMoveThoseThatItMeets) {
+  // streams down a slope to the south; one leads over a ridge of 80 m between two others
+  const auto slope = [](Vec2 p) { return 300 + 0.05 * p.y; };
+  const map::Heightfield land =
+      made_land([&](Vec2 p) { return slope(p) + std::max(0.0, 80 - std::abs(p.x - 2000) / 4); });
+  const std::vector<roads::Strip> outer = {made_stream(1, {{1600, 3900}, {1600, 2100}, {1600, 100}}),
+                                           made_stream(2, {{2400, 3900}, {2400, 1900}, {2400, 100}})};
+  std::vector<roads::Strip> all = outer;
+  all.push_back(made_stream(3, {{1600, 2100}, {2400, 1900}}));
+  Report report, other;
+  const Waters with = plan_water_heights({}, all, {}, land, report);
+  const Waters without = plan_water_heights({}, outer, {}, land, other);
+  EXPECT_TRUE(with.streams[2].profile.empty());
+  EXPECT_EQ(count_of(report, Code::kWaterwayRises), 1u);
+  EXPECT_GT(largest(report, Code::kWaterwayRises), 20);
+  for (const std::size_t i : {0u, 1u})
+    for (double at_m = 0; at_m <= 3800; at_m += 50)
+      EXPECT_NEAR(knot_at(with.streams[i].profile, at_m).z_m, knot_at(without.streams[i].profile, at_m).z_m, 0.5);
+}
+
+TEST(PlanWaterHeights, AnArmMappedUphillDoesNotMakeItsRiverLevel) {
+  // an arm leads back to where it left the river, 75 m up
+  const map::Heightfield land = made_land([](Vec2 p) { return 100 + 0.05 * p.y; });
+  Report report;
+  const Waters waters = plan_water_heights(
+      {},
+      {made_stream(1, {{2000, 3900}, {2000, 3000}}), made_stream(2, {{2000, 3000}, {2000, 1500}}),
+       made_stream(3, {{2000, 1500}, {2000, 100}}), made_stream(4, {{2000, 1500}, {2300, 2200}, {2000, 3000}})},
+      {}, land, report);
+  const WaterMeasures measures = measure_waters({}, with_profile(waters.streams), land);
+  EXPECT_LE(measures.deepest_below_land_m, 2);
+  EXPECT_LE(measures.highest_above_land_m, 2);
+  EXPECT_EQ(measures.streams_that_rise, 0u);
+  EXPECT_EQ(count_of(report, Code::kWaterwayCycle), 0u);
+}
+
+TEST(PlanWaterHeights, StreamsJoinAndEndInALake) {
+  const map::Heightfield land = rough_land(12, 0.04, 2);
+  Report report;
+  const Waters waters =
+      plan_water_heights({made_water(9, LandCoverClass::kLake, made_shore({2000, 800}, 200))},
+                         {made_stream(1, {{1000, 3500}, {2000, 2000}}), made_stream(2, {{3000, 3500}, {2000, 2000}}),
+                          made_stream(3, {{2000, 2000}, {2000, 900}})},
+                         {}, land, report);
+  const auto end_m = [&](std::size_t i) { return waters.streams[i].profile.back().z_m; };
+  for (const roads::Strip& stream : waters.streams) ASSERT_FALSE(stream.profile.empty());
+  EXPECT_EQ(end_m(0), waters.streams[2].profile.front().z_m);
+  EXPECT_EQ(end_m(1), waters.streams[2].profile.front().z_m);
+  EXPECT_NEAR(end_m(2), *waters.surfaces[0].level_m, 1e-6);
 }
 
 TEST(PlanWaterHeights, CulvertsPassTheirHeightOn) {
