@@ -76,7 +76,7 @@ Code code_of(Apart apart) {
   return Code::kRiverOffTerrain;
 }
 
-// Gives streams their profiles. Those that are left out get none and lie on the terrain.
+// Gives streams their profiles. Streams that are left out get none and lie on the terrain.
 void set_profiles(std::vector<roads::Strip>& streams, const RiverNetwork& network, const FittedRivers& fitted,
                   double step_m, Report& report) {
   for (std::size_t i = 0; i < streams.size(); ++i) {

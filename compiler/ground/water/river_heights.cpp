@@ -103,7 +103,7 @@ std::vector<double> smoothed(const ContractedNetwork& contracted, std::vector<do
   std::vector<double> lowest = heights, highest = lowest_lands(contracted), next = heights;
   for (std::size_t i = 0; i < heights.size(); ++i) {
     lowest[i] -= kMaxSmoothing_m;
-    highest[i] = std::max(std::min(highest[i], heights[i] + kMaxLift_m), heights[i]);
+    highest[i] = std::max(std::min(highest[i], heights[i] + kMaxSmoothingLift_m), heights[i]);
   }
   for (int round = 0; round < kSmoothingRounds; ++round) {
     for (std::size_t i = 0; i < heights.size(); ++i) {

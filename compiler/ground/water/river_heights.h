@@ -11,7 +11,7 @@ namespace citykiln::ground {
 /// line. With a higher cost less water stands above pits of the terrain, and cuts beside the pits are deeper.
 inline constexpr int kAboveCost = 3;
 /// The largest depth and the largest height that smoothing adds.
-inline constexpr double kMaxSmoothing_m = 4, kMaxLift_m = 1;
+inline constexpr double kMaxSmoothing_m = 4, kMaxSmoothingLift_m = 1;
 
 struct RiverHeights {
   std::vector<double> height_m;  ///< Per node.
@@ -28,7 +28,7 @@ struct RiverHeights {
 /// cycles. (2) fit_descending() with kAboveCost, so that a level part of a river is at the lower quartile of its
 /// terrain. (3) Rounds in which a node moves towards the lowest node upstream and the highest node downstream, which
 /// keeps heights descending. Smoothing never lifts water above all terrain upstream of it, lifts it at most
-/// kMaxLift_m and cuts at most kMaxSmoothing_m deeper; standing water, springs and ends stay.
+/// kMaxSmoothingLift_m and cuts at most kMaxSmoothing_m deeper; standing water, springs and ends stay.
 ///
 /// Guarantees: no node is lower than a node downstream of it; the sea is at 0. Priorities: descent, then levels of
 /// standing water, then the terrain. A pit of width w lowers the river beside it by no more than its bed falls over
