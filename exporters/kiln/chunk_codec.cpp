@@ -1,10 +1,14 @@
 #include "exporters/kiln/chunk_codec.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <type_traits>
+#include <utility>
 
 #include "compiler/map/element_text.h"
+#include "compiler/map/plane/smooth_land.h"
 #include "compiler/scene/yard_recipes.h"
 #include "exporters/kiln/building_codec.h"
 #include "exporters/kiln/member_codecs.h"
@@ -222,6 +226,9 @@ bool is_on_grid(const map::Heightfield& h) {
   return fits(h.min.x, h.step_m.x) && fits(h.min.y, h.step_m.y);
 }
 
+// The largest height that is divided, in units of map::kHeightQuantum_m: 2¹⁰ km.
+constexpr std::int64_t kMostSmoothed = std::int64_t{1} << 26;
+
 int common_zeros(const map::Heightfield& h) {
   std::uint32_t all = 1u << 20;
   for (const std::int32_t height : h.heights) all |= static_cast<std::uint32_t>(height);
@@ -229,7 +236,7 @@ int common_zeros(const map::Heightfield& h) {
 }
 
 template <typename Io>
-void heights(Io& io, map::Heightfield& h) {
+void sampled_heights(Io& io, map::Heightfield& h) {
   io.metres("field", h.min.x), io.metres("field", h.min.y);
   io.metres("field", h.step_m.x), io.metres("field", h.step_m.y);
   io.number("field", h.columns), io.number("field", h.rows);
@@ -257,6 +264,24 @@ void heights(Io& io, map::Heightfield& h) {
       h.heights[i] = static_cast<std::int32_t>(height);
       if (h.heights[i] != height) return io.fail("heights");
     }
+  }
+}
+
+// The samples of a heightfield, and the number of parts of a step between them: 1, 2 or 4.
+template <typename Io>
+void heights(Io& io, map::Heightfield& h) {
+  int parts = h.parts;
+  io.number("field", parts);
+  map::Heightfield samples = map::samples_of(h);
+  sampled_heights(io, samples);
+  if constexpr (Io::kReads) {
+    const bool is_divided = (parts == 2 || parts == 4) && samples.columns >= 4 && samples.rows >= 4;
+    // the smooth surface may leave the range of its samples
+    const bool fits = is_divided && std::ranges::all_of(samples.heights, [](std::int32_t height) {
+                        return std::abs(std::int64_t{height}) <= kMostSmoothed;
+                      });
+    if ((parts != 1 && !fits) || !io.wrong.empty()) return io.fail("field");
+    h = map::smooth_land(std::move(samples), parts);
   }
 }
 

@@ -32,7 +32,7 @@ using ByteSpan = std::span<const std::byte>;
 using RawBytes = std::vector<std::uint8_t>;
 
 constexpr char kMagic[8] = {'C', 'I', 'T', 'Y', 'K', 'I', 'L', 'N'};
-constexpr std::uint16_t kMajor = 6, kMinor = 0;
+constexpr std::uint16_t kMajor = 7, kMinor = 0;
 constexpr const char* kLicence =
     "This manifest is a derivative database of OpenStreetMap, made available under the Open Database License (ODbL) "
     "1.0; see https://www.openstreetmap.org/copyright";

@@ -46,7 +46,7 @@ struct ChartRequest {
   source::LonLatBox bbox;  ///< The area of the terrain chart, if has_bbox; else all of the heightmap.
   bool has_bbox = false;
   std::vector<source::RasterSpec> rasters;  ///< Heightmaps. The terrain chart uses only the first.
-  /// The maps of all charts except plane, terrain, canopy, plant, lsystem, lights, sky, linelights and cloud.
+  /// The maps of all charts except plane, terrain, smooth, canopy, plant, lsystem, lights, sky, linelights and cloud.
   std::vector<std::string> maps;
   std::optional<Vec3> eye;  ///< The viewer of the view chart; empty: 100 m above the middle of the map.
   double lat_deg = 42.5;    ///< The latitude of the plane chart's origin.
@@ -60,6 +60,10 @@ Result<std::vector<Chart>> chart_plane(const ChartRequest& request);
 /// Charts the vertical error of terrain meshes over triangles and over time, at several tolerances, with the results of
 /// other meshers.
 Result<std::vector<Chart>> chart_terrain(const ChartRequest& request);
+/// Charts the errors of heights and slopes between the samples of heightmaps: every 2nd, 4th and 8th sample is kept, and
+/// surfaces through them are compared at the others. Two charts for each heightmap; notes are a Markdown table with the
+/// bends at samples, the overshoot and the time too. Errors: no heightmap, or fewer than 64 samples a side.
+Result<std::vector<Chart>> chart_smooth(const ChartRequest& request);
 /// Charts the share of invalid junction outlines and the time for one, over the grid step of the coordinates, for three
 /// methods.
 Result<std::vector<Chart>> chart_junctions(const ChartRequest& request);

@@ -22,6 +22,7 @@ struct Kind {
 };
 constexpr std::array kKinds = {Kind{"plane", chart_plane},
                                Kind{"terrain", chart_terrain},
+                               Kind{"smooth", chart_smooth},
                                Kind{"junctions", chart_junctions},
                                Kind{"roads", chart_roads},
                                Kind{"ground", chart_ground},
@@ -59,9 +60,10 @@ struct Texts {
 void declare(CLI::App& app, ChartRequest& request, Texts& texts) {
   app.add_option("names", request.names, known_names())->type_name("NAME...")->required();
   app.add_option("--map", request.maps,
-                 "maps for all charts except plane, terrain, canopy, plant, lsystem, lights, sky, linelights and cloud")
+                 "maps for all charts except plane, terrain, smooth, canopy, plant, lsystem, lights, sky, linelights "
+                 "and cloud")
       ->type_name("FILE...");
-  app.add_option("--dem", texts.rasters, "heightmap for terrain, ground, view, profile, facade and lod")
+  app.add_option("--dem", texts.rasters, "heightmap for terrain, smooth, ground, view, profile, facade and lod")
       ->type_name("FILE[,key=value...]");
   app.add_option("--bbox", texts.bbox, "terrain: part of the heightmap in degrees (default: all of it)")
       ->type_name("W,S,E,N");

@@ -9,6 +9,7 @@
 
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/map/buildings/building_classes.h"
+#include "compiler/map/plane/smooth_land.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::exporters {
@@ -371,10 +372,10 @@ class SceneMaker {
   }
   map::Heightfield field() {
     const Vec2 step_m{1 + below(1000) * map::kStepUnit_m, 1 + below(1000) * map::kStepUnit_m};
-    map::Heightfield h{step_m * -1.0, step_m, 3, 4, {}, below(9) * kQuantum_m};
+    map::Heightfield h{step_m * -1.0, step_m, 4, 5, {}, below(9) * kQuantum_m};
     const std::uint32_t grain = below(5);
-    for (int i = 0; i < 12; ++i) h.heights.push_back(static_cast<std::int32_t>(below(9000) << grain) - 30000 * 64);
-    return h;
+    for (int i = 0; i < 20; ++i) h.heights.push_back(static_cast<std::int32_t>(below(9000) << grain) - 30000 * 64);
+    return map::smooth_land(std::move(h), 1 << below(3));
   }
 
   std::mt19937_64 dice_;

@@ -75,7 +75,7 @@ class LevelWays {
 
 JunctionPlanes solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights,
                      std::span<const double> lines_m) {
-  JunctionPlanes planes = fit_junction_planes(graph, smooth_heights(graph, lines_m, heights.longer_step_m()));
+  JunctionPlanes planes = fit_junction_planes(graph, smooth_heights(graph, lines_m, heights.longer_sample_step_m()));
   const std::vector<double> ground_m = limit_grades(graph, planes.z_m);
   planes = fit_junction_planes(graph, clear_crossings(graph, crossings, &heights, ground_m));
   planes.z_m = limit_grades(graph, planes.z_m);

@@ -139,9 +139,9 @@ Waters plan_water_heights(std::vector<LandCoverPolygon> surfaces, std::vector<ro
   RiverNetwork network = network_now();
   if (turn_uphill(waters.streams, covered_axes, network, seas, report)) network = network_now();
   const FittedRivers found =
-      fit_rivers(network, seas, max_depths_of(waters.streams), kSustained * heights.longer_step_m());
+      fit_rivers(network, seas, max_depths_of(waters.streams), kSustained * heights.longer_sample_step_m());
 
-  set_profiles(waters.streams, network, found, heights.longer_step_m(), report);
+  set_profiles(waters.streams, network, found, heights.longer_sample_step_m(), report);
   set_levels(waters.surfaces, standing, found.heights, heights, report);
   for (std::size_t i = 0; i < waters.streams.size(); ++i)
     waters.streams[i].influence_radius_m = areas.influence_radius_m[i];

@@ -12,6 +12,7 @@
 #include "compiler/map/features.h"
 #include "compiler/map/plane/lonlat_box.h"
 #include "compiler/map/plane/raster_sampler.h"
+#include "compiler/map/plane/smooth_land.h"
 #include "compiler/source/voids/fill_gaps.h"
 
 namespace citykiln::map {
@@ -37,15 +38,17 @@ Vec2 step_for(std::span<const Raster> rasters) {
   return {step_below(finest_m.x), step_below(finest_m.y)};
 }
 
-// A field over the extent and one step beyond on every side. @param anchor A vertex of the grid, possibly far away.
-Heightfield empty_field(const Box2& extent, Vec2 step_m, Vec2 anchor) {
-  const auto before = [](double v, double step) { return std::floor(v / step) - 1; };
-  const auto beyond = [](double v, double step) { return std::ceil(v / step) + 1; };
+// A level field over the extent and some steps beyond on every side. @param anchor A vertex of the grid, possibly far
+// away.
+Heightfield level_field(const Box2& extent, Vec2 step_m, Vec2 anchor, int steps_beyond) {
+  const auto before = [&](double v, double step) { return std::floor(v / step) - steps_beyond; };
+  const auto beyond = [&](double v, double step) { return std::ceil(v / step) + steps_beyond; };
   const Vec2 low = extent.min - anchor, high = extent.max - anchor;
   const double west = before(low.x, step_m.x), south = before(low.y, step_m.y);
   Heightfield field{.min = anchor + Vec2{west * step_m.x, south * step_m.y}, .step_m = step_m, .heights = {}};
   field.columns = static_cast<int>(beyond(high.x, step_m.x) - west) + 1;
   field.rows = static_cast<int>(beyond(high.y, step_m.y) - south) + 1;
+  field.heights.assign(static_cast<std::size_t>(field.columns) * field.rows, 0);
   return field;
 }
 
@@ -69,6 +72,19 @@ Vec2 anchor_of(std::span<const RasterSampler> samplers, const Plane& plane, cons
 // Coarse fields have errors of metres anyway and take fewer bytes.
 std::int32_t grain_for(double step_m) {
   return std::max(1, static_cast<std::int32_t>(step_m / 512 / kHeightQuantum_m));
+}
+
+// Writes the heights of a field's vertices; returns which of them a raster covers.
+std::vector<bool> sample(std::span<const RasterSampler> samplers, const Plane& plane, Heightfield& field) {
+  std::vector<bool> known(field.heights.size(), false);
+  const std::int32_t grain = grain_for(field.shorter_sample_step_m());
+  for (int j = 0; j < field.rows; ++j)
+    for (int i = 0; i < field.columns; ++i) {
+      const std::size_t at = static_cast<std::size_t>(j) * field.columns + i;
+      const auto height = quantised_height(samplers, plane, field.vertex(i, j), grain);
+      if (height) field.heights[at] = *height, known[at] = true;
+    }
+  return known;
 }
 
 // The largest vertical distance from the raster's samples to the field.
@@ -99,23 +115,18 @@ Error covers_nothing(std::span<const Raster> rasters, const Plane& plane, const 
 
 Result<Heightfield> resample(std::span<const Raster> rasters, const Plane& plane, const Box2& extent, Report& report) {
   assert(!extent.is_empty());
-  const Result<std::vector<RasterSampler>> sampled = samplers_of(rasters);
-  if (!sampled) return sampled.error();
-  const std::vector<RasterSampler>& samplers = *sampled;
-  Heightfield field = empty_field(extent, step_for(rasters), anchor_of(samplers, plane, extent));
-  field.heights.assign(static_cast<std::size_t>(field.columns) * field.rows, 0);
-  if (rasters.empty()) return field;
-  std::vector<bool> known(field.heights.size(), false);
-  const std::int32_t grain = grain_for(field.shorter_step_m());
-  for (int j = 0; j < field.rows; ++j)
-    for (int i = 0; i < field.columns; ++i) {
-      const std::size_t at = static_cast<std::size_t>(j) * field.columns + i;
-      const auto height = quantised_height(samplers, plane, field.vertex(i, j), grain);
-      if (height) field.heights[at] = *height, known[at] = true;
-    }
+  const Result<std::vector<RasterSampler>> samplers = samplers_of(rasters);
+  if (!samplers) return samplers.error();
+  const Vec2 step_m = step_for(rasters), anchor = anchor_of(*samplers, plane, extent);
+  if (rasters.empty()) return level_field(extent, step_m, anchor, 1);
+  const int parts = smooth_parts(step_m);
+  // the smooth surface ends one sample before the outermost
+  Heightfield samples = level_field(extent, step_m, anchor, parts == 1 ? 1 : 2);
+  const std::vector<bool> known = sample(*samplers, plane, samples);
   if (std::find(known.begin(), known.end(), true) == known.end()) return covers_nothing(rasters, plane, extent);
-  const std::size_t missing = source::fill_uncovered(field.heights, known, field.columns);
+  const std::size_t missing = source::fill_uncovered(samples.heights, known, samples.columns);
   if (missing > 0) report.add(Code::kNoHeight, {}, static_cast<double>(missing) / static_cast<double>(known.size()));
+  Heightfield field = smooth_land(std::move(samples), parts);
   for (const Raster& raster : rasters)
     field.resampling_error_m = std::max(field.resampling_error_m, resampling_error_m(field, raster, plane));
   return field;

@@ -35,6 +35,39 @@ Vec3 slope_normal(const Heightfield& field, int i, int j) {
   return unit(Vec3{-dx, -dy, 1});
 }
 
+// Lines of a grid.
+struct Lines {
+  int first, last;
+};
+
+// The grid lines start + i · step, of which every parts-th goes through samples.
+struct Axis {
+  double start, step;
+  int count, parts;
+};
+
+// The lines of samples about a range and, for normals, one more line on either side.
+Lines window_along(double low, double high, const Axis& axis) {
+  const auto line = [&](double rounded_share) {
+    return static_cast<int>(std::clamp(rounded_share, -2.0, axis.count + 1.0));
+  };
+  const int first = std::clamp(line(std::floor((low - axis.start) / axis.step)) - 1, 0, axis.count - 2);
+  const int last = std::clamp(line(std::ceil((high - axis.start) / axis.step)) + 1, 1, axis.count - 1);
+  const int first_sample = first / axis.parts;
+  const int last_sample = std::max(first_sample + 1, (last + axis.parts - 1) / axis.parts);
+  return {first_sample * axis.parts, last_sample * axis.parts};
+}
+
+std::vector<std::int32_t> part_of_grid(const std::vector<std::int32_t>& heights, int columns, Lines across,
+                                       Lines along) {
+  std::vector<std::int32_t> part;
+  for (int j = along.first; j <= along.last; ++j) {
+    const auto row = heights.begin() + static_cast<std::ptrdiff_t>(j) * columns;
+    part.insert(part.end(), row + across.first, row + across.last + 1);
+  }
+  return part;
+}
+
 }  // namespace
 
 CellPosition cell_at(const Heightfield& field, Vec2 p) {
@@ -69,27 +102,20 @@ Vec3 normal_at(const Heightfield& field, Vec2 p) {
 Heightfield window_of(const Heightfield& field, const Box2& box) {
   assert(field.columns >= 2 && field.rows >= 2);
   assert(!box.is_empty());
-  // one vertex more than normals need on every side
-  const auto first = [](double low, double start, double step, int count) {
-    return std::clamp(static_cast<int>(std::floor((low - start) / step)) - 1, 0, count - 2);
-  };
-  const auto last = [](double high, double start, double step, int count) {
-    return std::clamp(static_cast<int>(std::ceil((high - start) / step)) + 1, 1, count - 1);
-  };
   const Vec2 min = field.min, step = field.step_m;
-  const int i0 = first(box.min.x, min.x, step.x, field.columns), j0 = first(box.min.y, min.y, step.y, field.rows);
-  const int i1 = std::max(i0 + 1, last(box.max.x, min.x, step.x, field.columns));
-  const int j1 = std::max(j0 + 1, last(box.max.y, min.y, step.y, field.rows));
+  const auto [i0, i1] = window_along(box.min.x, box.max.x, {min.x, step.x, field.columns, field.parts});
+  const auto [j0, j1] = window_along(box.min.y, box.max.y, {min.y, step.y, field.rows, field.parts});
   Heightfield window{.min = field.vertex(i0, j0),
                      .step_m = step,
                      .columns = i1 - i0 + 1,
                      .rows = j1 - j0 + 1,
-                     .heights = {},
-                     .resampling_error_m = field.resampling_error_m};
-  for (int j = j0; j <= j1; ++j) {
-    const auto row = field.heights.begin() + static_cast<std::ptrdiff_t>(j) * field.columns;
-    window.heights.insert(window.heights.end(), row + i0, row + i1 + 1);
-  }
+                     .heights = part_of_grid(field.heights, field.columns, {i0, i1}, {j0, j1}),
+                     .resampling_error_m = field.resampling_error_m,
+                     .parts = field.parts};
+  // one sample more on every side, which the field's samples have too
+  const auto of_samples = [&](Lines lines) { return Lines{lines.first / field.parts, lines.last / field.parts + 2}; };
+  if (field.parts > 1)
+    window.samples = part_of_grid(field.samples, field.sample_columns(), of_samples({i0, i1}), of_samples({j0, j1}));
   return window;
 }
 

@@ -293,7 +293,7 @@ TEST(Ground, CellsOfUnequalTolerancesMeetVertexForVertex) {
     EXPECT_EQ(on_line_x(coarse, 256), on_line_x(east, 256)) << "seed " << seed;
     EXPECT_LE(length(Vec2{east.error_m, east.border_error_m}), 1.6) << "seed " << seed;
     // where there is more in the cell than on its sides
-    if (field.longer_step_m() < 32) {
+    if (field.longer_sample_step_m() < 32) {
       EXPECT_LT(east.mesh.triangles.size(), west.mesh.triangles.size());
     }
   }

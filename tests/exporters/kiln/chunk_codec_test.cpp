@@ -125,7 +125,7 @@ TEST(ChunkCodec, AFieldOffItsGridIsNamed) {
     Streams streams = empty_streams();
     // steps are written as differences, twice as large for their sign; the error is as long as the corner is far
     const std::uint64_t down = 2 * (step - corner) - (step > corner ? 1 : 0);
-    streams["field"] = stream_of({2 * corner, 0, 2 * (step - corner), 0, columns, 2, down, size, 0});
+    streams["field"] = stream_of({1, 2 * corner, 0, 2 * (step - corner), 0, columns, 2, down, size, 0});
     streams["heights"].assign(size, 0);
     return wrong_in(streams);
   };
@@ -141,6 +141,20 @@ TEST(ChunkCodec, AFieldOffItsGridIsNamed) {
   EXPECT_EQ(field_at(127, 68 * 1024, 2, 4), "field");
   EXPECT_EQ(field(64 * 1024, 1, 2), "field");
   EXPECT_EQ(field(64 * 1024, 3, 4), "field");
+}
+
+TEST(ChunkCodec, AFieldIsDividedInTwoOrFour) {
+  const auto divided = [](std::uint64_t parts, std::uint64_t columns) {
+    Streams streams = empty_streams();
+    const std::uint64_t step = 64 * 2048, size = columns * 4;
+    streams["field"] = stream_of({parts, 0, 0, step, 0, columns, 4, step - 1, size, 0});
+    streams["heights"].assign(size, 0);
+    return wrong_in(streams);
+  };
+  for (const std::uint64_t parts : {1, 2, 4}) EXPECT_EQ(divided(parts, 4), "") << parts;
+  for (const std::uint64_t parts : {0, 3, 5, 8}) EXPECT_EQ(divided(parts, 4), "field") << parts;
+  EXPECT_EQ(divided(1, 3), "");
+  EXPECT_EQ(divided(2, 3), "field");
 }
 
 TEST(ChunkCodec, WhatNoChunkCanBeIsNamed) {

@@ -260,6 +260,7 @@ class Chunk:
 
     def read_heights(self):
         field = self.streams["field"]
+        assert field.plain() in (1, 2, 4)
         for _ in range(4):
             field.step()
         columns, rows = field.plain(), field.plain()
@@ -436,7 +437,7 @@ class Manifest:
     def __init__(self, manifest):
         assert manifest[:8] == b"CITYKILN"
         major, _, size, value = struct.unpack_from("<HHIQ", manifest, 8)
-        assert major == 6
+        assert major == 7
         frame, body = manifest[24:24 + size], manifest[24 + size:]
         assert fnv(manifest[:16] + frame) == value
         header = root_of(unzstd(frame))

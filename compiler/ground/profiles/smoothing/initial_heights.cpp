@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "compiler/ground/profiles/graph/graph_walk.h"
 #include "compiler/ground/profiles/smoothing/grade_limits.h"
@@ -11,18 +12,21 @@
 namespace citykiln::ground {
 namespace {
 
-double filtered_vertex_m(const map::Heightfield& terrain, int i, int j) {
+// Returns how far the filter moves a sample: a single high or low one becomes the median of the samples about it.
+double correction_m(const map::Heightfield& terrain, int i, int j) {
+  const auto sample_m = [&](int di, int dj) {
+    return terrain.height_m_at_vertex(std::clamp(i + di * terrain.parts, 0, terrain.columns - 1),
+                                      std::clamp(j + dj * terrain.parts, 0, terrain.rows - 1));
+  };
   std::array<double, 24> about{};
   std::size_t n = 0;
   for (int dj = -2; dj <= 2; ++dj)
     for (int di = -2; di <= 2; ++di)
-      if (di != 0 || dj != 0)
-        about[n++] = terrain.height_m_at_vertex(std::clamp(i + di, 0, terrain.columns - 1),
-                                                std::clamp(j + dj, 0, terrain.rows - 1));
+      if (di != 0 || dj != 0) about[n++] = sample_m(di, dj);
   std::ranges::nth_element(about, about.begin() + 12);
-  const double own_m = terrain.height_m_at_vertex(i, j), median_m = about[12];
-  return std::abs(own_m - median_m) > std::max(kMinSummit_m, kMaxSummitSlope * terrain.longer_step_m()) ? median_m
-                                                                                                        : own_m;
+  const double above_m = sample_m(0, 0) - about[12];
+  const double most_m = std::max(kMinSummit_m, kMaxSummitSlope * terrain.longer_sample_step_m());
+  return std::abs(above_m) > most_m ? -above_m : 0;
 }
 
 bool is_ground(const ProfileGraph& graph, std::uint32_t node) {
@@ -50,15 +54,22 @@ void place_endless_tunnels(const ProfileGraph& graph, std::span<const double> we
 }  // namespace
 
 double filtered_height_m(const map::Heightfield& terrain, Vec2 p) {
+  const double land_m = map::height_m_at(terrain, p);
   const auto [i, j, u, v] = map::cell_at(terrain, p);
-  std::array<double, 4> z = {terrain.height_m_at_vertex(i, j), terrain.height_m_at_vertex(i + 1, j),
-                             terrain.height_m_at_vertex(i, j + 1), terrain.height_m_at_vertex(i + 1, j + 1)};
+  const int parts = terrain.parts, west = i / parts * parts, south = j / parts * parts;
+  const auto corner = [&](int c) { return std::pair(west + c % 2 * parts, south + c / 2 * parts); };
+  std::array<double, 4> z{};
+  for (int c = 0; c < 4; ++c)
+    z[static_cast<std::size_t>(c)] = terrain.height_m_at_vertex(corner(c).first, corner(c).second);
   // only a rectangle with a great difference of heights can have one such vertex
   constexpr double kSteep = 0.4;
   const auto [low, high] = std::ranges::minmax(z);
-  if (high - low > kSteep * std::max(terrain.longer_step_m(), kMinSummit_m))
-    for (int c = 0; c < 4; ++c) z[static_cast<std::size_t>(c)] = filtered_vertex_m(terrain, i + c % 2, j + c / 2);
-  return u >= v ? z[0] + (z[1] - z[0]) * u + (z[3] - z[1]) * v : z[0] + (z[2] - z[0]) * v + (z[3] - z[2]) * u;
+  if (high - low <= kSteep * std::max(terrain.longer_sample_step_m(), kMinSummit_m)) return land_m;
+  for (int c = 0; c < 4; ++c)
+    z[static_cast<std::size_t>(c)] = correction_m(terrain, corner(c).first, corner(c).second);
+  const double east = (i - west + u) / parts, north = (j - south + v) / parts;
+  return land_m + (east >= north ? z[0] + (z[1] - z[0]) * east + (z[3] - z[1]) * north
+                                 : z[0] + (z[2] - z[0]) * north + (z[3] - z[2]) * east);
 }
 
 void interpolate_spans(const ProfileGraph& graph, std::vector<double>& z_m) {

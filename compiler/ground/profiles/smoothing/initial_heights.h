@@ -9,8 +9,8 @@
 
 namespace citykiln::ground {
 
-/// A vertex of the terrain is filtered as a steep summit if it differs from the median of the 24 vertices about it by
-/// more than this times the grid step. The median replaces it, since roads do not run over steep summits. Broken
+/// A sample of the terrain is filtered as a steep summit if it differs from the median of the 24 samples about it by
+/// more than this times their distance. The median replaces it, since roads do not run over steep summits. Broken
 /// samples ("spikes") have been removed before, by source/spikes_to_voids.
 inline constexpr double kMaxSummitSlope = 0.75;
 /// Smaller differences are never filtered. On fine grids they are trees and houses.
@@ -22,7 +22,8 @@ inline constexpr double kSpanEndRadius_m = 4096;
 /// The smallest height of the ground above a tunnel's road or path: soil, vault and clear height.
 inline constexpr double kTunnelCover_m = 7, kPathTunnelCover_m = 4.5;
 
-/// Returns the terrain's height at p, with steep summits replaced. Depends on vertices within three grid steps. O(1).
+/// Returns the terrain's height at p, moved as far as steep summits about it are replaced. Depends on samples within
+/// three of their steps. O(1).
 double filtered_height_m(const map::Heightfield& heights, Vec2 p);
 
 /// Returns heights by node. A node of a bridge or tunnel has the mean of the heights of the ground nodes within

@@ -165,7 +165,7 @@ TEST(PlanWaterHeights, NoWatercourseLiesTooDeepForLongerThanNoise) {
       const Vec2 p =
           stream.axis[i] + (stream.axis[i + 1] - stream.axis[i]) * ((at_m - along[i]) / (along[i + 1] - along[i]));
       run_m = height_m_at(land, p) - knot_at(stream.profile, at_m).z_m > deepest_m ? run_m + 4 : 0;
-      EXPECT_LE(run_m, (kSustained + 1) * land.longer_step_m()) << seed;
+      EXPECT_LE(run_m, (kSustained + 1) * land.longer_sample_step_m()) << seed;
     }
   }
   EXPECT_GT(with_heights, 0u);

@@ -74,9 +74,9 @@ TEST(Resample, StepsAreTheLargestOfTheirSetNotAboveTheFinestSpacing) {
     Raster raster = raster_of(slope_m);
     raster.spacing_m = {c.spacing_m, 20};
     Report report;
-    EXPECT_EQ(field_of({raster}, report, {{0, 0}, {128, 128}}).step_m, (Vec2{c.step_m, 20})) << c.spacing_m;
+    EXPECT_EQ(field_of({raster}, report, {{0, 0}, {128, 128}}).sample_step_m(), (Vec2{c.step_m, 20})) << c.spacing_m;
     raster.spacing_m = {20, c.spacing_m};
-    EXPECT_EQ(field_of({raster}, report, {{0, 0}, {128, 128}}).step_m, (Vec2{20, c.step_m})) << c.spacing_m;
+    EXPECT_EQ(field_of({raster}, report, {{0, 0}, {128, 128}}).sample_step_m(), (Vec2{20, c.step_m})) << c.spacing_m;
   }
 }
 
@@ -102,7 +102,7 @@ TEST(Resample, OfSeveralRastersTheFinestSpacingEachWayCounts) {
   Raster one = raster_of(slope_m), other = one;
   one.spacing_m = {30, 92}, other.spacing_m = {68, 40};
   Report report;
-  EXPECT_EQ(field_of({one, other}, report).step_m, (Vec2{30, 40}));
+  EXPECT_EQ(field_of({one, other}, report).sample_step_m(), (Vec2{30, 40}));
 }
 
 TEST(Resample, ASlopeStaysASlopeWithinHalfAQuantum) {
@@ -198,7 +198,7 @@ TEST(Resample, AFileFarAwayDoesNotChangeTheSteps) {
              one = source::read_heightmaps(std::span(specs).first(1), &window, report);
   ASSERT_TRUE(both && one);
   const Heightfield field = field_of(*both, report), alone = field_of(*one, report);
-  EXPECT_GT(alone.step_m.x, 35);
+  EXPECT_GT(alone.sample_step_m().x, 35);
   EXPECT_EQ(field.step_m, alone.step_m);
   EXPECT_EQ(field.heights, alone.heights);
 }
