@@ -126,7 +126,7 @@ std::string note_of_division(const Samples& samples) {
   const int parts = map::smooth_parts(samples.spacing_m);
   const SurfaceMethod limited = surface_methods()[kOfCompile];
   const HeightGrid field = limited.refined(samples.grid, parts);
-  const Facets before = facets_of(samples.grid, samples.spacing_m), after = facets_of(field, samples.spacing_m / parts);
+  const Facets before = facets_of(samples.grid, samples.spacing_m), after = facets_of(field, samples.spacing_m * (1.0 / parts));
   const SurfaceErrors off = distance_from_surface(field, limited.refined(samples.grid, 8), 8 / parts);
   return fmt::format(
       "{}, {} parts: bends {:.2f} -> {:.2f} deg, a hundredth above {:.1f} -> {:.1f} deg; off the surface by {:.3f} m "

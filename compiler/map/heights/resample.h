@@ -16,7 +16,7 @@ namespace citykiln::map {
 /// The steps of its samples, east and north, are the largest multiples of kStepUnit_m not above the finest sample
 /// distance of a raster with samples in that direction, at least 1 m and at most kCell_m. In the middle of the extent
 /// they lie on samples of the first raster that covers it; farther away, where degrees and metres diverge, they lie
-/// between samples, on the smooth surface through these (bicubic.h). Steps above 24 m are divided (smooth_land.h).
+/// between samples, where heights are interpolated bilinearly. Steps above 24 m are divided (smooth_land.h).
 ///
 /// @param rasters  Without voids (source::fill_voids()). At each place the first raster that covers it counts. Places
 ///                 that no raster covers get the nearest height (source::fill_uncovered()), diagnosed kNoHeight with

@@ -16,11 +16,13 @@
 
 namespace citykiln::map {
 
-/// The largest slope at a sample, as a multiple of the smaller difference to its neighbours. At 3 a surface between
-/// rising samples rises everywhere (Fritsch and Carlson 1980).
-inline constexpr int kMostSlope = 3;
+/// The largest slope at a sample, as a multiple of the smaller difference to its neighbours. At most 3, a line between
+/// rising samples rises everywhere (Fritsch and Carlson 1980). Without a limit the errors at samples left out are 2 to
+/// 4 % smaller, but lie up to six times as far outside of their neighbours (citykiln-chart smooth).
+inline constexpr int kMostSlope = 2;
 
-/// The surface leaves the range of the four samples about a place by at most this share of the range.
+/// The surface leaves the range of the four samples about a place by at most this share of the range: 0.22 on the lines
+/// between samples, and 3/4 for slopes across them of up to 2, with twists of up to 4.
 inline constexpr double kMostOvershoot = 1;
 
 /// A sample with its slopes, in metres a step: east, north, and the change of the slope east by a step north.

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "compiler/contract/result.h"
-#include "compiler/map/plane/bicubic.h"
 #include "compiler/map/plane/plane.h"
 #include "compiler/source/raster.h"
 #include "compiler/source/read_raster.h"
@@ -25,8 +24,8 @@ bool is_height(Real height_m) {
   return std::abs(height_m) <= kMostHeight_m;
 }
 
-/// Interpolates the heights of a raster on the smooth surface through them (bicubic.h), beside voids bilinearly. The
-/// raster must outlive it. A raster without samples has no heights.
+/// Interpolates the heights of a raster bilinearly. The raster must outlive it. A raster without samples has no
+/// heights.
 struct RasterSampler {
   const source::Raster& raster;
   source::ToRasterSystem to_system;  // empty: longitude and latitude
@@ -59,36 +58,25 @@ struct RasterSampler {
   // The height at a place, or nothing outside the samples.
   template <typename Real>
   std::optional<Real> height_m(Real lon_deg, Real lat_deg) const {
-    auto [column, row] = in_grid<Real>(lon_deg, lat_deg);
+    const InGrid<Real> at = in_grid<Real>(lon_deg, lat_deg);
+    return bilinear<Real>(at.column, at.row);
+  }
+
+  template <typename Real>
+  std::optional<Real> bilinear(Real column, Real row) const {
     // the outermost samples extend outwards by half a sample
     if (!(column >= -0.5 && row >= -0.5 && column <= raster.columns - 0.5 && row <= raster.rows - 0.5))
       return std::nullopt;
     column = std::clamp<Real>(column, 0, raster.columns - 1), row = std::clamp<Real>(row, 0, raster.rows - 1);
     const int c = std::min(static_cast<int>(column), std::max(0, raster.columns - 2)),
               r = std::min(static_cast<int>(row), std::max(0, raster.rows - 2));
-    const Real u = column - c, v = row - r;
-    const Real smooth = smooth_height<Real>([&](int i, int j) { return extended<Real>(c + i, r + j); }, u, v);
-    const Real height = std::isfinite(smooth) ? smooth : bilinear<Real>(c, r, u, v);
-    if (!is_height(height)) return std::nullopt;
-    return height;
-  }
-
-  // The height of a sample. Beyond the outermost ones it goes on along the slope there.
-  template <typename Real>
-  Real extended(int column, int row) const {
-    const int c = std::clamp(column, 0, raster.columns - 1), r = std::clamp(row, 0, raster.rows - 1);
-    const int opposite_c = std::clamp(2 * c - column, 0, raster.columns - 1),
-              opposite_r = std::clamp(2 * r - row, 0, raster.rows - 1);
-    const Real own = raster.at(c, r);
-    return c == column && r == row ? own : 2 * own - raster.at(opposite_c, opposite_r);
-  }
-
-  template <typename Real>
-  Real bilinear(int c, int r, Real u, Real v) const {
     const int east = std::min(c + 1, raster.columns - 1), south = std::min(r + 1, raster.rows - 1);
+    const Real u = column - c, v = row - r;
     const Real north_m = raster.at(c, r) * (1 - u) + raster.at(east, r) * u,
                south_m = raster.at(c, south) * (1 - u) + raster.at(east, south) * u;
-    return north_m * (1 - v) + south_m * v;
+    const Real height = north_m * (1 - v) + south_m * v;
+    if (!is_height(height)) return std::nullopt;
+    return height;
   }
 };
 

@@ -65,7 +65,7 @@ Heightfield smooth_land(Heightfield samples, int parts) {
   if (parts == 1) return samples;
   assert(samples.columns >= 4 && samples.rows >= 4);
   Heightfield land{.min = samples.vertex(1, 1),
-                   .step_m = samples.step_m / parts,
+                   .step_m = samples.step_m * (1.0 / parts),
                    .columns = (samples.columns - 3) * parts + 1,
                    .rows = (samples.rows - 3) * parts + 1,
                    .heights = {},
