@@ -60,9 +60,9 @@ Result<std::vector<Chart>> chart_plane(const ChartRequest& request);
 /// Charts the vertical error of terrain meshes over triangles and over time, at several tolerances, with the results of
 /// other meshers.
 Result<std::vector<Chart>> chart_terrain(const ChartRequest& request);
-/// Charts the errors of heights and slopes between the samples of heightmaps: every 2nd, 4th and 8th sample is kept, and
-/// surfaces through them are compared at the others. Two charts for each heightmap; notes are a Markdown table with the
-/// bends at samples, the overshoot and the time too. Errors: no heightmap, or fewer than 64 samples a side.
+/// Charts the errors of heights and slopes between the samples of heightmaps: every 2nd, 4th and 8th sample is kept,
+/// and surfaces through them are compared at the others. Two charts for each heightmap; notes are a Markdown table with
+/// the bends at samples, the overshoot and the time too. Errors: no heightmap, or fewer than 64 samples a side.
 Result<std::vector<Chart>> chart_smooth(const ChartRequest& request);
 /// Charts the share of invalid junction outlines and the time for one, over the grid step of the coordinates, for three
 /// methods.

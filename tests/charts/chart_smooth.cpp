@@ -66,8 +66,8 @@ double bend_deg(const HeightGrid& grid, int c, int r, Vec2 spacing_m) {
 /// How far a height lies beyond the four nodes of the coarse grid about it.
 double beyond_m(const HeightGrid& coarse, int c, int r, int n, double height_m) {
   const int column = std::min(c / n, coarse.columns - 2), row = std::min(r / n, coarse.rows - 2);
-  const auto [low, high] = std::minmax({coarse.at(column, row), coarse.at(column + 1, row), coarse.at(column, row + 1),
-                                        coarse.at(column + 1, row + 1)});
+  const auto [low, high] = std::minmax(
+      {coarse.at(column, row), coarse.at(column + 1, row), coarse.at(column, row + 1), coarse.at(column + 1, row + 1)});
   return std::max({low - height_m, height_m - high, 0.0});
 }
 
@@ -86,8 +86,7 @@ SurfaceErrors errors_of(const SurfaceMethod& method, const Samples& samples, int
       errors.overshoot_m = std::max(errors.overshoot_m, beyond_m(coarse, c, r, n, fine.at(c, r)));
       if (c % n == 0 && r % n == 0) continue;
       const double off_m = fine.at(c, r) - samples.grid.at(c, r);
-      const Vec2 slope_off =
-          slope_at(fine, c, r, samples.spacing_m) - slope_at(samples.grid, c, r, samples.spacing_m);
+      const Vec2 slope_off = slope_at(fine, c, r, samples.spacing_m) - slope_at(samples.grid, c, r, samples.spacing_m);
       errors.height_m += off_m * off_m, errors.slope += dot(slope_off, slope_off), ++left_out;
     }
   errors.height_m = std::sqrt(errors.height_m / left_out), errors.slope = std::sqrt(errors.slope / left_out);
@@ -121,12 +120,13 @@ SurfaceErrors distance_from_surface(const HeightGrid& places, const HeightGrid& 
   return off;
 }
 
-/// What dividing the steps changes: facets before and after, and the distance of the field from the surface.
+/// The effect of dividing the steps: facets before and after, and the distance of the field from the surface.
 std::string note_of_division(const Samples& samples) {
   const int parts = map::smooth_parts(samples.spacing_m);
   const SurfaceMethod limited = surface_methods()[kOfCompile];
   const HeightGrid field = limited.refined(samples.grid, parts);
-  const Facets before = facets_of(samples.grid, samples.spacing_m), after = facets_of(field, samples.spacing_m * (1.0 / parts));
+  const Facets before = facets_of(samples.grid, samples.spacing_m),
+               after = facets_of(field, samples.spacing_m * (1.0 / parts));
   const SurfaceErrors off = distance_from_surface(field, limited.refined(samples.grid, 8), 8 / parts);
   return fmt::format(
       "{}, {} parts: bends {:.2f} -> {:.2f} deg, a hundredth above {:.1f} -> {:.1f} deg; off the surface by {:.3f} m "
@@ -139,12 +139,19 @@ std::string note_of_division(const Samples& samples) {
 std::vector<Chart> charts_of(const Samples& samples) {
   const std::string title = fmt::format("{} thinned; samples every {:.1f} by {:.1f} m", samples.name,
                                         samples.spacing_m.x, samples.spacing_m.y);
-  Chart heights{"smooth_heights_" + samples.name, "Error of heights between samples: " + title,
-                {"every n-th sample", true}, {"r.m.s. of heights left out (m)", true}, {}};
-  Chart slopes{"smooth_slopes_" + samples.name, "Error of slopes between samples: " + title,
-               {"every n-th sample", true}, {"r.m.s. of slopes left out (%)", true}, {}};
-  heights.notes = {"| surface | n | heights, r.m.s. (m) | slopes, r.m.s. (%) | bend at samples (°) | overshoot (m) | s |",
-                   "|---|---|---|---|---|---|---|"};
+  Chart heights{"smooth_heights_" + samples.name,
+                "Error of heights between samples: " + title,
+                {"every n-th sample", true},
+                {"r.m.s. of heights left out (m)", true},
+                {}};
+  Chart slopes{"smooth_slopes_" + samples.name,
+               "Error of slopes between samples: " + title,
+               {"every n-th sample", true},
+               {"r.m.s. of slopes left out (%)", true},
+               {}};
+  heights.notes = {
+      "| surface | n | heights, r.m.s. (m) | slopes, r.m.s. (%) | bend at samples (°) | overshoot (m) | s |",
+      "|---|---|---|---|---|---|---|"};
   for (const SurfaceMethod& method : surface_methods()) {
     heights.series.push_back({method.name, {}}), slopes.series.push_back({method.name, {}});
     for (const int n : {2, 4, 8}) {

@@ -28,8 +28,8 @@ SurfaceMethod by_squares(std::string name, const HeightInSquare& height) {
             for (int r = 0; r < fine.rows; ++r)
               for (int c = 0; c < fine.columns; ++c) {
                 const int column = std::min(c / n, grid.columns - 2), row = std::min(r / n, grid.rows - 2);
-                fine.heights_m.push_back(height({grid, column, row}, double{1} * (c - column * n) / n,
-                                                double{1} * (r - row * n) / n));
+                fine.heights_m.push_back(
+                    height({grid, column, row}, double{1} * (c - column * n) / n, double{1} * (r - row * n) / n));
               }
             return fine;
           }};
@@ -64,9 +64,8 @@ struct Corner {
 };
 
 Corner corner_at(const AboutSquare& z, int c, int r) {
-  return {Vec2{double{1} * c, double{1} * r},
-          z(c, r),
-          {(z(c + 1, r) - z(c - 1, r)) / 2, (z(c, r + 1) - z(c, r - 1)) / 2}};
+  return {
+      Vec2{double{1} * c, double{1} * r}, z(c, r), {(z(c + 1, r) - z(c - 1, r)) / 2, (z(c, r + 1) - z(c, r - 1)) / 2}};
 }
 
 // The control point at a third of the way from a corner to another.

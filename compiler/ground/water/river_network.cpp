@@ -262,7 +262,8 @@ class NetworkMaker {
 
   void fill(const Axis& axis, std::vector<RiverStation>& stops, const RiverStation& next) {
     const RiverStation last = stops.back();
-    const double long_m = next.at_m - last.at_m, spacing_m = std::max(heights_.shorter_sample_step_m() / 2, kClosestStops_m);
+    const double long_m = next.at_m - last.at_m,
+                 spacing_m = std::max(heights_.shorter_sample_step_m() / 2, kClosestStops_m);
     const int n = axis.is_covered ? 1 : static_cast<int>(std::ceil(long_m / spacing_m));
     const auto length_mm = static_cast<std::int64_t>(long_m / n * 1000);
     for (int i = 1; i < n; ++i) {

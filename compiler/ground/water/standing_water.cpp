@@ -36,8 +36,8 @@ double median_edge_m(const Ring& ring) {
 
 void sample_edge(Vec2 a, Vec2 b, const map::Heightfield& heights, bool clips, std::vector<Sample>& samples) {
   const double length_m = distance(a, b);
-  const int n =
-      static_cast<int>(std::clamp(std::ceil(length_m / (heights.shorter_sample_step_m() / 2)), 1.0, double{kMaxSamples}));
+  const int n = static_cast<int>(
+      std::clamp(std::ceil(length_m / (heights.shorter_sample_step_m() / 2)), 1.0, double{kMaxSamples}));
   for (int i = 0; i < n; ++i) {
     const Vec2 p = a + (b - a) * ((i + 0.5) / n);
     if (!clips || heights.box().contains(p)) samples.push_back({height_m_at(heights, p), length_m / n});

@@ -65,8 +65,7 @@ double filtered_height_m(const map::Heightfield& terrain, Vec2 p) {
   constexpr double kSteep = 0.4;
   const auto [low, high] = std::ranges::minmax(z);
   if (high - low <= kSteep * std::max(terrain.longer_sample_step_m(), kMinSummit_m)) return land_m;
-  for (int c = 0; c < 4; ++c)
-    z[static_cast<std::size_t>(c)] = correction_m(terrain, corner(c).first, corner(c).second);
+  for (int c = 0; c < 4; ++c) z[static_cast<std::size_t>(c)] = correction_m(terrain, corner(c).first, corner(c).second);
   const double east = (i - west + u) / parts, north = (j - south + v) / parts;
   return land_m + (east >= north ? z[0] + (z[1] - z[0]) * east + (z[3] - z[1]) * north
                                  : z[0] + (z[2] - z[0]) * north + (z[3] - z[2]) * east);

@@ -24,7 +24,8 @@ SquaredErrors errors_of_thinned(const source::Raster& raster, int n) {
       const auto at = [&](int i, int j) { return double{raster.at(column + i * n, row + j * n)}; };
       const double u = double{1} * (c - column) / n, v = double{1} * (r - row) / n, z = raster.at(c, r);
       const double smooth = smooth_height<double>(at, u, v) - z;
-      const double bilinear = (at(0, 0) * (1 - u) + at(1, 0) * u) * (1 - v) + (at(0, 1) * (1 - u) + at(1, 1) * u) * v - z;
+      const double bilinear =
+          (at(0, 0) * (1 - u) + at(1, 0) * u) * (1 - v) + (at(0, 1) * (1 - u) + at(1, 1) * u) * v - z;
       errors.smooth_m2 += smooth * smooth, errors.bilinear_m2 += bilinear * bilinear;
     }
   return errors;

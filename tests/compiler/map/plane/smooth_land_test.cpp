@@ -60,8 +60,8 @@ TEST(SmoothLand, LiesOnTheSurfaceThroughItsSamples) {
   const Heightfield samples = rough_samples(3), land = smooth_land(samples, 4);
   for (int j = 0; j < land.rows - 1; ++j)
     for (int i = 0; i < land.columns - 1; ++i)
-      EXPECT_NEAR(land.height_m_at_vertex(i, j),
-                  smooth_at(samples, i / 4 + 1, j / 4 + 1, i % 4 / 4.0, j % 4 / 4.0), kHeightQuantum_m / 2);
+      EXPECT_NEAR(land.height_m_at_vertex(i, j), smooth_at(samples, i / 4 + 1, j / 4 + 1, i % 4 / 4.0, j % 4 / 4.0),
+                  kHeightQuantum_m / 2);
 }
 
 TEST(SmoothLand, SlopesAreEqualOnBothSidesOfASampleLine) {
@@ -92,9 +92,8 @@ TEST(SmoothLand, APlaneStaysAPlane) {
 TEST(SmoothLand, ALakeBelowACliffStaysLevel) {
   for (const bool is_pit : {false, true}) {
     // water in columns 0 to 4
-    const Heightfield samples = samples_with(10, 9, [&](int i, int j) {
-      return i <= 4 ? 500 * 64 : 500 * 64 + (is_pit ? -1 : 1) * (i * i * 400 + j * 77);
-    });
+    const Heightfield samples = samples_with(
+        10, 9, [&](int i, int j) { return i <= 4 ? 500 * 64 : 500 * 64 + (is_pit ? -1 : 1) * (i * i * 400 + j * 77); });
     const Heightfield land = smooth_land(samples, 4);
     for (int j = 0; j < land.rows; ++j)
       for (int i = 0; i <= 12; ++i) EXPECT_EQ(land.height_m_at_vertex(i, j), 500);
