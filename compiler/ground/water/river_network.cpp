@@ -193,7 +193,7 @@ class NetworkMaker {
   double lowest_across_m(const Axis& axis, double at_m) const {
     const Vec2 at = point_on_axis(axis, at_m);
     const Vec2 along = point_on_axis(axis, at_m + kLook_m) - point_on_axis(axis, at_m - kLook_m);
-    const double long_m = length(along), aside_m = kMappedError_m + heights_.longer_step_m() / 2;
+    const double long_m = length(along), aside_m = kMappedError_m + heights_.longer_sample_step_m() / 2;
     double lowest_m = land_m(at);
     if (long_m == 0) return lowest_m;
     const Vec2 across{-along.y / long_m, along.x / long_m};
