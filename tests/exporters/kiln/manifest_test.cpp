@@ -55,7 +55,7 @@ Bytes assembled(std::span<const std::byte> header, std::span<const std::byte> bo
   Bytes bytes(kPreamble + header.size() + body.size());
   std::ranges::copy(body, std::ranges::copy(header, bytes.begin() + kPreamble).out);
   std::ranges::copy(std::as_bytes(std::span("CITYKILN")).first(8), bytes.begin());
-  put_little_endian(bytes, 8, 6, 2), put_little_endian(bytes, 10, 0, 2), put_little_endian(bytes, 12, header.size(), 4);
+  put_little_endian(bytes, 8, 7, 2), put_little_endian(bytes, 10, 0, 2), put_little_endian(bytes, 12, header.size(), 4);
   put_little_endian(bytes, 16, hash_of(header, hash_of(std::span(bytes).first(16))), 8);
   return bytes;
 }
@@ -239,11 +239,11 @@ TEST(Manifest, AnotherFormatIsOneClearLineWhateverElseIsThere) {
   Bytes newer = encode_manifest(made_scene(4), 1);
   put_little_endian(newer, 8, 9, 2);
   EXPECT_EQ(manifest_refusal(decoded_manifest(newer)),
-            "town.kiln: has manifest format 9, expected 6: made by citykiln 0.1.0, and this is 0.1.0; compile the map "
+            "town.kiln: has manifest format 9, expected 7: made by citykiln 0.1.0, and this is 0.1.0; compile the map "
             "again (citykiln compile MAP -o OUT), or bake it with that version");
   std::fill(newer.begin() + 12, newer.end(), std::byte{0xff});
   EXPECT_EQ(manifest_refusal(decoded_manifest(newer)),
-            "town.kiln: has manifest format 9, expected 6: made by citykiln, and this is 0.1.0; compile the map again "
+            "town.kiln: has manifest format 9, expected 7: made by citykiln, and this is 0.1.0; compile the map again "
             "(citykiln compile MAP -o OUT), or bake it with that version");
 }
 
