@@ -10,7 +10,7 @@ namespace {
 // Coastlines decide up to this distance, heightmaps beyond it.
 constexpr double kNearCoast_m = 1000;
 // A lake on a shorter part of the border ends.
-constexpr double kWideBorder_m = 1000, kBorderStep_m = 32;
+constexpr double kWideBorder_m = 1000, kLookStep_m = 32;
 // Polygons may end at the extent's sides.
 constexpr double kInside_m = 0.5;
 constexpr std::int32_t kLevelTolerance_m = 1;
@@ -92,15 +92,14 @@ void find_lake(const ground::LandCoverPolygon& lake, const Box2& extent, const s
 
 bool reaches_beyond(const ground::LandCoverPolygon& water, const Box2& extent) {
   if (!water.level_m || map::values_of(water.surface).group != map::LandCoverGroup::kWater) return false;
-  if (extent.widened(-kInside_m).contains(box_of(water))) return false;
+  const Box2 box = box_of(water), inside = extent.widened(-kInside_m);
+  if (inside.contains(box.min) && inside.contains(box.max)) return false;
   double wet_m = 0;
   const auto look_at = [&](double x, double y) {
-    if (ground::winding_number(water, moved_inside(extent, {x, y})) > 0) wet_m += kBorderStep_m;
+    if (ground::winding_number(water, moved_inside(extent, {x, y})) > 0) wet_m += kLookStep_m;
   };
-  for (double x = extent.min.x; x < extent.max.x; x += kBorderStep_m)
-    look_at(x, extent.min.y), look_at(x, extent.max.y);
-  for (double y = extent.min.y; y < extent.max.y; y += kBorderStep_m)
-    look_at(extent.min.x, y), look_at(extent.max.x, y);
+  for (double x = extent.min.x; x < extent.max.x; x += kLookStep_m) look_at(x, extent.min.y), look_at(x, extent.max.y);
+  for (double y = extent.min.y; y < extent.max.y; y += kLookStep_m) look_at(extent.min.x, y), look_at(extent.max.x, y);
   return wet_m >= kWideBorder_m;
 }
 
