@@ -53,6 +53,16 @@ Result<std::vector<source::RasterSpec>> fitted_heightmaps(const CompileSpec& spe
   return specs;
 }
 
+/// The sea, the coast, and the lakes that go on around the extent.
+surroundings::MappedWater mapped_water(const HeaderInputs& recipes, const Box2& extent) {
+  surroundings::MappedWater water{.coast = surroundings::CoastSides(recipes.coasts)};
+  const auto is_sea = [](const ground::LandCoverPolygon& cover) { return cover.surface == map::LandCoverClass::kSea; };
+  std::ranges::copy_if(recipes.surfaces, std::back_inserter(water.sea), is_sea);
+  std::ranges::copy_if(recipes.surfaces, std::back_inserter(water.lakes),
+                       [&](const auto& cover) { return surroundings::reaches_beyond(cover, extent); });
+  return water;
+}
+
 /// The land around the region; empty if it is not wanted, or in a cylinder.
 Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, const map::Plane& plane,
                                                      const HeaderInputs& recipes, const Box2& extent) {
@@ -65,10 +75,9 @@ Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, co
   const Result<std::vector<source::Raster>> rasters =
       source::read_heightmaps(*fitted, &window, repeated, surroundings::kSampleSpacing_m);
   if (!rasters) return rasters.error();
-  const auto is_sea = [](const ground::LandCoverPolygon& cover) { return cover.surface == map::LandCoverClass::kSea; };
-  surroundings::Place place{.extent = extent, .tile_m = spec.tile_m, .heights = &recipes.heights};
-  std::ranges::copy_if(recipes.surfaces, std::back_inserter(place.sea), is_sea);
-  return surroundings::plan(*rasters, plane, place);
+  return surroundings::plan(
+      *rasters, plane,
+      {.extent = extent, .tile_m = spec.tile_m, .water = mapped_water(recipes, extent), .heights = &recipes.heights});
 }
 
 /// Checks that all tiles of `only` are tiles of the map.

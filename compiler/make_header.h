@@ -16,12 +16,13 @@
 
 namespace citykiln {
 
-/// The recipes that the header depends on: the land around the extent goes on from heights and land cover, and
-/// buildings must fit into a cylinder.
+/// The recipes that the header depends on: the land around the extent goes on from heights, land cover and coastlines,
+/// and buildings must fit into a cylinder.
 struct HeaderInputs {
   const map::Heightfield& heights;
   std::span<const ground::LandCoverPolygon> surfaces{};
   std::span<const buildings::Building> buildings{};
+  std::span<const Polyline> coasts{};  ///< map::Features::coasts.
 };
 
 /// The properties of the whole scene, without rules, species and things.

@@ -310,7 +310,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   // the sky, and the land around the extent
   timer.enter("surroundings");
   const Result<scene::Header> around =
-      survey ? survey->header : make_header(spec, plane, features.extent, {heights, surfaces, buildings});
+      survey ? survey->header : make_header(spec, plane, features.extent, {heights, surfaces, buildings, map.coasts});
   if (!around) return around.error();
 
   // the scene: all recipes, by tile

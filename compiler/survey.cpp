@@ -35,6 +35,7 @@ struct DryWaters {
   Box2 extent;
   ground::Waters waters;
   std::vector<Polyline> covered;  ///< Waterways in culverts and on aqueducts.
+  std::vector<Polyline> coasts;
   map::Places places;
 };
 
@@ -47,7 +48,7 @@ Result<DryWaters> read_dry_waters(const CompileSpec& spec, const std::string& ex
   Report repeated;
   const map::Features& features = located->features;
   return DryWaters{features.extent, plan_dry_waters(features, repeated), ground::covered_waterways(features),
-                   std::move(located->places)};
+                   std::move(located->features.coasts), std::move(located->places)};
 }
 
 /// Returns only the places of elements that are diagnosed.
@@ -82,7 +83,7 @@ Result<Survey> survey(const CompileSpec& spec, const std::string& extract, const
   ground::Waters waters = ground::plan_water_heights(std::move(dry->waters.surfaces), std::move(dry->waters.streams),
                                                      dry->covered, *heights, report);
   Result<scene::Header> header =
-      make_header(spec, plane, dry->extent, {.heights = *heights, .surfaces = waters.surfaces});
+      make_header(spec, plane, dry->extent, {.heights = *heights, .surfaces = waters.surfaces, .coasts = dry->coasts});
   if (!header) return header.error();
   timer.finish();
   return Survey{extent,

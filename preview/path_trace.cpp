@@ -25,11 +25,6 @@ constexpr double kBlurredAlpha = 0.3;
 // The luminance of lamp glass: 2,500 lm from a lantern of 0.1 m².
 constexpr double kLampGlass = 8000 / sky::kUnitLuminance_cd_m2;
 
-bool is_water(materials::Material m) {
-  using enum materials::Material;
-  return m == kWater || m == kSea || m == kPoolWater;
-}
-
 // The state of a path.
 struct Path {
   Vec3 from, direction;
@@ -58,7 +53,8 @@ void make_waves(Hit& hit, const TraceContext& context, double spread_rad, Vec3 d
   const double cosine = std::max(0.02, -dot(direction, hit.shading_normal));
   const Vec2 view{dot(direction, axes.east), dot(direction, axes.north)};
   const Vec2 along = length(view) > 1e-6 ? unit(view) : Vec2{1, 0};
-  const Waves waves = waves_at(in_plan(place), {.along = along, .along_m = across_m / cosine, .across_m = across_m});
+  const Waves waves = waves_at(in_plan(place), {.along = along, .along_m = across_m / cosine, .across_m = across_m},
+                               wave_strength(hit.material));
   hit.shading_normal = axes.east * waves.normal.x + axes.north * waves.normal.y + axes.up * waves.normal.z;
   const double own = static_cast<double>(hit.roughness) * hit.roughness;
   hit.roughness = static_cast<float>(std::sqrt(std::sqrt(own * own + 2 * waves.slope_spread)));

@@ -12,6 +12,9 @@
 namespace citykiln::ground {
 namespace {
 
+// Narrower watercourses are streams.
+constexpr double kNarrowestRiver_m = 5;
+
 std::uint32_t whole_m2(double area_m2) {
   return static_cast<std::uint32_t>(std::min(std::floor(area_m2 + 0.5), 4.0e9));
 }
@@ -51,7 +54,9 @@ std::vector<roads::Strip> plan_streams(const map::FeatureView& features, Report&
     account.out += report.counts(water.id.osm);
     // sides are on the grid of the plane: half of a width may not be
     const double left_m = snapped(widths_m[i] / 2);
-    streams.push_back({water.id, water.axis, map::LandCoverClass::kRiver, left_m, widths_m[i] - left_m});
+    const map::LandCoverClass surface =
+        widths_m[i] < kNarrowestRiver_m ? map::LandCoverClass::kStream : map::LandCoverClass::kRiver;
+    streams.push_back({water.id, water.axis, surface, left_m, widths_m[i] - left_m});
   }
   report.account("ground", "waterway") = account;
   return streams;

@@ -312,7 +312,8 @@ struct PowerLine {
   double voltage_kv = 0;                 ///< The highest of voltage=*; 0: untagged.
 };
 
-/// All features, each vector sorted by id. Mapped coordinates are multiples of kMapStep_m, computed ones of kQuantum_m.
+/// All features, each vector of objects sorted by id. Mapped coordinates are multiples of kMapStep_m, computed ones of
+/// kQuantum_m.
 struct Features {
   Box2 extent;  ///< The extent of the compile: the cells of 128 m that contain the requested box.
   std::vector<Track> tracks;
@@ -320,6 +321,7 @@ struct Features {
   std::vector<AreaFeature> areas;  ///< Includes the sea, closed around the extent.
   std::vector<SportsArea> sports_areas{};
   std::vector<BridgeArea> bridge_areas{};
+  std::vector<Polyline> coasts{};  ///< Coastlines as mapped, also beyond the extent; the sea is on their right.
   std::vector<Waterway> waterways;
   std::vector<Barrier> barriers;
   std::vector<Landform> landforms;

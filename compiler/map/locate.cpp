@@ -68,7 +68,9 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   features.tracks = std::move(carried.tracks), features.bridge_areas = std::move(carried.areas);
   features.areas = locate_areas(context, features.footprints);
   features.sports_areas = locate_sports_areas(context, features.areas);
-  for (AreaFeature& sea : locate_sea(context)) features.areas.push_back(std::move(sea));
+  LocatedSea sea = locate_sea(context);
+  std::ranges::move(sea.areas, std::back_inserter(features.areas));
+  features.coasts = std::move(sea.coasts);
   features.waterways = locate_waterways(context);
   features.barriers = locate_barriers(context);
   features.landforms = locate_landforms(context);

@@ -32,6 +32,13 @@ const MaterialValues& values_of(Material material);
 /// The luminance of an emission of 1: about the luminance of the ceiling of a lit room.
 inline constexpr double kEmission_cd_m2 = 100;
 
+/// True for water, whose surface has waves.
+inline bool is_water(Material material) {
+  using enum Material;
+  return material == kWater || material == kSea || material == kPoolWater || material == kRiverWater ||
+         material == kShallowWater;
+}
+
 /// Returns the light that a material emits (emission_table.inc): linear RGB, 0…1 of kEmission_cd_m2; 0 for most
 /// materials.
 std::array<float, 3> emission_of(Material material);

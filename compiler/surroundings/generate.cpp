@@ -43,13 +43,13 @@ bool is_rough(const Neighbourhood& neighbourhood, const Box2& box) {
   return std::abs(height_m(middle.x, middle.y) - mean_m) > kRough * neighbourhood.away_m(box);
 }
 
-// Sea at places all over a box, those on its sides included.
-bool is_all_sea(const Surroundings& around, const Box2& box) {
+// Open water at places all over a box, those on its sides included.
+bool is_all_water(const Surroundings& around, const Box2& box) {
   for (int y = 0; y < kSeaPlaces; ++y)
     for (int x = 0; x < kSeaPlaces; ++x) {
       const Vec2 share{static_cast<double>(x) / (kSeaPlaces - 1), static_cast<double>(y) / (kSeaPlaces - 1)};
       const Vec2 place = box.min + Vec2{box.width() * share.x, box.height() * share.y};
-      if (cover_at(around, place) != Cover::kSea) return false;
+      if (!is_open_water(cover_at(around, place))) return false;
     }
   return true;
 }
@@ -59,7 +59,7 @@ std::vector<Cell> cells_outside(const Surroundings& around, const Neighbourhood&
       cells_over(around.box(), {.finest_m = neighbourhood.finest_m,
                                 .away_m = neighbourhood.away_m,
                                 .is_rough = [&](const Box2& box) { return is_rough(neighbourhood, box); },
-                                .is_sea = [&](const Box2& box) { return is_all_sea(around, box); }});
+                                .is_sea = [&](const Box2& box) { return is_all_water(around, box); }});
   std::erase_if(cells, [&](const Cell& cell) { return neighbourhood.is_in_tile(cell.box().centre()); });
   return cells;
 }
@@ -92,7 +92,8 @@ struct AroundSurface::Sheet {
   CellIndex index;
   std::vector<Patch> patches;  // one per cell
   std::vector<Vec3> positions, normals;
-  std::vector<bool> is_sea, is_on_border;
+  std::vector<Cover> covers;
+  std::vector<bool> is_on_border;
   std::vector<Face> faces;
   std::vector<std::uint32_t> first_face;  // by cell, and the end; ground first
 };
@@ -134,10 +135,10 @@ class SheetBuilder {
     std::vector<bool> is_border;          // of the side after each vertex
   };
 
-  std::uint32_t add_vertex(Vec2 place, double height_m, bool is_sea) {
+  std::uint32_t add_vertex(Vec2 place, double height_m, Cover cover) {
     const double z = height_m - lowered_m(neighbourhood_, place);
     sheet_.positions.push_back(at_height(place, std::floor(z / kHeightStep_m + 0.5) * kHeightStep_m));
-    sheet_.is_sea.push_back(is_sea), sheet_.is_on_border.push_back(false);
+    sheet_.covers.push_back(cover), sheet_.is_on_border.push_back(false);
     return static_cast<std::uint32_t>(sheet_.positions.size() - 1);
   }
 
@@ -146,7 +147,7 @@ class SheetBuilder {
     if (!is_new) return known->second;
     const Vec2 place{static_cast<double>(at.first), static_cast<double>(at.second)};
     const BorderGround ground = neighbourhood_.on_border(place);
-    known->second = add_vertex(place, ground.height_m, ground.is_sea);
+    known->second = add_vertex(place, ground.height_m, ground.cover);
     sheet_.is_on_border[known->second] = true;
     return known->second;
   }
@@ -159,11 +160,9 @@ class SheetBuilder {
     const double reach_m = kJitter * smallest_.at(at);
     const Vec2 moved = snapped_to(
         kHeightStep_m, place + Vec2{materials::noise_at(place, 1, 1), materials::noise_at(place, 1, 2)} * reach_m);
-    const bool is_sea = sea_at(moved);
-    return known->second = add_vertex(moved, is_sea ? 0 : neighbourhood_.height_m_at(moved), is_sea);
+    const Cover cover = cover_at(around_, moved);
+    return known->second = add_vertex(moved, cover == Cover::kSea ? 0 : neighbourhood_.height_m_at(moved), cover);
   }
-
-  bool sea_at(Vec2 place) const { return cover_at(around_, place) == Cover::kSea; }
 
   // Adds the vertices from a on, before b: those of smaller cells on the other side.
   void add_side(Place a, Place b, std::vector<std::uint32_t>& to) {
@@ -220,16 +219,19 @@ class SheetBuilder {
   void add_fan(std::uint32_t cell, const Outline& outline) {
     const std::vector<std::uint32_t>& v = outline.vertices;
     double height_m = 0;
-    bool is_sea = true;
+    bool is_one_cover = true;
+    const Cover cover = sheet_.covers[v.front()];
     Vec2 middle;
     const double share = 1.0 / static_cast<double>(v.size());
     for (const std::uint32_t vertex : v) {
       const Vec3 at = sheet_.positions[vertex];
       height_m += (at.z + lowered_m(neighbourhood_, in_plan(at))) * share;
       middle = middle + in_plan(at) * share;
-      is_sea = is_sea && sheet_.is_sea[vertex];
+      is_one_cover = is_one_cover && sheet_.covers[vertex] == cover;
     }
-    const std::uint32_t centre = add_vertex(snapped_to(kHeightStep_m, middle), is_sea ? 0 : height_m, is_sea);
+    const bool is_sea = is_one_cover && cover == Cover::kSea;
+    const std::uint32_t centre =
+        add_vertex(snapped_to(kHeightStep_m, middle), is_sea ? 0 : height_m, is_one_cover ? cover : Cover::kLand);
     for (std::size_t k = 0; k < v.size(); ++k)
       sheet_.faces.push_back({{centre, v[k], v[(k + 1) % v.size()]}, cell, FaceKind::kGround});
   }
@@ -252,7 +254,7 @@ class SheetBuilder {
   std::uint32_t add_copy(std::uint32_t vertex, double above_m) {
     const Vec3 at = sheet_.positions[vertex];
     sheet_.positions.push_back({at.x, at.y, std::floor((at.z + above_m) / kHeightStep_m + 0.5) * kHeightStep_m});
-    sheet_.is_sea.push_back(false), sheet_.is_on_border.push_back(false);
+    sheet_.covers.push_back(Cover::kLand), sheet_.is_on_border.push_back(false);
     return static_cast<std::uint32_t>(sheet_.positions.size() - 1);
   }
 
@@ -280,7 +282,7 @@ class SheetBuilder {
 
   void add_canopy(std::uint32_t cell, const Outline& outline) {
     const std::vector<std::uint32_t>& v = outline.vertices;
-    if (std::ranges::all_of(v, [&](std::uint32_t vertex) { return bool{sheet_.is_sea[vertex]}; })) return;
+    if (std::ranges::all_of(v, [&](std::uint32_t vertex) { return is_open_water(sheet_.covers[vertex]); })) return;
     const double raised_m = sheet_.patches[cell].raised_m;
     std::vector<std::uint32_t> tops;
     bool is_inside = v.size() == 4;
@@ -300,7 +302,7 @@ class SheetBuilder {
       middle = middle + sheet_.positions[vertex] * (1.0 / static_cast<double>(ground.size()));
     const double above_m = kEdgeMiddle * raised_m * uneven_at(in_plan(middle));
     sheet_.positions.push_back(snapped({middle.x, middle.y, middle.z + above_m}));
-    sheet_.is_sea.push_back(false), sheet_.is_on_border.push_back(false);
+    sheet_.covers.push_back(Cover::kLand), sheet_.is_on_border.push_back(false);
     const auto centre = static_cast<std::uint32_t>(sheet_.positions.size() - 1);
     for (std::size_t k = 0; k < tops.size(); ++k)
       sheet_.faces.push_back({{centre, tops[k], tops[(k + 1) % tops.size()]}, cell, FaceKind::kCanopy});
@@ -327,7 +329,7 @@ class SheetBuilder {
   std::map<std::uint32_t, std::uint32_t> below_, raised_;  // by the vertex of the ground
 };
 
-// Divides a sheet by material. Sea at the corner of a land face looks like land.
+// Divides a sheet by material. Water at the corner of a land face looks like land.
 template <typename Sheet>
 class Divider {
  public:
@@ -357,21 +359,27 @@ class Divider {
     std::map<std::uint32_t, std::uint32_t> vertices;  // by the vertex of the sheet
   };
 
-  static bool has_tint(Material material) { return material != Material::kSea && material != Material::kWater; }
+  static bool has_tint(Material material) { return !materials::is_water(material); }
 
   // Canopies hide the ground below.
   bool is_drawn(const Face& face) const { return face.kind != FaceKind::kGround || !has_canopy(face); }
 
   bool has_canopy(const Face& face) const {
+    return sheet_.patches[face.patch].raised_m > 0 && !is_open_water(cover_of(face));
+  }
+
+  // That of all three corners; else land.
+  Cover cover_of(const Face& face) const {
     const auto& [a, b, c] = face.corners;
-    const bool is_at_sea = sheet_.is_sea[a] && sheet_.is_sea[b] && sheet_.is_sea[c];
-    return sheet_.patches[face.patch].raised_m > 0 && !is_at_sea;
+    const Cover cover = sheet_.covers[a];
+    return sheet_.covers[b] == cover && sheet_.covers[c] == cover ? cover : Cover::kLand;
   }
 
   Material material_of(const Face& face) const {
     const auto& [a, b, c] = face.corners;
     const bool is_ground = face.kind == FaceKind::kGround || face.kind == FaceKind::kSkirt;
-    if (is_ground && sheet_.is_sea[a] && sheet_.is_sea[b] && sheet_.is_sea[c]) return Material::kSea;
+    if (is_ground && cover_of(face) == Cover::kSea) return Material::kSea;
+    if (is_ground && cover_of(face) == Cover::kLake) return Material::kWater;
     const Vec3 middle = (sheet_.positions[a] + sheet_.positions[b] + sheet_.positions[c]) * (1.0 / 3);
     const Vec3 normal = sheet_.normals[a] + sheet_.normals[b] + sheet_.normals[c];
     return neighbourhood_.material_at(sheet_.patches[face.patch], middle, unit(normal));

@@ -23,7 +23,7 @@ namespace citykiln::surroundings {
 /// The ground of a tile at a place on its border.
 struct BorderGround {
   double height_m = 0;
-  bool is_sea = false;
+  Cover cover{};  ///< Water of the map is open water here.
 };
 
 /// The land cover of a cell.
@@ -63,10 +63,10 @@ class AroundSurface {
   ~AroundSurface();
 
   /// Returns the surface of all cells that no tile covers: one mesh for each material, with normals and tints per
-  /// vertex. A triangle is sea if all its corners are sea, else it has the material of its cell. The tint of a vertex
-  /// is the mean of the cells about it, so that squares do not show; on the border it is that of the tile. Cells with a
-  /// canopy are raised by its height, which begins at 0 at the edge of the wood. Positions are multiples of 2^-7 m.
-  /// Same bytes on every CPU.
+  /// vertex. A triangle is sea or lake if all its corners are, else it has the material of its cell. The tint of a
+  /// vertex is the mean of the cells about it, so that squares do not show; on the border it is that of the tile. Cells
+  /// with a canopy are raised by its height, which begins at 0 at the edge of the wood. Positions are multiples of 2^-7
+  /// m. Same bytes on every CPU.
   ///
   /// Guarantees: no gap between two cells; on the border of tiles the heights of on_border(). O(n log n) for n cells.
   std::vector<materials::MaterialMesh> meshes() const;

@@ -46,9 +46,9 @@ std::optional<std::size_t> nearest(const std::vector<std::int32_t>& lines, std::
 }
 
 // Gives each unknown vertex the height of the nearest known vertex of its row, or of the nearest row that has one,
-// faded into the mean of all known heights. If that known vertex is sea, so is the unknown one. O(n · columns).
+// faded into the mean of all known heights, and its cover if no coastline decides. O(n · columns).
 // @param known  One value for each vertex; at least one is true.
-void fill_unknown(const std::vector<bool>& known, Surroundings& around) {
+void fill_unknown(const MappedWater& water, const std::vector<bool>& known, Surroundings& around) {
   assert(known.size() == around.heights_m.size() && std::ranges::find(known, true) != known.end());
   const double mean = mean_m(known, around);
   std::vector<bool> has_known(around.rows(), false);
@@ -64,8 +64,10 @@ void fill_unknown(const std::vector<bool>& known, Surroundings& around) {
           *nearest(around.x_m, column, [&](std::size_t c) { return bool{known[around.index(c, from)]}; });
       const double away_m = aside_m + std::abs(around.x_m[at] - around.x_m[column]);
       const std::size_t known_at = around.index(at, from), here = around.index(column, row);
-      around.covers[here] = around.covers[known_at];
-      around.heights_m[here] = around.covers[here] == Cover::kSea ? 0 : faded(around.heights_m[known_at], mean, away_m);
+      around.covers[here] = cover_by_coast(water, around.vertex(column, row)).value_or(around.covers[known_at]);
+      around.heights_m[here] = around.covers[here] == Cover::kSea    ? 0
+                               : around.covers[here] == Cover::kLake ? around.heights_m[known_at]
+                                                                     : faded(around.heights_m[known_at], mean, away_m);
     }
   }
 }
@@ -115,24 +117,6 @@ void take_heights_of_extent(const Place& place, Surroundings& around, std::vecto
     }
 }
 
-bool is_sea(const Place& place, Vec2 p, bool is_known, std::int32_t height_m) {
-  if (!place.extent.contains(p)) return is_known && height_m <= 0;
-  // polygons end at the extent's sides
-  constexpr double kInside_m = 0.5;
-  const Vec2 low = place.extent.min + Vec2{kInside_m, kInside_m}, high = place.extent.max - Vec2{kInside_m, kInside_m};
-  const Vec2 inside{std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y)};
-  return std::ranges::any_of(place.sea, [&](const auto& sea) { return ground::winding_number(sea, inside) > 0; });
-}
-
-void find_sea(const Place& place, const std::vector<bool>& known, Surroundings& around) {
-  for (std::size_t row = 0; row < around.rows(); ++row)
-    for (std::size_t column = 0; column < around.columns(); ++column) {
-      const std::size_t at = around.index(column, row);
-      if (!is_sea(place, around.vertex(column, row), known[at], around.heights_m[at])) continue;
-      around.covers[at] = Cover::kSea, around.heights_m[at] = 0;
-    }
-}
-
 // Distances of samples from the grid.
 struct Errors {
   double largest_m = 0, sum_m2 = 0, count = 0;
@@ -160,7 +144,7 @@ void measure(const source::Raster& raster, std::span<const RasterSampler> earlie
       const Vec2 p = plane.forward(at);
       const float height_m = raster.at(c, r);
       if (!box.contains(p) || place.extent.contains(p) || !map::is_height(height_m) || is_hidden(earlier, at)) continue;
-      const double sample_m = !place.sea.empty() ? std::max(0.0f, height_m) : height_m;
+      const double sample_m = place.water.has_sea() ? std::max(0.0f, height_m) : height_m;
       errors.add(sample_m - height_m_at(around, p));
     }
 }
@@ -185,11 +169,10 @@ Result<Surroundings> plan(std::span<const source::Raster> rasters, const map::Pl
                       .heights_m = {},
                       .covers = {}};
   if (around.columns() > kMostLines || around.rows() > kMostLines) return Surroundings();
-  std::vector<bool> known = sample(*samplers, plane, !place.sea.empty(), around);
+  std::vector<bool> known = sample(*samplers, plane, place.water.has_sea(), around);
   if (std::ranges::find(known, true) == known.end()) take_heights_of_extent(place, around, known);
-  around.covers.assign(around.heights_m.size(), Cover::kLand);
-  if (!place.sea.empty()) find_sea(place, known, around);
-  fill_unknown(known, around);
+  find_open_water(place.water, place.extent, known, around);
+  fill_unknown(place.water, known, around);
   state_errors(rasters, *samplers, plane, place, around);
   return around;
 }

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "compiler/contract/result.h"
-#include "compiler/ground/recipe.h"
 #include "compiler/map/features.h"
 #include "compiler/map/plane/heightfield.h"
 #include "compiler/map/plane/plane.h"
 #include "compiler/source/raster.h"
+#include "compiler/surroundings/open_water.h"
 #include "compiler/surroundings/recipe.h"
 
 namespace citykiln::surroundings {
@@ -19,10 +19,10 @@ inline constexpr double kSampleSpacing_m = 95;
 
 /// The extent that the grid surrounds.
 struct Place {
-  Box2 extent;                                  ///< The extent.
-  double tile_m = map::kDefaultTile_m;          ///< Side of its tiles.
-  std::vector<ground::LandCoverPolygon> sea{};  ///< Sea in the extent. Empty: there is no sea around it either.
-  const map::Heightfield* heights = nullptr;    ///< Heights of the extent where no heightmap has any; null: 0.
+  Box2 extent;                                ///< The extent.
+  double tile_m = map::kDefaultTile_m;        ///< Side of its tiles.
+  MappedWater water{};                        ///< Sea and lakes in the extent, and the coast around it.
+  const map::Heightfield* heights = nullptr;  ///< Heights of the extent where no heightmap has any; null: 0.
 };
 
 /// Returns the grid around the extent, out to kReach_m. It is empty if there would be more than kMostLines lines.
@@ -31,9 +31,8 @@ struct Place {
 ///   beside wide cells if the extent has no sea.
 /// - Vertices that no heightmap covers are extrapolated from those beside them, so that nothing ends in a wall. If no
 ///   heightmap covers any vertex, those are the heights of the extent.
-/// - If the extent has sea, vertices outside of it with known heights up to 0 are sea, as heightmaps of 1 to 3 arc
-///   seconds are 0 at sea. Inside the extent, the mapped coastline decides; extrapolated vertices are sea where the
-///   vertex that they continue is.
+/// - find_open_water() decides what is sea or lake. Extrapolated vertices are sea where the nearest coastline says so;
+///   without coastlines they have the cover of the vertex that they continue.
 ///
 /// Error: a heightmap's reference system is unknown. Same bytes on every CPU. Cost: 0.4 µs a sample.
 /// @param rasters  Without voids, in the order of precedence.

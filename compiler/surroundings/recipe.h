@@ -14,13 +14,16 @@
 namespace citykiln::surroundings {
 
 /// The kind of surface at a vertex of the grid.
-enum class Cover : std::uint8_t { kLand, kSea, kCount };
+enum class Cover : std::uint8_t { kLand, kSea, kLake, kCount };
+
+/// True for the sea and for lakes that go on beyond the extent.
+inline bool is_open_water(Cover cover) { return cover == Cover::kSea || cover == Cover::kLake; }
 
 /// Heights at the crossings of lines. Each cell is split by its diagonal from south-west to north-east. Heights are not
 /// lowered by the Earth's curvature (curvature.h).
 struct Surroundings {
   std::vector<std::int32_t> x_m, y_m;   ///< Coordinates of the lines, plane metres, ascending. Both empty: no grid.
-  std::vector<std::int32_t> heights_m;  ///< Above sea level, row by row from the south; 0 at sea.
+  std::vector<std::int32_t> heights_m;  ///< Above sea level, row by row from the south; 0 at sea; a lake is level.
   std::vector<Cover> covers;            ///< One per height, in the same order.
   /// The largest and the root mean square vertical distance from samples of heightmaps beyond the extent to the grid.
   /// Counts only heightmaps in degrees. Rounded up to whole metres.

@@ -55,14 +55,18 @@ bool decode_heights(std::span<const std::uint8_t> stream, Surroundings& around) 
   return reader.is_finished();
 }
 
-// Runs of one cover, of land and sea in turn.
+constexpr auto kCovers = static_cast<std::size_t>(Cover::kCount);
+
+Cover next_cover(Cover cover) { return static_cast<Cover>((static_cast<std::size_t>(cover) + 1) % kCovers); }
+
+// Runs of one cover, of land, sea and lake in turn.
 bool decode_covers(std::span<const std::uint8_t> stream, Surroundings& around) {
   StreamReader reader(stream);
   const std::size_t count = around.heights_m.size();
-  for (bool is_sea = false; reader.remaining() > 0; is_sea = !is_sea) {
+  for (Cover cover = Cover::kLand; reader.remaining() > 0; cover = next_cover(cover)) {
     const std::uint64_t run = reader.get();
     if (!reader.good() || run > count - around.covers.size()) return false;
-    around.covers.insert(around.covers.end(), run, is_sea ? Cover::kSea : Cover::kLand);
+    around.covers.insert(around.covers.end(), run, cover);
   }
   return around.covers.size() == count;
 }
@@ -78,7 +82,7 @@ SurroundingsStreams encode_surroundings(const Surroundings& around) {
   Cover cover = Cover::kLand;
   std::uint64_t run = 0;
   for (const Cover next : around.covers) {
-    if (next != cover) covers.put(run), run = 0, cover = next;
+    for (; cover != next; cover = next_cover(cover)) covers.put(run), run = 0;
     ++run;
   }
   covers.put(run);

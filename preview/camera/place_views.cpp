@@ -75,7 +75,7 @@ double share_of_green(const ViewProbe& look, Vec3 eye) {
     for (int direction = 0; direction < kDirections; direction += 3, ++all) {
       const Vec3 above = eye + horizontal(direction) * far_m + Vec3{0, 0, 60};
       const auto hit = look.world.first_hit(above - look.world.origin(), {0, 0, -1});
-      green += hit && (is_green(hit->material) || is_plant(hit->material) || hit->material == Material::kWater ||
+      green += hit && (is_green(hit->material) || is_plant(hit->material) || is_water(hit->material) ||
                        hit->material == Material::kGravel || hit->material == Material::kEarth)
                    ? 1
                    : 0;
@@ -132,10 +132,10 @@ std::optional<Camera> water_view(const ViewScene& scene) {
   const SceneGrid& grid = scene.grid;
   const ViewProbe& look = scene.look;
   Best best;
-  const auto is_water = [](const bake::Primitive& p) {
-    return p.material == Material::kWater || p.material == Material::kSea;
+  const auto is_open = [](const bake::Primitive& p) {
+    return materials::is_water(p.material) && p.material != Material::kPoolWater;
   };
-  for (const Vec3& place : places_near(scene.tiles, grid.core_point(), is_water, 25, 240)) {
+  for (const Vec3& place : places_near(scene.tiles, grid.core_point(), is_open, 25, 240)) {
     const Vec3 eye = place + Vec3{0, 0, kAbove_m};
     const double room_m = look.room_m(eye, kBank_m);
     if (room_m < kElbowRoom_m || !look.is_under_the_sky(eye)) continue;

@@ -48,9 +48,9 @@ bool is_plant(Material material) {
 }
 
 bool is_ground(Material material) {
-  const bool is_land = material <= Material::kConcrete && material != Material::kWater && material != Material::kSea;
+  const bool is_land = material <= Material::kConcrete && !is_water(material);
   const bool is_sports =
-      material >= Material::kArtificialTurf && material <= Material::kDryGrass && material != Material::kPoolWater;
+      material >= Material::kArtificialTurf && material <= Material::kDryGrass && !is_water(material);
   return is_land || is_sports || material == Material::kPaint;
 }
 

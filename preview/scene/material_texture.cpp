@@ -23,15 +23,12 @@ double varied(Vec2 at_m, double across_m) {
 
 MaterialTexture::MaterialTexture(const materials::Texture& texture)
     : texture_(&texture), factor_(colour_factor(texture)) {
-  using materials::Material;
-  const bool is_water = texture.material == Material::kWater || texture.material == Material::kSea ||
-                        texture.material == Material::kPoolWater;
   const auto& colour = texture.colour;
   if (!colour.texels.empty() && (materials::has_no_units(texture.material) || runs_along_lanes(texture.material)))
     blended_.emplace(colour);
   else if (!colour.texels.empty())
     colour_.emplace(colour, TexelMeaning::kColours, WrapMode::kRepeat);
-  if (!texture.normal.texels.empty() && !is_water)
+  if (!texture.normal.texels.empty() && !is_water(texture.material))
     normal_.emplace(texture.normal, TexelMeaning::kNormals, WrapMode::kRepeat);
   if (!texture.surface.texels.empty()) surface_.emplace(texture.surface, TexelMeaning::kNumbers, WrapMode::kRepeat);
 }

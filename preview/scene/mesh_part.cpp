@@ -122,7 +122,7 @@ bool is_pane(materials::Material material) {
 // half of whose light is seen.
 float f0_of(materials::Material material) {
   using materials::Material;
-  if (material == Material::kWater || material == Material::kSea || material == Material::kPoolWater) return 0.02f;
+  if (is_water(material)) return 0.02f;
   return is_pane(material) ? 0.08f : 0.04f;
 }
 

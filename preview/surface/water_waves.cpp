@@ -39,8 +39,8 @@ double length_along(const Footprint& footprint, Vec2 direction) {
 
 }  // namespace
 
-Waves waves_at(Vec2 place, const Footprint& footprint) {
-  assert(footprint.along_m > 0 && footprint.across_m > 0);
+Waves waves_at(Vec2 place, const Footprint& footprint, double strength) {
+  assert(footprint.along_m > 0 && footprint.across_m > 0 && strength > 0 && strength <= 1);
   double slope_x = 0, slope_y = 0, spread = kFinest;
   std::uint64_t key = 0;
   for (const Wave& wave : kWaves) {
@@ -55,7 +55,16 @@ Waves waves_at(Vec2 place, const Footprint& footprint) {
     slope_x += slope * wave.kx;
     slope_y += slope * wave.ky;
   }
-  return {unit(Vec3{-slope_x, -slope_y, 1}), spread};
+  return {unit(Vec3{-slope_x * strength, -slope_y * strength, 1}), spread * strength * strength};
+}
+
+// Slopes of waves grow about as the fourth root of the fetch: 10 km at sea, 1 km on lakes, 200 m across rivers, 20 m on
+// ponds. Ponds lie low, where there is less wind.
+double wave_strength(materials::Material water) {
+  using enum materials::Material;
+  if (water == kWater) return 0.7;
+  if (water == kRiverWater) return 0.5;
+  return water == kShallowWater || water == kPoolWater ? 0.25 : 1;
 }
 
 }  // namespace citykiln::preview

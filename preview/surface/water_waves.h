@@ -2,6 +2,7 @@
 #pragma once
 
 #include "compiler/geometry/vec.h"
+#include "compiler/materials/material.h"
 
 namespace citykiln::preview {
 
@@ -20,6 +21,11 @@ struct Footprint {
 /// Returns the waves at a place of the plane, in metres. They depend on the place alone, and are smooth. The total
 /// variance is the same for any footprint. A wave is seen if a pixel is shorter than a part of it in the wave's
 /// direction: at grazing angles, waves along the view vanish before those across it.
-Waves waves_at(Vec2 place, const Footprint& footprint);
+/// @param strength  A factor of all slopes, above 0 and up to 1.
+Waves waves_at(Vec2 place, const Footprint& footprint, double strength = 1);
+
+/// The strength of the waves of a water: that of the open sea is 1. Waves grow with the fetch, the length of water over
+/// which the wind blows.
+double wave_strength(materials::Material water);
 
 }  // namespace citykiln::preview

@@ -158,7 +158,9 @@ class SceneMaker {
     for (int i = 0; i < 15; ++i) {
       const bool is_sea = below(3) == 0;
       around.heights_m.push_back(is_sea ? 0 : static_cast<std::int32_t>(below(3000)) - 100);
-      around.covers.push_back(is_sea ? surroundings::Cover::kSea : surroundings::Cover::kLand);
+      around.covers.push_back(is_sea          ? surroundings::Cover::kSea
+                              : below(4) == 0 ? surroundings::Cover::kLake
+                                              : surroundings::Cover::kLand);
     }
     return around;
   }

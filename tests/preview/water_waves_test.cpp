@@ -40,5 +40,17 @@ TEST(WaterWaves, AtGrazingAnglesThoseAlongTheViewVanishFirst) {
   EXPECT_GT(grazing.y / grazing.x, 2 * square.y / square.x);
 }
 
+TEST(WaterWaves, AreFlatterOnShortWater) {
+  const Footprint fine{.along_m = 0.001, .across_m = 0.001};
+  const Vec3 at_sea = waves_at({12, 34}, fine, 1).normal, on_pond = waves_at({12, 34}, fine, 0.25).normal;
+  EXPECT_NEAR(on_pond.x / on_pond.z, at_sea.x / at_sea.z / 4, 1e-9);
+  EXPECT_NEAR(waves_at({}, {.along_m = 99, .across_m = 99}, 0.25).slope_spread * 16,
+              waves_at({}, {.along_m = 99, .across_m = 99}).slope_spread, 1e-9);
+  using enum materials::Material;
+  EXPECT_GT(wave_strength(kSea), wave_strength(kWater));
+  EXPECT_GT(wave_strength(kWater), wave_strength(kRiverWater));
+  EXPECT_GT(wave_strength(kRiverWater), wave_strength(kShallowWater));
+}
+
 }  // namespace
 }  // namespace citykiln::preview

@@ -21,6 +21,13 @@ namespace {
 
 using surroundings::Patch;
 
+// The open water that goes on beyond a place on the border.
+surroundings::Cover cover_on_border(const scene::GroundPlace& ground) {
+  if (ground.cover == map::LandCoverClass::kSea) return surroundings::Cover::kSea;
+  const bool is_water = map::values_of(ground.cover).group == map::LandCoverGroup::kWater;
+  return is_water ? surroundings::Cover::kLake : surroundings::Cover::kLand;
+}
+
 // The grid's heights leave those of the tiles' border within this distance.
 constexpr double kHeightBlend_m = 320;
 
@@ -91,7 +98,7 @@ double land_height_m(const scene::GroundLookup& lookup, const Tiles& tiles, cons
 // Adds meshes to a tile.
 void add(std::vector<materials::MaterialMesh>&& meshes, Layer layer, Vec3 origin, PrimitiveMap& merged) {
   for (materials::MaterialMesh& mesh : meshes) {
-    const bool is_water = mesh.material == materials::Material::kSea || mesh.material == materials::Material::kWater;
+    const bool is_water = materials::is_water(mesh.material);
     merge(merged, {std::move(mesh), is_water ? Layer::kWater : layer}, origin, 0);
   }
 }
@@ -121,7 +128,7 @@ std::optional<BakedTile> bake_surroundings(const scene::Scene& scene, EarthCurve
       .on_border =
           [&](Vec2 place) {
             const scene::GroundPlace ground = lookup.at(place);
-            return surroundings::BorderGround{ground.height_m, ground.cover == map::LandCoverClass::kSea};
+            return surroundings::BorderGround{ground.height_m, cover_on_border(ground)};
           },
       .height_m_at = [&](Vec2 place) { return land_height_m(lookup, tiles, grid, place); },
       .patch_of =

@@ -249,7 +249,8 @@ materials::SurfaceMaterial far_material_of(const FarLand& land, Vec3 place, Vec3
 
 Material material_of(const FarLand& land, const surroundings::Patch& patch, Vec3 place, Vec3 normal, double away_m) {
   const bool is_shore = patch.cover == map::LandCoverClass::kSea;
-  if (map::values_of(patch.cover).group == LandCoverGroup::kWater && !is_shore) return Material::kWater;
+  if (map::values_of(patch.cover).group == LandCoverGroup::kWater && !is_shore)
+    return map::values_of(patch.cover).material;
   if (is_snow(land, place, normal)) return Material::kSnow;
   const Material base = base_of(land.header);
   if (is_shore || base == Material::kDryGround || away_m > kOwnMaterial_m) return base;

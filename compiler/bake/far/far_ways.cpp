@@ -187,7 +187,7 @@ void add_strip(const Leaving& leaving, const std::vector<Station>& stations, con
 std::vector<MaterialMesh> far_ways(const scene::Scene& scene, const FarLand& land,
                                    const surroundings::AroundSurface& surface) {
   std::vector<MaterialMesh> meshes(2);
-  meshes[0].material = Material::kScree, meshes[1].material = Material::kWater;
+  meshes[0].material = Material::kScree, meshes[1].material = Material::kRiverWater;
   for (const Leaving& leaving : leaving_ways(scene))
     add_strip(leaving, stations_of(leaving, scene.header.seed, surface), land, surface,
               meshes[leaving.is_water() ? 1 : 0]);

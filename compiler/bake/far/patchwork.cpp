@@ -87,7 +87,7 @@ double Patchwork::slope_at(Vec2 place) const {
 bool Patchwork::is_usable(const scene::GroundPlace& ground) const {
   const bool is_drive =
       ground.polygon != nullptr && ground::is_yard(*ground.polygon) && ground.cover != LandCoverClass::kLawn;
-  const bool is_pier = ground.cover == LandCoverClass::kBreakwater;
+  const bool is_pier = ground.cover == LandCoverClass::kBreakwater || ground.cover == LandCoverClass::kWhiteWater;
   return !is_drive && !is_pier && !is_object(group_at(ground)) && group_at(ground) != LandCoverGroup::kWater;
 }
 
@@ -160,8 +160,9 @@ surroundings::Patch Patchwork::town_around(Vec2 from) const {
 surroundings::Patch Patchwork::patch_of(const surroundings::Cell& cell, double away_m) const {
   const Vec2 middle = cell.box().centre();
   if (away_m > kPatchesEnd_m) return {.cover = LandCoverClass::kMeadow};
-  if (surroundings::cover_at(header_.around, middle) == surroundings::Cover::kSea)
-    return {.cover = LandCoverClass::kSea};
+  const surroundings::Cover cover = surroundings::cover_at(header_.around, middle);
+  if (cover == surroundings::Cover::kSea) return {.cover = LandCoverClass::kSea};
+  if (cover == surroundings::Cover::kLake) return {.cover = LandCoverClass::kLake};
   const Vec2 at = middle + shift_at(middle);
   const double height_m = surroundings::height_m_at(header_.around, middle);
   if (is_lake(mirrored(at), middle, away_m)) return {.cover = LandCoverClass::kLake};

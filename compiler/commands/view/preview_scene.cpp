@@ -61,7 +61,7 @@ void stand_on(const surroundings::Surroundings& grid, std::vector<scene::GroundP
   const std::vector<Vec2> places = scene::places_on_border(grid.box(), kPlaces);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     samples[i].height_m = surroundings::height_m_at(grid, places[i]);
-    const bool is_sea = surroundings::cover_at(grid, places[i]) == surroundings::Cover::kSea;
+    const bool is_sea = is_open_water(surroundings::cover_at(grid, places[i]));
     if (is_sea)
       samples[i].cover = map::LandCoverClass::kSea;
     else if (samples[i].cover == map::LandCoverClass::kSea)

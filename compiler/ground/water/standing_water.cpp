@@ -137,7 +137,8 @@ void diagnose_seas(std::span<const LandCoverPolygon> surfaces, const Standing& s
 }  // namespace
 
 bool is_standing(map::LandCoverClass surface) {
-  return map::values_of(surface).group == map::LandCoverGroup::kWater && surface != map::LandCoverClass::kRiver;
+  return map::values_of(surface).group == map::LandCoverGroup::kWater && surface != map::LandCoverClass::kRiver &&
+         surface != map::LandCoverClass::kStream;
 }
 
 Shore shore_of(std::span<const Ring> rings, const map::Heightfield& heights, std::span<const Edge> shared) {

@@ -21,8 +21,14 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context, const std::vec
 bool is_closed_line(const ReadContext& context, source::Range tags, OsmType type);
 /// Returns leisure=pitch with sport=*, among areas that are read. They are not counted: each is an area.
 std::vector<SportsArea> locate_sports_areas(const ReadContext& context, const std::vector<AreaFeature>& areas);
-std::vector<AreaFeature> locate_sea(
-    const ReadContext& context);  ///< natural=coastline, closed around the extent. Ledger "map/coastline".
+
+/// The sea of the extent, and the coastlines that bound it.
+struct LocatedSea {
+  std::vector<AreaFeature> areas;  ///< Closed around the extent.
+  std::vector<Polyline> coasts;    ///< Features::coasts.
+};
+/// Reads natural=coastline. Ledger "map/coastline".
+LocatedSea locate_sea(const ReadContext& context);
 std::vector<Waterway> locate_waterways(const ReadContext& context);   ///< waterway=* lines.
 std::vector<Barrier> locate_barriers(const ReadContext& context);     ///< barrier=* lines.
 std::vector<Landform> locate_landforms(const ReadContext& context);   ///< Retaining walls, cliffs, dykes, piers, …

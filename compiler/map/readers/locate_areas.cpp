@@ -85,6 +85,15 @@ LandCoverClass refined(const ReadContext& context, source::Range tags, LandCover
   return with_leaves(surface, plant_tags.leaves);
 }
 
+// A lake or basin below this area is a pond.
+constexpr double kPond_m2 = 20000;
+
+LandCoverClass of_size(LandCoverClass surface, double area_m2) {
+  const bool is_lake =
+      surface == LandCoverClass::kLake || surface == LandCoverClass::kReservoir || surface == LandCoverClass::kBasin;
+  return is_lake && area_m2 < kPond_m2 ? LandCoverClass::kPond : surface;
+}
+
 // The plant tags of areas where plants grow; elsewhere only spawners plant.
 PlantTags growth_on(const ReadContext& context, const source::Area& area, LandCoverClass surface) {
   const LandCoverGroup group = values_of(surface).group;
@@ -229,7 +238,7 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context, const std::vec
     for_each_near_polygon(context, area.from, polygons, account, [&](const LocatedPolygon& polygon) {
       areas.push_back({.id = {area.from, polygon.part},
                        .polygon = polygon.polygon,
-                       .surface = surface,
+                       .surface = of_size(surface, polygon.area_m2),
                        .area_m2 = polygon.area_m2,
                        .plant_tags = plant_tags});
     });

@@ -11,7 +11,7 @@ constexpr double kBeyond_m = 256;
 
 }  // namespace
 
-std::vector<AreaFeature> locate_sea(const ReadContext& context) {
+LocatedSea locate_sea(const ReadContext& context) {
   std::vector<CoastWay> ways;
   Account account;
   for (const source::Way& way : context.osm.ways) {
@@ -29,13 +29,15 @@ std::vector<AreaFeature> locate_sea(const ReadContext& context) {
   }
   // the sea is one object with the id of its lowest coastline; its polygons are numbered from west to east
   OsmId first;
+  LocatedSea located_sea;
   for (const CoastWay& way : ways)
     if (first.type == OsmType::kNone || way.id < first) first = way.id;
+  for (const CoastWay& way : ways) located_sea.coasts.push_back(way.axis);
   Sea sea = close_sea(std::move(ways), context.extent.widened(kBeyond_m));
   for (const OsmId open : sea.open_ends) context.report.add(Code::kCoastlineOpen, open);
   std::sort(sea.polygons.begin(), sea.polygons.end(),
             [](const Polygon& a, const Polygon& b) { return a.outer < b.outer; });
-  std::vector<AreaFeature> areas;
+  std::vector<AreaFeature>& areas = located_sea.areas;
   for (Polygon& polygon : sea.polygons) {
     const double area = area_m2(polygon);
     areas.push_back({.id = {first, static_cast<std::uint32_t>(areas.size())},
@@ -45,7 +47,7 @@ std::vector<AreaFeature> locate_sea(const ReadContext& context) {
   }
   account.split = account.out = context.report.counts(first) ? areas.size() : 0;
   context.report.account("map", "coastline") = account;
-  return areas;
+  return located_sea;
 }
 
 }  // namespace citykiln::map

@@ -24,6 +24,7 @@ TEST(PlanStreams, SidesAreOnTheGridAndTogetherAsWideAsTheWater) {
     EXPECT_EQ(streams[i].left_m, snapped(streams[i].left_m));
     EXPECT_EQ(streams[i].right_m, snapped(streams[i].right_m));
     EXPECT_EQ(streams[i].left_m + streams[i].right_m, features.waterways[i].width_m);
+    EXPECT_EQ(streams[i].surface, i == 1 ? map::LandCoverClass::kRiver : map::LandCoverClass::kStream);
   }
 }
 

@@ -135,10 +135,7 @@ TEST(Texture, HasOpacityIfItHasHoles) {
     EXPECT_EQ(texture.opacity.size(), has_holes(texture.material) ? texture.colour.texels.size() : 0);
 }
 
-bool has_waves(const Texture& texture) {
-  return texture.material == Material::kWater || texture.material == Material::kSea ||
-         texture.material == Material::kPoolWater;
-}
+bool has_waves(const Texture& texture) { return is_water(texture.material); }
 
 TEST(Texture, HasFewColoursAndNormalsSoThatAPaletteHoldsThem) {
   for (const Texture& texture : all_textures(0.02)) {

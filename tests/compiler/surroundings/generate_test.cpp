@@ -47,7 +47,7 @@ Neighbourhood neighbourhood(const Box2& tiles = kRegion, bool has_woods = false)
           .is_in_tile = [tiles](Vec2 p) { return tiles.contains(p); },
           .on_border =
               [](Vec2 p) {
-                return BorderGround{terrain_m(p), false};
+                return BorderGround{terrain_m(p), Cover::kLand};
               },
           .height_m_at = terrain_m,
           .patch_of =

@@ -113,9 +113,9 @@ TEST(PlanSurroundings, WithoutHeightmapsTheLandGoesOnAtTheHeightsOfTheExtent) {
 
 TEST(PlanSurroundings, WithoutHeightmapsTheSeaGoesOnBeyondTheEdge) {
   Place place = kPlace;
-  place.sea = {{.id = {{OsmType::kWay, 1}, 0},
-                .surface = map::LandCoverClass::kSea,
-                .rings = {{{-1664, -1664}, {2048, -1664}, {2048, 0}, {-1664, 0}}}}};
+  place.water.sea = {{.id = {{OsmType::kWay, 1}, 0},
+                      .surface = map::LandCoverClass::kSea,
+                      .rings = {{{-1664, -1664}, {2048, -1664}, {2048, 0}, {-1664, 0}}}}};
   const Surroundings around = planned({}, place);
   for (const double x : {-9000.0, 0.0, 9000.0}) {
     EXPECT_EQ(cover_at(around, {x, -1000}), Cover::kSea) << x;
@@ -123,6 +123,54 @@ TEST(PlanSurroundings, WithoutHeightmapsTheSeaGoesOnBeyondTheEdge) {
     EXPECT_EQ(cover_at(around, {x, 800}), Cover::kLand) << x;
     EXPECT_EQ(cover_at(around, {x, 20000}), Cover::kLand) << x;
   }
+}
+
+TEST(PlanSurroundings, WithoutHeightmapsTheMappedCoastBeyondTheExtentDecides) {
+  // the sea is in the south; a bay of 10 km, and an island, lie east of the extent
+  const Polyline coast = {{-90000, -1000}, {8000, -1000}, {8000, 9000}, {18000, 9000}, {18000, -1000}, {90000, -1000}};
+  Polyline eastwards = coast;
+  const Polyline island = {{12000, 2000}, {14000, 2000}, {14000, 4000}, {12000, 4000}, {12000, 2000}};
+  const std::vector<Polyline> coasts = {eastwards, island};
+  Place place = kPlace;
+  place.water.coast = CoastSides(coasts);
+  const Surroundings around = planned({}, place);
+  for (std::size_t i = 0; i < around.covers.size(); ++i) {
+    const Vec2 p = around.vertex(i % around.columns(), i / around.columns());
+    if (kPlace.extent.contains(p)) continue;
+    const bool is_bay =
+        p.x > 8000 && p.x < 18000 && p.y<9000, is_island = p.x> 12000 && p.x < 14000 && p.y > 2000 && p.y < 4000;
+    if (std::abs(p.x) > 40000 || std::abs(p.y) > 40000) continue;
+    const bool is_sea = (p.y < -1000 || is_bay) && !is_island;
+    const bool is_on_coast = CoastSides(coasts).at(p)->away_m == 0;
+    EXPECT_TRUE(is_on_coast || (around.covers[i] == Cover::kSea) == is_sea) << p.x << " " << p.y;
+  }
+}
+
+TEST(PlanSurroundings, ALakeAcrossTheBorderGoesOnAsFarAsHeightsAreLevel) {
+  const map::Plane plane(kOrigin);
+  // a lake at 176 m, with an eastern shore 20 km away
+  const auto shore_m = [&](double lon_deg, double lat_deg) {
+    const Vec2 p = plane.forward({lon_deg, lat_deg});
+    return p.x < 1000 ? 180.0 : p.x < 22000 ? 176.0 : 176 + (p.x - 22000) * 0.01;
+  };
+  Place place = kPlace;
+  ground::LandCoverPolygon lake{.id = {{OsmType::kRelation, 1}, 0},
+                                .surface = map::LandCoverClass::kLake,
+                                .rings = {{{1000, -2000}, {2300, -2000}, {2300, 1200}, {1000, 1200}}},
+                                .level_m = 176.25};
+  ASSERT_TRUE(reaches_beyond(lake, place.extent));
+  place.water.lakes = {lake};
+  const Surroundings around = planned({raster_of(shore_m)}, place);
+  for (const double y : {-1000.0, 500.0}) {
+    EXPECT_EQ(cover_at(around, {-1000, y}), Cover::kLand) << y;
+    EXPECT_EQ(cover_at(around, {3000, y}), Cover::kLake) << y;
+    EXPECT_EQ(cover_at(around, {18000, y}), Cover::kLake) << y;
+    EXPECT_EQ(height_m_at(around, {15000, y}), 176) << y;
+    EXPECT_EQ(cover_at(around, {30000, y}), Cover::kLand) << y;
+  }
+  // a lake on 400 m of the border ends
+  for (Vec2& p : lake.rings[0]) p.y = p.y < 0 ? 200 : 600;
+  EXPECT_FALSE(reaches_beyond(lake, place.extent));
 }
 
 TEST(PlanSurroundings, HeightmapsOfTheExtentAloneGoOnBeyondIt) {
@@ -163,9 +211,9 @@ TEST(PlanSurroundings, SeaStaysSeaAndOnlyWhereThereIsACoast) {
   Place by_sea = kPlace;
   // a bay in the extent, whose ground is above 0 in the heightmap
   const Box2 bay{{-1700, -1700}, {-1000, -1000}};
-  by_sea.sea = {{.id = {{OsmType::kWay, 1}, 0},
-                 .surface = map::LandCoverClass::kSea,
-                 .rings = {{bay.min, {bay.max.x, bay.min.y}, bay.max, {bay.min.x, bay.max.y}}}}};
+  by_sea.water.sea = {{.id = {{OsmType::kWay, 1}, 0},
+                       .surface = map::LandCoverClass::kSea,
+                       .rings = {{bay.min, {bay.max.x, bay.min.y}, bay.max, {bay.min.x, bay.max.y}}}}};
   const Surroundings around = planned(rasters, by_sea);
   int seas = 0;
   for (std::size_t i = 0; i < around.covers.size(); ++i) {

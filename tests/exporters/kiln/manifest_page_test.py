@@ -388,7 +388,7 @@ class Chunk:
 
 
 class Around:
-    """The land around the region: lines, heights by crossing, and which of them are sea."""
+    """The land around the region: lines, heights by crossing, and what covers them."""
 
     def __init__(self, table):
         x, y, heights, covers = (Stream(table.bytes(field)) for field in range(4))
@@ -397,11 +397,11 @@ class Around:
         for row in range(len(self.y)):
             for column in range(len(self.x)):
                 self.heights.append(self.predicted(column, row) + heights.signed())
-        self.is_sea = []
+        self.covers = []
         for number, run in enumerate(all_of(covers, Stream.plain)):
-            self.is_sea += [number % 2 == 1] * run
+            self.covers += [("land", "sea", "lake")[number % 3]] * run
         self.error_m, self.rms_error_m = table.number(4, "d"), table.number(5, "d")
-        assert heights.at == len(heights.data) and len(self.is_sea) == len(self.heights)
+        assert heights.at == len(heights.data) and len(self.covers) == len(self.heights)
 
     def at(self, column, row):
         return self.heights[row * len(self.x) + column]
@@ -561,7 +561,7 @@ class Page(ProgramTest):
         self.assertLessEqual({south, north}, set(around.y))
         self.assertGreater(max(around.heights) - min(around.heights), 60)
         self.assertTrue(0 < around.rms_error_m <= around.error_m < 50)
-        self.assertFalse(any(around.is_sea))
+        self.assertEqual(set(around.covers), {"land"})
 
     def test_says_where_things_are(self):
         chunks, _ = self.read(GOLDEN / "crossing")

@@ -14,7 +14,7 @@ Surroundings grid() {
   Surroundings around{.x_m = {-9000, -64, 0, 70, 8000}, .y_m = {-5, 40, 60000}, .heights_m = {}, .covers = {}};
   for (int i = 0; i < 15; ++i) {
     around.heights_m.push_back(i % 4 == 0 ? 0 : 311 * i - 900);
-    around.covers.push_back(i % 4 == 0 ? Cover::kSea : Cover::kLand);
+    around.covers.push_back(i % 4 == 0 ? Cover::kSea : i % 5 == 2 ? Cover::kLake : Cover::kLand);
   }
   return around;
 }

@@ -54,11 +54,11 @@ TEST(LocateAreas, TagsDecideTheClass) {
       {"amenity=parking", LandCoverClass::kParking},
       {"highway=pedestrian area=yes", LandCoverClass::kSquare},
       {"man_made=pier", LandCoverClass::kPier},
-      {"natural=water", LandCoverClass::kLake},
+      {"natural=water", LandCoverClass::kPond},
       {"natural=water water=river", LandCoverClass::kRiver},
       {"waterway=riverbank", LandCoverClass::kRiver},
-      {"landuse=reservoir", LandCoverClass::kReservoir},
-      {"landuse=basin", LandCoverClass::kBasin},
+      {"landuse=reservoir", LandCoverClass::kPond},
+      {"landuse=basin", LandCoverClass::kPond},
       {"leisure=swimming_pool", LandCoverClass::kPool},
       {"aeroway=apron", LandCoverClass::kApron},
       {"railway=platform", LandCoverClass::kPlatform},
@@ -67,6 +67,15 @@ TEST(LocateAreas, TagsDecideTheClass) {
     const Features features = features_of(std::string("a1 0:0 40:0 40:30 0:30 ") + c.tags);
     ASSERT_EQ(features.areas.size(), 1u) << c.tags;
     EXPECT_EQ(values_of(features.areas[0].surface).name, values_of(c.surface).name) << c.tags;
+  }
+}
+
+TEST(LocateAreas, WaterFromTwoHectaresOnIsALake) {
+  for (const auto& [tags, surface] : {std::pair{"natural=water", LandCoverClass::kLake},
+                                      {"landuse=reservoir", LandCoverClass::kReservoir},
+                                      {"landuse=basin", LandCoverClass::kBasin}}) {
+    EXPECT_EQ(features_of(std::string("a1 0:0 200:0 200:101 0:101 ") + tags).areas.at(0).surface, surface) << tags;
+    EXPECT_EQ(features_of(std::string("a1 0:0 200:0 200:99 0:99 ") + tags).areas.at(0).surface, LandCoverClass::kPond);
   }
 }
 
