@@ -38,6 +38,8 @@ std::vector<double> shares_of(const CurvedChord& chord) {
   if (chord.arrive_reach > 0) append_bulge(chord.arrive_reach, chord.pieces, from_end);
   for (auto t = from_end.rbegin(); t != from_end.rend(); ++t) shares.push_back(1 - *t);
   std::erase_if(shares, [](double t) { return t <= 0 || t >= 1; });
+  // bulges that share their end
+  shares.erase(std::unique(shares.begin(), shares.end()), shares.end());
   return shares;
 }
 
@@ -53,6 +55,18 @@ std::uint8_t reach_of(int slope, double length_m, const CurveLimits& limits) {
   // a bulge is 4/27 of slope times reach high
   const double reach_m = std::min(limits.reach_m, 27.0 / 4 * limits.most_m / (std::abs(slope) * kSlopeUnit));
   return static_cast<std::uint8_t>(std::clamp(std::floor(reach_m / length_m * kWholeReach), 1.0, double{kWholeReach}));
+}
+
+// The chord whose bulges overlap with the largest common reach that keeps the limits; else each has its half.
+CurvedChord with_common_reach(CurvedChord chord, double length_m, const CurveLimits& limits) {
+  for (const std::uint8_t reach : kCommonReaches) {
+    CurvedChord common = chord;
+    common.leave_reach = common.arrive_reach = reach;
+    if (reach * length_m <= limits.reach_m * kWholeReach && farthest(common) * length_m <= limits.most_m) return common;
+  }
+  constexpr std::uint8_t kHalf = kWholeReach / 2;
+  chord.leave_reach = std::min(chord.leave_reach, kHalf), chord.arrive_reach = std::min(chord.arrive_reach, kHalf);
+  return chord;
 }
 
 // True if the straight pieces keep the limits.
@@ -79,6 +93,91 @@ double shortest_piece(const CurvedChord& chord) {
     last = t;
   }
   return shortest;
+}
+
+// A line in the frame of its chord: shares along it, and offsets to its left, as shares of its length.
+struct InFrame {
+  std::vector<double> t, offset;  // of the points between the ends
+  double rounding = 0;            // the largest error of either
+};
+
+InFrame in_frame(std::span<const Vec2> line) {
+  const Vec2 along = line.back() - line.front();
+  const double squared = dot(along, along);
+  InFrame frame;
+  frame.rounding = kCurveStep_m / std::sqrt(squared);
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    const Vec2 p = line[i] - line.front();
+    frame.t.push_back(dot(p, along) / squared), frame.offset.push_back(cross(along, p) / squared);
+  }
+  return frame;
+}
+
+bool is_line(const CurvedChord& chord, std::span<const Vec2> line) {
+  const Polyline between = points_between(chord, line.front(), line.back());
+  return std::ranges::equal(between, line.subspan(1, line.size() - 2));
+}
+
+// The chord with the frame's shares, and slopes near these, that is the line.
+std::optional<CurvedChord> with_slopes(CurvedChord chord, double leave, double arrive, std::span<const Vec2> line) {
+  constexpr int kAround[] = {0, -1, 1, -2, 2};
+  if (std::abs(leave) > 60 || std::abs(arrive) > 60) return std::nullopt;
+  for (const int i : kAround)
+    for (const int j : kAround) {
+      chord.leave = static_cast<std::int8_t>(chord.leave_reach == 0 ? 0 : std::lround(leave) + i);
+      chord.arrive = static_cast<std::int8_t>(chord.arrive_reach == 0 ? 0 : std::lround(arrive) + j);
+      const bool is_whole = (chord.leave != 0) == (chord.leave_reach > 0) && (chord.arrive != 0) == (chord.arrive_reach > 0);
+      if (is_whole && is_line(chord, line)) return chord;
+      if (chord.arrive_reach == 0) break;
+    }
+  return std::nullopt;
+}
+
+bool has_shares(const CurvedChord& chord, const InFrame& frame) {
+  const std::vector<double> shares = shares_of(chord);
+  return shares.size() == frame.t.size() && std::ranges::equal(shares, frame.t, [&](double a, double b) {
+           return std::abs(a - b) <= frame.rounding;
+         });
+}
+
+double height_of(int reach, double t) { return bulge(1, reach, t); }
+
+// Bulges that overlap, with points at equal shares.
+std::optional<CurvedChord> overlapping_through(const InFrame& frame, std::span<const Vec2> line) {
+  CurvedChord chord{.leave = 1, .arrive = 1, .leave_reach = 64, .arrive_reach = 64};
+  chord.pieces = static_cast<std::uint8_t>(frame.t.size() + 1);
+  if (chord.pieces > kMostPieces || !has_shares(chord, frame)) return std::nullopt;
+  const double first = 1.0 / chord.pieces;
+  for (const std::uint8_t reach : kCommonReaches) {
+    chord.leave_reach = chord.arrive_reach = reach;
+    const double near = height_of(reach, first), far = height_of(reach, 1 - first);
+    const double from = frame.offset.front(), to = frame.offset.back(), area = near * near - far * far;
+    // one point has the same height from both ends: any two slopes of its sum
+    const double sum = from / near, leave = area == 0 ? std::ceil(sum / 2) : (from * near - to * far) / area;
+    const double arrive = area == 0 ? leave - sum : (from * far - to * near) / area;
+    if (const std::optional<CurvedChord> found = with_slopes(chord, leave, arrive, line)) return found;
+  }
+  return std::nullopt;
+}
+
+std::uint8_t reach_to(double t) {
+  return static_cast<std::uint8_t>(std::clamp(std::floor(t * kWholeReach + 0.5), 0.0, double{kWholeReach}));
+}
+
+// Bulges that do not overlap: one of `before` points, and one of `after` points.
+std::optional<CurvedChord> apart_through(const InFrame& frame, std::size_t before, std::size_t after, bool is_shared,
+                                         std::span<const Vec2> line) {
+  const std::size_t n = frame.t.size();
+  CurvedChord chord{.leave = before > 0, .arrive = after > 0};
+  chord.pieces = static_cast<std::uint8_t>(std::max(before, after));
+  if (chord.pieces < 2 || chord.pieces > kMostPieces) return std::nullopt;
+  if (before > 0) chord.leave_reach = before > n ? kWholeReach : reach_to(frame.t[before - 1]);
+  if (after > 0) chord.arrive_reach = after > n ? kWholeReach : reach_to(1 - frame.t[n - after]);
+  if (is_shared) chord.arrive_reach = static_cast<std::uint8_t>(kWholeReach - chord.leave_reach);
+  if (chord.leave_reach + chord.arrive_reach > kWholeReach || !has_shares(chord, frame)) return std::nullopt;
+  const double leave = before > 0 ? frame.offset.front() / height_of(chord.leave_reach, frame.t.front()) : 0;
+  const double arrive = after > 0 ? -frame.offset.back() / height_of(chord.arrive_reach, 1 - frame.t.back()) : 0;
+  return with_slopes(chord, leave, arrive, line);
 }
 
 }  // namespace
@@ -111,6 +210,21 @@ Polyline points_between(const CurvedChord& chord, Vec2 a, Vec2 b) {
   return points;
 }
 
+std::optional<CurvedChord> chord_through(std::span<const Vec2> line) {
+  assert(line.size() >= 3);
+  if (line.front() == line.back()) return std::nullopt;
+  const InFrame frame = in_frame(line);
+  const std::size_t n = frame.t.size();
+  if (const std::optional<CurvedChord> found = overlapping_through(frame, line)) return found;
+  // one bulge that ends before the chord, or with it; then two, apart or with a common end
+  if (const std::optional<CurvedChord> found = apart_through(frame, n, 0, false, line)) return found;
+  if (const std::optional<CurvedChord> found = apart_through(frame, 0, n, false, line)) return found;
+  if (const std::optional<CurvedChord> found = apart_through(frame, n + 1, 0, false, line)) return found;
+  if (const std::optional<CurvedChord> found = apart_through(frame, 0, n + 1, false, line)) return found;
+  if (n % 2 == 0) return apart_through(frame, n / 2, n / 2, false, line);
+  return apart_through(frame, n / 2 + 1, n / 2 + 1, true, line);
+}
+
 CurvedChord fitted_chord(double length_m, int leave, int arrive, const CurveLimits& limits) {
   assert(length_m > 0 && std::abs(leave) <= 64 && std::abs(arrive) <= 64);
   CurvedChord chord{.leave = static_cast<std::int8_t>(leave),
@@ -118,10 +232,7 @@ CurvedChord fitted_chord(double length_m, int leave, int arrive, const CurveLimi
                     .leave_reach = reach_of(leave, length_m, limits),
                     .arrive_reach = reach_of(arrive, length_m, limits),
                     .pieces = 1};
-  const auto shorter = [](std::uint8_t reach) { return static_cast<std::uint8_t>(reach > 1 ? reach * 7 / 8 : reach); };
-  while (farthest(chord) * length_m > limits.most_m && (chord.leave_reach > 1 || chord.arrive_reach > 1))
-    chord.leave_reach = shorter(chord.leave_reach), chord.arrive_reach = shorter(chord.arrive_reach);
-  constexpr std::uint8_t kMostPieces = 8;
+  if (chord.leave_reach + chord.arrive_reach > kWholeReach) chord = with_common_reach(chord, length_m, limits);
   while (chord.pieces < kMostPieces && !is_fine(chord, length_m, limits)) {
     CurvedChord finer = chord;
     ++finer.pieces;

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 
 #include "compiler/geometry/polygon.h"
 
@@ -15,6 +17,12 @@ namespace citykiln {
 inline constexpr double kSlopeUnit = 1.0 / 64;
 /// The reach that is the whole chord.
 inline constexpr int kWholeReach = 64;
+/// The reaches of bulges that overlap: both have the same.
+inline constexpr std::uint8_t kCommonReaches[] = {64, 56, 48, 40};
+/// The largest slope, in kSlopeUnit.
+inline constexpr int kMostSlopeUnits = 64;
+/// The largest number of pieces.
+inline constexpr int kMostPieces = 8;
 /// The step of the points of a curved chord, metres; that of mapped points, so that both are stored alike.
 inline constexpr double kCurveStep_m = 1.0 / 128;
 
@@ -43,7 +51,7 @@ Polyline points_between(const CurvedChord& chord, Vec2 a, Vec2 b);
 struct CurveLimits {
   double most_m = 0;       ///< The largest distance from the chord.
   double reach_m = 0;      ///< The largest reach of a bulge.
-  double error_m = 0.06;   ///< The largest distance of the straight pieces from the line.
+  double error_m = 0.1;    ///< The largest distance of the straight pieces from the line.
   double turn = 0.14;      ///< The largest turn between two pieces, as a difference of slopes; 0.14: 8 degrees.
   double shortest_m = 0.5; ///< The shortest piece.
 };
@@ -51,6 +59,11 @@ struct CurveLimits {
 /// Returns the chord with these slopes, in kSlopeUnit, which keeps the limits, except that it has at most 8 pieces.
 /// O(1).
 CurvedChord fitted_chord(double length_m, int leave, int arrive, const CurveLimits& limits);
+
+/// Returns the chord of which the line from the first to the last of these points consists, by points_between(); nothing
+/// if there is none. Lines of fitted_chord() are found, but for some of less than 4 m, whose points are rounded too
+/// coarsely; not always as the same chord. O(points) unless it is one.
+std::optional<CurvedChord> chord_through(std::span<const Vec2> line);
 
 /// Returns the chord from b to a.
 CurvedChord reversed(const CurvedChord& chord);

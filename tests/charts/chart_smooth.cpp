@@ -17,7 +17,7 @@ namespace citykiln::charts {
 namespace {
 
 /// The side of the part that is compared, in samples: a degree of SRTM at 3 seconds.
-constexpr int kMostSamples = 1201;
+constexpr int kMostSamplesASide = 1201;
 
 /// A heightmap and the distance of its samples.
 struct Samples {
@@ -32,7 +32,7 @@ Result<Samples> read_samples(const source::RasterSpec& spec) {
   Report ignored;
   const source::Raster raster = source::fill_voids(std::move(*read), ignored);
   Samples samples{std::filesystem::path(spec.path).stem().string(),
-                  {std::min(raster.columns, kMostSamples), std::min(raster.rows, kMostSamples), {}},
+                  {std::min(raster.columns, kMostSamplesASide), std::min(raster.rows, kMostSamplesASide), {}},
                   raster.spacing_m};
   const int first_column = (raster.columns - samples.grid.columns) / 2;
   const int first_row = (raster.rows - samples.grid.rows) / 2;

@@ -90,5 +90,26 @@ TEST(CurvedChord, AnArcOfATownTurnsByLessThanTenDegreesAtItsPoints) {
   EXPECT_LE(line.size(), 7u);
 }
 
+TEST(CurvedChord, IsFoundByItsPoints) {
+  int found = 0, curves = 0;
+  for (std::uint32_t i = 0; i < 5000; ++i) {
+    const RandomChord r = random_chord(i);
+    const Polyline line = line_of(r);
+    if (line.size() < 3 || distance(r.a, r.b) < 4) continue;
+    const std::optional<CurvedChord> chord = chord_through(line);
+    ++curves, found += chord.has_value();
+    if (chord) {
+      EXPECT_EQ(points_between(*chord, r.a, r.b), Polyline(line.begin() + 1, line.end() - 1)) << i;
+    }
+  }
+  EXPECT_GT(found, 0.97 * curves) << curves;
+}
+
+TEST(CurvedChord, IsNotFoundInOtherLines) {
+  EXPECT_FALSE(chord_through(Polyline{{0, 0}, {10, 0}, {20, 0}}));
+  EXPECT_FALSE(chord_through(Polyline{{0, 0}, {10, 5}, {20, -3}, {30, 0}}));
+  EXPECT_FALSE(chord_through(Polyline{{0, 0}, {10, 5}, {0, 0}}));
+}
+
 }  // namespace
 }  // namespace citykiln
