@@ -54,7 +54,7 @@ std::uint8_t reach_of(int slope, double length_m, const CurveLimits& limits) {
   if (slope == 0) return 0;
   // a bulge is 4/27 of slope times reach high
   const double reach_m = std::min(limits.reach_m, 27.0 / 4 * limits.most_m / (std::abs(slope) * kSlopeUnit));
-  return static_cast<std::uint8_t>(std::clamp(std::floor(reach_m / length_m * kWholeReach), 1.0, double{kWholeReach}));
+  return static_cast<std::uint8_t>(std::min(std::floor(reach_m / length_m * kWholeReach), double{kWholeReach}));
 }
 
 // The chord whose bulges overlap with the largest common reach that keeps the limits; else each has its half.
@@ -232,6 +232,8 @@ CurvedChord fitted_chord(double length_m, int leave, int arrive, const CurveLimi
                     .leave_reach = reach_of(leave, length_m, limits),
                     .arrive_reach = reach_of(arrive, length_m, limits),
                     .pieces = 1};
+  if (chord.leave_reach == 0) chord.leave = 0;
+  if (chord.arrive_reach == 0) chord.arrive = 0;
   if (chord.leave_reach + chord.arrive_reach > kWholeReach) chord = with_common_reach(chord, length_m, limits);
   while (chord.pieces < kMostPieces && !is_fine(chord, length_m, limits)) {
     CurvedChord finer = chord;

@@ -52,12 +52,12 @@ struct CurveLimits {
   double most_m = 0;       ///< The largest distance from the chord.
   double reach_m = 0;      ///< The largest reach of a bulge.
   double error_m = 0.1;    ///< The largest distance of the straight pieces from the line.
-  double turn = 0.14;      ///< The largest turn between two pieces, as a difference of slopes; 0.14: 8 degrees.
+  double turn = 0.165;     ///< The largest turn between two pieces, as a difference of slopes; 0.165: 9.4 degrees.
   double shortest_m = 0.5; ///< The shortest piece.
 };
 
-/// Returns the chord with these slopes, in kSlopeUnit, which keeps the limits, except that it has at most 8 pieces.
-/// O(1).
+/// Returns the chord with these slopes, in kSlopeUnit, which keeps the limits, except that it has at most kMostPieces. A
+/// slope whose bulge would be shorter than a unit of reach becomes 0. O(1).
 CurvedChord fitted_chord(double length_m, int leave, int arrive, const CurveLimits& limits);
 
 /// Returns the chord of which the line from the first to the last of these points consists, by points_between(); nothing

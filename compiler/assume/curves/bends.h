@@ -26,6 +26,7 @@ inline constexpr double kMostTurnInCircle_deg = 75;
 struct ChordLimits {
   double most_m = 0;   ///< The largest distance from the chord; 0: the chord stays as mapped.
   double reach_m = 0;  ///< CurveLimits::reach_m.
+  double error_m = 0;  ///< CurveLimits::error_m.
 };
 
 /// A line whose axis may be curved. Refers to data that must outlive it.

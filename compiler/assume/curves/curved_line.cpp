@@ -16,7 +16,7 @@ constexpr double kShortestChord_m = 1;
 
 // The curve of a chord with both of its ends.
 Polyline curve_of(Vec2 a, Vec2 b, const Slopes& slopes, const ChordLimits& limits) {
-  const CurveLimits keep{.most_m = limits.most_m, .reach_m = limits.reach_m};
+  const CurveLimits keep{.most_m = limits.most_m, .reach_m = limits.reach_m, .error_m = limits.error_m};
   const double length_m = distance(a, b);
   // both directions fit the same chord
   const CurvedChord chord = b < a ? reversed(fitted_chord(length_m, slopes.arrive, slopes.leave, keep))

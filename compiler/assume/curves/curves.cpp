@@ -16,6 +16,8 @@ namespace {
 using map::LandCoverClass;
 using map::Track;
 
+/// The largest distances of the straight pieces from curves. Wide roads show them most, and points cost bytes.
+constexpr double kErrorOfRoads_m = 0.1, kErrorOfPaths_m = 0.15, kErrorOfWater_m = 0.2, kErrorOfBarriers_m = 0.05;
 /// The largest reach of a bulge (geometry/curved_chord.h): a straight street stays straight beyond.
 constexpr double kReachInTown_m = 40, kReachInTheOpen_m = 96;
 
@@ -25,16 +27,20 @@ bool keeps_axis(const Track& track) {
          track.section.axis_drift != 0;
 }
 
-ChordLimits limits_of(double most_m, double reach_m, Vec2 a, Vec2 b) {
+// The limits of a chord for which these hold, whatever its length.
+ChordLimits limits_of(ChordLimits limits, Vec2 a, Vec2 b) {
   const double length_m = distance(a, b);
   if (length_m > kLongestChord_m) return {};
-  return {.most_m = std::min(most_m, kMostOfChord * length_m), .reach_m = reach_m};
+  limits.most_m = std::min(limits.most_m, kMostOfChord * length_m);
+  return limits;
 }
 
 ChordLimits limits_of_road(const Track& track, const Walls& walls, Vec2 a, Vec2 b) {
-  if (map::family_of(track.surface) == map::Family::kPath) return limits_of(kMostOfPaths_m, kReachInTown_m, a, b);
-  if (is_in_town(walls, a, b)) return limits_of(kMostOfRoads_m, kReachInTown_m, a, b);
-  return limits_of(std::clamp(kMostInTheOpen * distance(a, b), kMostOfRoads_m, kMostInTheOpen_m), kReachInTheOpen_m, a, b);
+  if (map::family_of(track.surface) == map::Family::kPath)
+    return limits_of({kMostOfPaths_m, kReachInTown_m, kErrorOfPaths_m}, a, b);
+  if (is_in_town(walls, a, b)) return limits_of({kMostOfRoads_m, kReachInTown_m, kErrorOfRoads_m}, a, b);
+  const double most_m = std::clamp(kMostInTheOpen * distance(a, b), kMostOfRoads_m, kMostInTheOpen_m);
+  return limits_of({most_m, kReachInTheOpen_m, kErrorOfRoads_m}, a, b);
 }
 
 std::vector<ChordLimits> chords_of(const Track& track, const Walls& walls) {
@@ -135,9 +141,9 @@ std::vector<bool> corners_of_barrier(std::span<const Vec2> axis) {
   return corners;
 }
 
-std::vector<ChordLimits> equal_chords(std::span<const Vec2> axis, double most_m, double reach_m) {
+std::vector<ChordLimits> equal_chords(std::span<const Vec2> axis, const ChordLimits& limits) {
   std::vector<ChordLimits> chords;
-  for (std::size_t c = 0; c + 1 < axis.size(); ++c) chords.push_back(limits_of(most_m, reach_m, axis[c], axis[c + 1]));
+  for (std::size_t c = 0; c + 1 < axis.size(); ++c) chords.push_back(limits_of(limits, axis[c], axis[c + 1]));
   return chords;
 }
 
@@ -177,7 +183,7 @@ std::vector<map::Waterway> curved_waterways(std::span<const map::Waterway> water
                      .network = 0,
                      .priority = 0,
                      .is_circle = false,
-                     .chords = equal_chords(way.axis, most_m, kReachInTheOpen_m)});
+                     .chords = equal_chords(way.axis, {most_m, kReachInTheOpen_m, kErrorOfWater_m})});
   }
   std::vector<CurvedLine> curved = curved_lines(lines, is_always_free);
   std::vector<map::Waterway> made(waterways.begin(), waterways.end());
@@ -197,7 +203,7 @@ std::vector<map::Barrier> curved_barriers(std::span<const map::Barrier> barriers
                      .network = 0,
                      .priority = 0,
                      .is_circle = false,
-                     .chords = equal_chords(barrier.axis, may_curve ? kMostOfBarriers_m : 0, kReachInTown_m),
+                     .chords = equal_chords(barrier.axis, {may_curve ? kMostOfBarriers_m : 0, kReachInTown_m, kErrorOfBarriers_m}),
                      .is_corner = corners_of_barrier(barrier.axis)});
   }
   std::vector<CurvedLine> curved = curved_lines(lines, is_always_free);

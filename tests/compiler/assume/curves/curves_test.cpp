@@ -92,7 +92,7 @@ TEST(CurvedTracks, AStraightWayIsAsMapped) {
 TEST(CurvedTracks, ABendHasNoCorners) {
   const Track way = street(1, arc(6)), made = curved(way);
   EXPECT_NEAR(most_turn_deg(way.axis), 15, 0.1);
-  EXPECT_LT(most_turn_deg(made.axis), 8);
+  EXPECT_LT(most_turn_deg(made.axis), 9.5);
   EXPECT_TRUE(has(made.assumed, Assumption::kCurves));
 }
 
@@ -169,7 +169,7 @@ TEST(CurvedTracks, AtAJunctionOnlyTheWayThatRunsThroughIsCurved) {
   const Polyline axis = arc(2);
   map::Features features;
   features.tracks = {street(1, axis, {1, 2, 3}), street(2, {axis[1], axis[1] + Vec2{0, -40}}, {2, 9})};
-  EXPECT_LT(most_turn_deg(curved(features, 0).axis), 8);
+  EXPECT_LT(most_turn_deg(curved(features, 0).axis), 9.5);
   EXPECT_EQ(curved(features, 1).axis, features.tracks[1].axis);
 }
 
