@@ -126,7 +126,8 @@ std::optional<CurvedChord> with_slopes(CurvedChord chord, double leave, double a
     for (const int j : kAround) {
       chord.leave = static_cast<std::int8_t>(chord.leave_reach == 0 ? 0 : std::lround(leave) + i);
       chord.arrive = static_cast<std::int8_t>(chord.arrive_reach == 0 ? 0 : std::lround(arrive) + j);
-      const bool is_whole = (chord.leave != 0) == (chord.leave_reach > 0) && (chord.arrive != 0) == (chord.arrive_reach > 0);
+      const bool is_whole =
+          (chord.leave != 0) == (chord.leave_reach > 0) && (chord.arrive != 0) == (chord.arrive_reach > 0);
       if (is_whole && is_line(chord, line)) return chord;
       if (chord.arrive_reach == 0) break;
     }
@@ -135,9 +136,8 @@ std::optional<CurvedChord> with_slopes(CurvedChord chord, double leave, double a
 
 bool has_shares(const CurvedChord& chord, const InFrame& frame) {
   const std::vector<double> shares = shares_of(chord);
-  return shares.size() == frame.t.size() && std::ranges::equal(shares, frame.t, [&](double a, double b) {
-           return std::abs(a - b) <= frame.rounding;
-         });
+  return shares.size() == frame.t.size() &&
+         std::ranges::equal(shares, frame.t, [&](double a, double b) { return std::abs(a - b) <= frame.rounding; });
 }
 
 double height_of(int reach, double t) { return bulge(1, reach, t); }

@@ -49,20 +49,20 @@ Polyline points_between(const CurvedChord& chord, Vec2 a, Vec2 b);
 
 /// Limits of a curved chord.
 struct CurveLimits {
-  double most_m = 0;       ///< The largest distance from the chord.
-  double reach_m = 0;      ///< The largest reach of a bulge.
-  double error_m = 0.1;    ///< The largest distance of the straight pieces from the line.
-  double turn = 0.165;     ///< The largest turn between two pieces, as a difference of slopes; 0.165: 9.4 degrees.
-  double shortest_m = 0.5; ///< The shortest piece.
+  double most_m = 0;        ///< The largest distance from the chord.
+  double reach_m = 0;       ///< The largest reach of a bulge.
+  double error_m = 0.1;     ///< The largest distance of the straight pieces from the line.
+  double turn = 0.165;      ///< The largest turn between two pieces, as a difference of slopes; 0.165: 9.4 degrees.
+  double shortest_m = 0.5;  ///< The shortest piece.
 };
 
-/// Returns the chord with these slopes, in kSlopeUnit, which keeps the limits, except that it has at most kMostPieces. A
-/// slope whose bulge would be shorter than a unit of reach becomes 0. O(1).
+/// Returns the chord with these slopes, in kSlopeUnit, which keeps the limits, except that it has at most kMostPieces.
+/// A slope whose bulge would be shorter than a unit of reach becomes 0. O(1).
 CurvedChord fitted_chord(double length_m, int leave, int arrive, const CurveLimits& limits);
 
-/// Returns the chord of which the line from the first to the last of these points consists, by points_between(); nothing
-/// if there is none. Lines of fitted_chord() are found, but for some of less than 4 m, whose points are rounded too
-/// coarsely; not always as the same chord. O(points) unless it is one.
+/// Returns the chord of which the line from the first to the last of these points consists, by points_between();
+/// nothing if there is none. Lines of fitted_chord() are found, but for some of less than 4 m, whose points are rounded
+/// too coarsely; not always as the same chord. O(points) unless it is one.
 std::optional<CurvedChord> chord_through(std::span<const Vec2> line);
 
 /// Returns the chord from b to a.

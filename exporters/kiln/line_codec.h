@@ -17,8 +17,8 @@ struct CodedPart {
   std::optional<CurvedChord> curve{};
 };
 
-/// Returns the parts of a line, the first of which is its first point. A curve is the longest that the line follows from
-/// where the part before ends. O(points).
+/// Returns the parts of a line, the first of which is its first point. A curve is the longest that the line follows
+/// from where the part before ends. O(points).
 inline std::vector<CodedPart> parts_of(std::span<const Vec2> line) {
   constexpr std::size_t kMostBetween = 2 * kMostPieces;
   std::vector<CodedPart> parts = {{0}};

@@ -19,7 +19,7 @@ namespace {
 struct Corners {
   std::vector<double> mapped_deg, curved_deg;  ///< At mapped nodes, in the same order.
   std::vector<double> between_deg;             ///< At the points of curves.
-  std::vector<double> from_map_m;              ///< Of the points of curves.
+  std::vector<double> from_map_m;              ///< Distances of the points of curves.
 };
 
 double turn_deg(const Polyline& axis, std::size_t v) {
@@ -41,7 +41,7 @@ void add_corners(const map::Track& mapped, const map::Track& curved, Corners& co
   }
 }
 
-Result<Corners> corners_of(const std::string& path, int threads) {
+Result<Corners> street_corners(const std::string& path, int threads) {
   Report ignored;
   const Result<source::OsmData> osm = source::read_osm(path, threads, ignored);
   if (!osm) return osm.error();
@@ -56,9 +56,10 @@ Result<Corners> corners_of(const std::string& path, int threads) {
 }
 
 double share_over(const std::vector<double>& turns, double least_deg) {
-  return turns.empty() ? 0
-                       : 100.0 * static_cast<double>(std::ranges::count_if(turns, [&](double t) { return t > least_deg; })) /
-                             static_cast<double>(turns.size());
+  return turns.empty()
+             ? 0
+             : 100.0 * static_cast<double>(std::ranges::count_if(turns, [&](double t) { return t > least_deg; })) /
+                   static_cast<double>(turns.size());
 }
 
 double percentile(std::vector<double> values, double share) {
@@ -67,16 +68,17 @@ double percentile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-std::string row_of(const std::string& name, const Corners& c) {
+std::string corner_row(const std::string& name, const Corners& c) {
   return fmt::format("| {} | {} | {:.1f} % | {:.1f} % | {:.1f} % | {} | {:.2f} % | {:.2f} | {:.2f} | {:.2f} |", name,
                      c.mapped_deg.size(), share_over(c.mapped_deg, 10), share_over(c.curved_deg, 10),
                      share_over(c.curved_deg, 60), c.between_deg.size(), share_over(c.between_deg, 10),
                      percentile(c.from_map_m, 0.5), percentile(c.from_map_m, 0.95), percentile(c.from_map_m, 1));
 }
 
-Series series_of(const std::string& name, const std::vector<double>& turns) {
+Series shares_of_turns(const std::string& name, const std::vector<double>& turns) {
   Series series{.name = name, .points = {}};
-  for (int least_deg = 1; least_deg <= 90; ++least_deg) series.points.emplace_back(least_deg, share_over(turns, least_deg));
+  for (int least_deg = 1; least_deg <= 90; ++least_deg)
+    series.points.emplace_back(least_deg, share_over(turns, least_deg));
   return series;
 }
 
@@ -88,16 +90,17 @@ Result<std::vector<Chart>> chart_curves(const ChartRequest& request) {
               .x = {"corner of more than (degrees)"},
               .y = {"share of nodes (%)"},
               .series = {}};
-  chart.notes = {"| map | inner nodes | over 10°, mapped | over 10°, curved | over 60° | points of curves | of these over 10° | "
-                 "median distance, m | 95 % | largest |",
-                 "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|"};
+  chart.notes = {
+      "| map | inner nodes | over 10°, mapped | over 10°, curved | over 60° | points of curves | of these over 10° | "
+      "median distance, m | 95 % | largest |",
+      "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|"};
   for (const std::string& path : request.maps) {
-    const Result<Corners> corners = corners_of(path, request.threads);
+    const Result<Corners> corners = street_corners(path, request.threads);
     if (!corners) return corners.error();
     const std::string name = std::filesystem::path(path).stem().stem().string();
-    chart.series.push_back(series_of(name + ", mapped", corners->mapped_deg));
-    chart.series.push_back(series_of(name + ", curved", corners->curved_deg));
-    chart.notes.push_back(row_of(name, *corners));
+    chart.series.push_back(shares_of_turns(name + ", mapped", corners->mapped_deg));
+    chart.series.push_back(shares_of_turns(name + ", curved", corners->curved_deg));
+    chart.notes.push_back(corner_row(name, *corners));
   }
   return std::vector{chart};
 }

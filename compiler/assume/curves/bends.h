@@ -22,7 +22,7 @@ inline constexpr double kMostTurnAtJunction_deg = 30;
 /// A circle of few nodes turns by more at each.
 inline constexpr double kMostTurnInCircle_deg = 75;
 
-/// What a chord of a line may do.
+/// The limits of a chord of a line.
 struct ChordLimits {
   double most_m = 0;   ///< The largest distance from the chord; 0: the chord stays as mapped.
   double reach_m = 0;  ///< CurveLimits::reach_m.
@@ -34,8 +34,8 @@ struct Line {
   std::span<const Vec2> axis;           ///< At least two points, no repeated neighbours.
   std::span<const std::int64_t> nodes;  ///< An id of each point; lines of one network meet where ids are equal.
   int network = 0;
-  int priority = 0;                ///< Of lines that meet; two of a higher one go on in each other.
-  bool is_circle = false;          ///< A roundabout or a part of one.
+  int priority = 0;                 ///< Two lines of the highest that meet go on in each other.
+  bool is_circle = false;           ///< A roundabout or a part of one.
   std::vector<ChordLimits> chords;  ///< One for each pair of neighbouring points.
   /// One for each point: true where the corner is meant.
   std::vector<bool> is_corner{};

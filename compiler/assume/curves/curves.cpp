@@ -73,7 +73,8 @@ Line line_of(const Track& track, const Walls& walls) {
 // The node ids of points of curves: below those of maps, and apart from those of places where ways are cut
 // (map/rails_in_streets.cpp).
 std::int64_t curve_node_id(const Track& track, std::uint32_t vertex) {
-  constexpr std::int64_t kHighest = std::numeric_limits<std::int64_t>::min() / 4, kPerPiece = 1 << 16, kPieces = 1 << 10;
+  constexpr std::int64_t kHighest = std::numeric_limits<std::int64_t>::min() / 4, kPerPiece = 1 << 16,
+                         kPieces = 1 << 10;
   const std::int64_t piece = track.id.osm.id * kPieces + track.id.part % kPieces;
   return kHighest - piece * kPerPiece - vertex % kPerPiece;
 }
@@ -198,13 +199,14 @@ std::vector<map::Barrier> curved_barriers(std::span<const map::Barrier> barriers
   for (std::size_t b = 0; b < barriers.size(); ++b) {
     const map::Barrier& barrier = barriers[b];
     const bool may_curve = barrier.kind != BarrierKind::kRetainingWall && barrier.kind != BarrierKind::kCityWall;
-    lines.push_back({.axis = barrier.axis,
-                     .nodes = ids[b],
-                     .network = 0,
-                     .priority = 0,
-                     .is_circle = false,
-                     .chords = equal_chords(barrier.axis, {may_curve ? kMostOfBarriers_m : 0, kReachInTown_m, kErrorOfBarriers_m}),
-                     .is_corner = corners_of_barrier(barrier.axis)});
+    lines.push_back(
+        {.axis = barrier.axis,
+         .nodes = ids[b],
+         .network = 0,
+         .priority = 0,
+         .is_circle = false,
+         .chords = equal_chords(barrier.axis, {may_curve ? kMostOfBarriers_m : 0, kReachInTown_m, kErrorOfBarriers_m}),
+         .is_corner = corners_of_barrier(barrier.axis)});
   }
   std::vector<CurvedLine> curved = curved_lines(lines, is_always_free);
   std::vector<map::Barrier> made(barriers.begin(), barriers.end());

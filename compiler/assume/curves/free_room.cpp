@@ -36,9 +36,8 @@ Walls walls_of(std::span<const map::Footprint> footprints) {
 
 bool is_in_town(const Walls& walls, Vec2 a, Vec2 b) {
   const Box2 near = box_of_segment(a, b).widened(kInTown_m);
-  return any_about(walls.grid, near, [&](std::uint32_t i) {
-    return box_of(walls.footprints[i]->polygon.outer).touches(near);
-  });
+  return any_about(walls.grid, near,
+                   [&](std::uint32_t i) { return box_of(walls.footprints[i]->polygon.outer).touches(near); });
 }
 
 bool has_room_between(const Walls& walls, const Polyline& curve, double half_m) {

@@ -27,7 +27,9 @@ RandomChord random_chord(std::uint32_t i) {
   const double long_m = std::pow(2.0, draws.between(0, 8, 2)), angle_deg = draws.between(0, 360, 3);
   made.b = snapped_to(kCurveStep_m, made.a + Vec2{cosine(angle_deg), sine(angle_deg)} * long_m);
   made.limits = {.most_m = std::min(0.12 * long_m, draws.between(0.1, 3, 4)), .reach_m = 60};
-  const auto slope = [&](std::uint32_t n) { return draws.below(4, n + 10) == 0 ? 0 : static_cast<int>(draws.below(79, n)) - 39; };
+  const auto slope = [&](std::uint32_t n) {
+    return draws.below(4, n + 10) == 0 ? 0 : static_cast<int>(draws.below(79, n)) - 39;
+  };
   made.chord = fitted_chord(distance(made.a, made.b), slope(5), slope(6), made.limits);
   return made;
 }
