@@ -105,9 +105,9 @@ lots::LotInputs lot_inputs(const CompileSpec& spec, const LotFacts& facts, const
           .threads = spec.threads};
 }
 
-// The assumptions about streets that count the houses beside them.
-constexpr Assumptions kOfStreets =
-    bit_of(Assumption::kPavements) | bit_of(Assumption::kVerges) | bit_of(Assumption::kParking);
+// The assumptions about streets that count the houses beside them, and the lines that lots keep from.
+constexpr Assumptions kOfStreets = bit_of(Assumption::kPavements) | bit_of(Assumption::kVerges) |
+                                   bit_of(Assumption::kParking) | bit_of(Assumption::kCurves);
 
 // The footprints with the houses that fill lots, beside the streets as they would be without them; nothing without
 // spec.fill_lots. Later stages count them as mapped ones.

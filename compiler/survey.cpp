@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "compiler/assume/curves/curves.h"
 #include "compiler/contract/system/give_back_memory.h"
 #include "compiler/ground/plan.h"
 #include "compiler/make_header.h"
@@ -46,7 +47,11 @@ Result<DryWaters> read_dry_waters(const CompileSpec& spec, const std::string& ex
   if (!located) return located.error();
   give_back_memory();
   Report repeated;
-  const map::Features& features = located->features;
+  map::FeatureView features = located->features;
+  const bool is_curved = has(spec.assume, Assumption::kCurves);
+  const std::vector<map::Waterway> curved =
+      is_curved ? assume::curved_waterways(features.waterways) : std::vector<map::Waterway>{};
+  if (is_curved) features.waterways = curved;
   return DryWaters{features.extent, plan_dry_waters(features, repeated), ground::covered_waterways(features),
                    std::move(located->features.coasts), std::move(located->places)};
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "compiler/assume/bridge_pavements.h"
+#include "compiler/assume/curves/curves.h"
 #include "compiler/assume/fit_widths.h"
 #include "compiler/assume/fronts.h"
 #include "compiler/assume/heights.h"
@@ -34,6 +35,7 @@ std::vector<map::Footprint> assume_styles(std::span<const map::Footprint> footpr
 
 map::FeatureView seen_with(map::FeatureView features, const Assumed& assumed) {
   features.tracks = assumed.tracks, features.footprints = assumed.footprints, features.fronts = assumed.fronts;
+  features.waterways = assumed.waterways, features.barriers = assumed.barriers;
   return features;
 }
 
@@ -42,7 +44,9 @@ Assumed assume(const map::FeatureView& mapped, const Settings& settings, Report&
   // pavements and verges are measured from the fitted kerbs
   Assumed made{.tracks = fit_assumed_widths(mapped),
                .footprints = {mapped.footprints.begin(), mapped.footprints.end()},
-               .fronts = {}};
+               .fronts = {},
+               .waterways = {mapped.waterways.begin(), mapped.waterways.end()},
+               .barriers = {mapped.barriers.begin(), mapped.barriers.end()}};
   const auto seen = [&] { return seen_with(mapped, made); };
   if (is_on(Assumption::kHeights)) made.footprints = assume_heights(seen(), settings.seed, report);
   // by the assumed storeys
@@ -60,6 +64,12 @@ Assumed assume(const map::FeatureView& mapped, const Settings& settings, Report&
     made.fronts = std::move(fronts.fronts);
   }
   if (is_on(Assumption::kStyles)) made.footprints = assume_styles(made.footprints, report);
+  // last, since stretches of streets are cut at mapped nodes
+  if (is_on(Assumption::kCurves)) {
+    made.tracks = curved_tracks(seen(), report);
+    made.waterways = curved_waterways(mapped.waterways);
+    made.barriers = curved_barriers(mapped.barriers);
+  }
   return made;
 }
 

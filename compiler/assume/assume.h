@@ -16,11 +16,13 @@ struct Settings {
   std::uint64_t seed = 0;              ///< Selects the random draws.
 };
 
-/// The tracks, footprints and fronts of a map with what is assumed of them. Each list is whole, and sorted by id.
+/// The lists of a map of which something is assumed. Each list is whole, and sorted by id.
 struct Assumed {
   std::vector<map::Track> tracks;
   std::vector<map::Footprint> footprints;
   std::vector<map::FrontPoint> fronts;
+  std::vector<map::Waterway> waterways;
+  std::vector<map::Barrier> barriers;
 };
 
 /// Returns the features with these lists in place of the map's. `assumed` must outlive the result.
@@ -31,8 +33,8 @@ map::FeatureView seen_with(map::FeatureView features, const Assumed& assumed);
 /// kLongestWhole_m (pavements.h) may become several tracks. If Settings::on is kNoAssumptions, only widths are fitted.
 ///
 /// The steps run in this order: widths (fit_widths.h), storeys, roofs, pavements, pavements of bridges, verges,
-/// parking, surfaces, lamps, shop fronts, styles. Roofs and shop fronts depend on assumed storeys, bridges and verges
-/// on assumed pavements, lamps on assumed surfaces.
+/// parking, surfaces, lamps, shop fronts, styles, curves. Roofs and shop fronts depend on assumed storeys, bridges and
+/// verges on assumed pavements, lamps on assumed surfaces.
 ///
 /// Each assumption is local: it depends on what is mapped within the radius that its header states, and on the earlier
 /// steps that it reads within this radius. The order of the features does not matter, except where areas of equal size

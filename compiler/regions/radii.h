@@ -4,6 +4,7 @@
 #pragma once
 
 #include "compiler/assume/bridge_pavements.h"
+#include "compiler/assume/curves/curves.h"
 #include "compiler/assume/fit_widths.h"
 #include "compiler/assume/fronts.h"
 #include "compiler/assume/heights.h"
@@ -39,6 +40,7 @@ namespace citykiln::regions {
 // | transitions of lanes   | map::kLongestTransition_m      |    512 | the ways before and after                      |
 // | assumed widths         | assume::kLongestFitted_m       |    512 | objects that are mapped beside the way         |
 // | assumed pavements      | assume::kPavementRadius_m      |    576 | houses beside the other end of the way         |
+// | curved axes            | assume::kCurveRadius_m         |    544 | chords before and after, houses about them     |
 // | verges, parking        | assume::kPavementRadius_m      |    576 | the same, beside the same stretch              |
 // | assumed surfaces       | assume::kPavementRadius_m      |    576 | land use along the way                         |
 // | pavements on bridges   | assume::kLongestBridge_m       |    128 | streets at the other end                       |
@@ -61,6 +63,7 @@ namespace citykiln::regions {
 // is the common plane of the roads at a junction. A knot is a point of a profile of heights; between knots the profile
 // is straight.
 //
+// Curves depend on what is mapped and on the width of their own road, so kAssumedRoads_m holds them too.
 // A way has either a transition of lanes or a fitted width, so their radii do not add up. Assumed pavements depend on
 // the kerbs of the streets beside them, which are fitted before. Storeys, roofs and fronts change buildings alone.
 // Yards lie beside the roads of kAssumedRoads_m, and about the houses that fill lots.
@@ -98,6 +101,7 @@ static_assert(kRegionHalo_m >= scene::kHalo_m + plants::kObstacleInfluence_m + l
 inline constexpr double kFilledLotsHalo_m = 1792;
 static_assert(kFilledLotsHalo_m >= parcels::kInfluenceRadius_m + roads::kJunctionRadius_m + kAssumedRoads_m);
 
+static_assert(assume::kCurveRadius_m <= kAssumedRoads_m);
 static_assert(map::kLongestTransition_m <= assume::kLongestFitted_m);
 static_assert(kRegionHalo_m >= scene::kHalo_m + ground::kMaxInfluence_m + plants::kInfluenceRadius_m);
 

@@ -11,6 +11,7 @@
 #include "compiler/map/plane/smooth_land.h"
 #include "compiler/scene/yard_recipes.h"
 #include "exporters/kiln/building_codec.h"
+#include "exporters/kiln/line_codec.h"
 #include "exporters/kiln/member_codecs.h"
 #include "exporters/kiln/road_codec.h"
 #include "exporters/kiln/thing_codec.h"
@@ -148,7 +149,7 @@ void serialise(auto& io, plants::PowerLineCorridor& l) {
 
 void serialise(auto& io, props::Barrier& b) {
   id(io, b.id);
-  points(io, "barrier points", b.axis, 2);
+  curved_points(io, "barrier points", b.axis, 2);
   enumerator(io, "barrier kind", b.kind, static_cast<map::BarrierKind>(map::kBarrierKinds));
   io.metres("barrier height", b.height_m), io.metres("barrier width", b.width_m);
 }

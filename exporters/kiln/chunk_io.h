@@ -16,6 +16,7 @@
 
 #include "compiler/contract/texts/utf8.h"
 #include "compiler/contract/tolerance.h"
+#include "compiler/geometry/curved_chord.h"
 #include "compiler/geometry/vec.h"
 #include "compiler/map/locate.h"
 #include "exporters/kiln/streams.h"
@@ -52,7 +53,8 @@ enum PointCode : std::uint64_t {
   kNewPoint,       ///< Appended to the list; its coordinates follow.
   kNextPoint,      ///< The point after the last one used.
   kPreviousPoint,  ///< The point before the last one used.
-  kFirstJump       ///< Elsewhere; the distance in the list follows.
+  kFirstJump,      ///< Elsewhere; the distance in the list follows.
+  kCurve           ///< In lines: a curve leads to the next point. Its points between are computed, and not in the list.
 };
 
 // Points of the map are multiples of kMapStep_m. If any point of a chunk is finer, all are written in steps of
@@ -82,6 +84,13 @@ struct Writer {
       of("point jumps").put_signed(step);
     }
     last = entry->second;
+  }
+
+  void curve(const CurvedChord& chord) {
+    of("points").put(kCurve);
+    of("curve slopes").put_signed(chord.leave), of("curve slopes").put_signed(chord.arrive);
+    of("curve reaches").put(chord.leave_reach), of("curve reaches").put(chord.arrive_reach);
+    of("curve pieces").put(chord.pieces);
   }
 
   StreamWriter& of(Stream stream) { return streams[stream.number]; }
@@ -114,8 +123,10 @@ struct Reader {
   std::int64_t last = -1;
   double point_step_m = kQuantum_m;
 
-  void point(Vec2& p) {
-    const std::uint64_t code = whole("points");
+  void point(Vec2& p) { point_of(whole("points"), p); }
+
+  // The point with this code.
+  void point_of(std::uint64_t code, Vec2& p) {
     if (code == kNewPoint) {
       p.x = place("x", point_step_m), p.y = place("y", point_step_m);
       last = static_cast<std::int64_t>(known.size());
@@ -128,6 +139,24 @@ struct Reader {
     if (found >= known.size()) return fail("points");
     last = static_cast<std::int64_t>(found);
     p = known[found];
+  }
+
+  CurvedChord curve() {
+    CurvedChord chord{.leave = slope(), .arrive = slope(), .leave_reach = reach(), .arrive_reach = reach()};
+    const std::uint64_t pieces = whole("curve pieces");
+    if (pieces > kMostPieces) fail("curve pieces");
+    chord.pieces = static_cast<std::uint8_t>(std::min<std::uint64_t>(pieces, kMostPieces));
+    return chord;
+  }
+  std::int8_t slope() {
+    const std::int64_t slope = checked("curve slopes", &StreamReader::get_signed);
+    if (std::abs(slope) > kMostSlopeUnits) fail("curve slopes");
+    return static_cast<std::int8_t>(std::clamp<std::int64_t>(slope, -kMostSlopeUnits, kMostSlopeUnits));
+  }
+  std::uint8_t reach() {
+    const std::uint64_t reach = whole("curve reaches");
+    if (reach > kWholeReach) fail("curve reaches");
+    return static_cast<std::uint8_t>(std::min<std::uint64_t>(reach, kWholeReach));
   }
 
   StreamReader& of(Stream stream) {

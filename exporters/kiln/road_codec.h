@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/scene/scene.h"
+#include "exporters/kiln/line_codec.h"
 #include "exporters/kiln/member_codecs.h"
 #include "exporters/kiln/road_kinds.h"
 
@@ -86,7 +87,7 @@ void start_offset(auto& io, double& value) {
 /// A road, with the number of its kind.
 void serialise(auto& io, roads::Road& r, std::span<const RoadKind> kinds, std::uint32_t& number) {
   id(io, r.id);
-  points(io, "road points", r.axis, 2);
+  curved_points(io, "road points", r.axis, 2);
   io.number("road kind", number);
   if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
     if (number >= kinds.size()) return io.fail("road kind");
@@ -231,7 +232,7 @@ inline constexpr double kReachStep_m = 16;
 /// A strip: a watercourse, as an axis with a width on each side.
 void serialise(auto& io, roads::Strip& s) {
   id(io, s.id);
-  points(io, "road points", s.axis, 2);
+  curved_points(io, "road points", s.axis, 2);
   enumerator(io, "water class", s.surface, map::LandCoverClass::kCount);
   io.metres("water sides", s.left_m), io.metres("water sides", s.right_m);
   start_offset(io, s.start_along_m);

@@ -67,6 +67,9 @@ Result<std::vector<Chart>> chart_smooth(const ChartRequest& request);
 /// Charts the share of invalid junction outlines and the time for one, over the grid step of the coordinates, for three
 /// methods.
 Result<std::vector<Chart>> chart_junctions(const ChartRequest& request);
+/// Charts the share of inner nodes of streets at which the axis turns by more than an angle, as mapped and with curves.
+/// Notes are a Markdown table that has the distances of curves from the mapped lines too.
+Result<std::vector<Chart>> chart_curves(const ChartRequest& request);
 /// Charts the processor time of the road network and its outlines over the numbers of ways and of their points, for the
 /// 1/16 to all of a map's ways nearest to its middle. Series names contain the exponent of the fitted power law.
 Result<std::vector<Chart>> chart_roads(const ChartRequest& request);

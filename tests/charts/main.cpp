@@ -43,7 +43,8 @@ constexpr std::array kKinds = {Kind{"plane", chart_plane},
                                Kind{"linelights", chart_linelights},
                                Kind{"cloud", chart_cloud},
                                Kind{"assumed", chart_assumed},
-                               Kind{"invented", chart_invented}};
+                               Kind{"invented", chart_invented},
+                               Kind{"curves", chart_curves}};
 
 std::string known_names() {
   std::string names;

@@ -193,6 +193,18 @@ class Chunk:
     def points(self, name):
         return self.all(name, self.point)
 
+    def line(self, name):
+        line = []
+        for _ in range(self.plain(name)):
+            code, curve = self.plain("points"), None
+            if code == 4:
+                assert line
+                slopes = [self.streams["curve slopes"].signed() for _ in range(2)]
+                curve, code = (slopes, self.several("curve reaches", 2), self.plain("curve pieces")), self.plain("points")
+            end = self.point(code)
+            line += ([] if curve is None else curve_between(line[-1], end, *curve)) + [end]
+        return line
+
     def id(self):
         return self.plain("id type"), self.streams["id"].step(), self.plain("part")
 
@@ -248,8 +260,8 @@ class Chunk:
                 self.all("yard borders", lambda: (self.plain("border place"), self.several("border steps", 2))),
                 self.bits("yard plants", "yard plant bits"))
 
-    def point(self):
-        code = self.plain("points")
+    def point(self, code=None):
+        code = self.plain("points") if code is None else code
         if code == 0:
             self.known.append(tuple(self.streams[axis].step() * self.point_step for axis in "xy"))
             self.last = len(self.known) - 1
@@ -287,7 +299,7 @@ class Chunk:
                                           self.streams["knot tilt"].step() / 1024))
 
     def road(self):
-        return (self.id(), self.points("road points"), self.road_kinds[self.plain("road kind")], self.plain("start offset") / 1024,
+        return (self.id(), self.line("road points"), self.road_kinds[self.plain("road kind")], self.plain("start offset") / 1024,
                 self.all("track points", self.track_point), self.profile())
 
     def track_point(self):
@@ -311,7 +323,7 @@ class Chunk:
         return *divmod(kind, 3), raised, self.metres("lane width"), self.plain("lane turns")
 
     def water(self):
-        return (self.id(), self.points("road points"), self.plain("water class"), self.metres("water sides"),
+        return (self.id(), self.line("road points"), self.plain("water class"), self.metres("water sides"),
                 self.metres("water sides"), self.plain("start offset") / 1024, self.profile(),
                 16 * self.plain("water influence"))
 
@@ -383,8 +395,34 @@ class Chunk:
         return edge, places, kind, [self.plain("front hours") for _ in range(6)] if self.plain("front hours") else None
 
     def barrier(self):
-        return (self.id(), self.points("barrier points"), self.plain("barrier kind"),
+        return (self.id(), self.line("barrier points"), self.plain("barrier kind"),
                 self.metres("barrier height"), self.metres("barrier width"))
+
+
+def curve_between(a, b, slopes, reaches, pieces):
+    """The points of a curve between its ends."""
+    if b < a:
+        return curve_between(b, a, slopes[::-1], reaches[::-1], pieces)[::-1]
+    p, q = (reach / 64 for reach in reaches)
+
+    def offset(t):
+        from_a = slopes[0] / 64 * t * (1 - t / p) ** 2 if p and t < p else 0
+        return from_a - (slopes[1] / 64 * (1 - t) * (1 - (1 - t) / q) ** 2 if q and 1 - t < q else 0)
+
+    if pieces < 2:
+        shares = []
+    elif p + q > 1:
+        shares = [k / pieces for k in range(1, pieces)]
+    else:
+        along = [k / pieces * (1 + k / pieces) / 2 for k in range(1, pieces + 1)]
+        shares = [u * p for u in along if p] + [1 - u * q for u in along if q]
+    points = []
+    dx, dy = b[0] - a[0], b[1] - a[1]
+    for t in sorted({t for t in shares if 0 < t < 1}):
+        place = tuple(math.floor(v * 128 + 0.5) / 128 for v in (a[0] + dx * t - dy * offset(t), a[1] + dy * t + dx * offset(t)))
+        if place not in (a, b) and (not points or points[-1] != place):
+            points.append(place)
+    return points
 
 
 class Around:
