@@ -11,7 +11,11 @@
 #include "compiler/buildings/plan.h"
 #include "compiler/climate/climate_at.h"
 #include "compiler/contract/joined.h"
+#include "compiler/ground/correction/corrected_land.h"
+#include "compiler/ground/correction/known_waters.h"
 #include "compiler/ground/landforms/plan_landforms.h"
+#include "compiler/ground/levelling/airports.h"
+#include "compiler/ground/profiles/plan_paths.h"
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/water/pool_rims.h"
 #include "compiler/lots/add_yards.h"
@@ -137,6 +141,7 @@ std::optional<lots::Yards> yards_of(const CompileSpec& spec, const LotFacts& fac
 
 // The land cover of a whole map, and its heights.
 struct PlannedGround {
+  map::Heightfield heights;                        // with level airports, corrected by roads
   std::vector<ground::LandCoverPolygon> surfaces;  // with the rims of pools
   std::vector<roads::Strip> streams;
   std::vector<ground::Landform> landforms;
@@ -144,19 +149,35 @@ struct PlannedGround {
   ground::ProfileMeasures measured;
 };
 
+// The profiles of roads and rails, and the land that they correct. Landforms are planned before and after that: roads
+// need their heights.
+void plan_lines(const map::FeatureView& features, const roads::RoadPlan& planned, PlannedGround& ground,
+                Report& report) {
+  Report before;
+  const std::vector<ground::Landform> landforms =
+      ground::plan_landforms(features, ground.surfaces, ground.streams, ground.heights, before);
+  ground::LineProfiles lines = ground::plan_line_profiles(features, planned.roads, planned.junctions, ground.streams,
+                                                          ground.surfaces, ground.heights, report, landforms);
+  ground.profiles = std::move(lines.profiles);
+  const std::vector<ground::KnownLine> waters = ground::known_waters(ground.surfaces, ground.streams);
+  lines.known.insert(lines.known.end(), waters.begin(), waters.end());
+  ground.heights = ground::corrected_land(std::move(ground.heights), lines.known);
+  ground.landforms = ground::plan_landforms(features, ground.surfaces, ground.streams, ground.heights, report);
+}
+
 PlannedGround plan_ground(const map::FeatureView& features, const roads::RoadPlan& planned,
                           const map::Heightfield& heights, const Survey* survey, StageTimer& timer, Report& report) {
   PlannedGround ground;
   timer.enter("land cover and water");
   ground::Waters waters = survey ? surveyed_waters(features, *survey, report) : plan_waters(features, heights, report);
-  const auto& [surfaces, streams] = waters;
-  ground.landforms = ground::plan_landforms(features, surfaces, streams, heights, report);
+  ground.surfaces = std::move(waters.surfaces), ground.streams = std::move(waters.streams);
+  ground.heights = ground::with_level_airports(heights, features);
   timer.enter("road heights");
-  ground.profiles = ground::plan_profiles(features, planned.roads, planned.junctions, streams, surfaces, heights,
-                                          report, ground.landforms);
+  plan_lines(features, planned, ground, report);
+  const ground::TerrainWithoutRoads terrain{ground.streams, ground.surfaces, ground.heights, ground.landforms};
+  ground.profiles = ground::plan_paths(features, std::move(ground.profiles), terrain, report);
   ground.measured = ground::measure_profiles(features, ground.profiles);
-  ground.surfaces = ground::with_pool_rims(std::move(waters.surfaces));
-  ground.streams = std::move(waters.streams);
+  ground.surfaces = ground::with_pool_rims(std::move(ground.surfaces));
   return ground;
 }
 
@@ -284,9 +305,9 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   const map::FeatureView features = yards ? seen_with(streets, *yards) : streets;
 
   // the ground: land cover and all heights
-  const auto [surfaces, streams, landforms, profiles, measured] =
+  const auto [land_heights, surfaces, streams, landforms, profiles, measured] =
       plan_ground(features, planned, heights, survey, timer, report);
-  const WholeGround ground{.heights = heights,
+  const WholeGround ground{.heights = land_heights,
                            .surfaces = surfaces,
                            .roads = profiles.roads,
                            .junctions = planned.junctions,
@@ -295,7 +316,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
 
   // bridges, tunnels and stairs, which meet the graded terrain
   timer.enter("bridges and tunnels");
-  const structures::Structures spans = structures::plan(features, profiles.off_ground, heights, report);
+  const structures::Structures spans = structures::plan(features, profiles.off_ground, land_heights, report);
   const ground::GradedTerrain graded = grade_whole_map(ground, spans, features.extent);
   const std::vector<roads::Road> roads = structures::with_risers(profiles.roads, features.tracks, graded, report);
   const structures::Structures structures =
@@ -318,7 +339,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   const Result<scene::Header> header = header_with_texts(*around, spec, *standing, *tables);
   if (!header) return header.error();
   const std::span<const lots::Yard> yard_recipes = yards ? yards->recipes : std::span<const lots::Yard>{};
-  scene::Scene scene = scene::assemble({.heights = heights,
+  scene::Scene scene = scene::assemble({.heights = land_heights,
                                         .buildings = buildings,
                                         .bridges = structures.bridges,
                                         .tunnels = structures.tunnels,

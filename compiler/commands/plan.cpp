@@ -232,7 +232,7 @@ Verb plan_verb() {
                           store_number(request->region_m, {})});
   verb.options.push_back({"--halo", "M",
                           "data around a region that are compiled with it; less than the default changes tiles at its "
-                          "sides (default: 11264; 13056 with --fill lots)",
+                          "sides (default: 12416; 14208 with --fill lots)",
                           false, store_number(request->halo_m, {})});
   verb.options.push_back({"--zone", "M",
                           "longest side of a zone, which has a plane of its own, in metres (default: 200000)", false,

@@ -80,6 +80,7 @@ struct Track {
   bool is_arcade = false;            ///< By covered=arcade or colonnade, arcade=*: open on its outer side.
   bool is_indoor = false;            ///< By indoor=*, highway=corridor, a level above or below the ground.
   bool has_tagged_layer = false;
+  bool is_in_earthwork = false;       ///< By cutting=* or embankment=*: it lies below or above the land beside it.
   bool has_contact_line = false;      ///< Railways: by electrified=contact_line; tramways also by electrified=yes.
   std::uint16_t step_count = 0;       ///< Steps of stairs, by step_count=*; 0: untagged.
   std::uint8_t handrails = 0;         ///< Handrails of stairs: bits of Handrail.

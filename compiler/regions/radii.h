@@ -9,6 +9,8 @@
 #include "compiler/assume/fronts.h"
 #include "compiler/assume/heights.h"
 #include "compiler/assume/pavements.h"
+#include "compiler/ground/correction/corrected_land.h"
+#include "compiler/ground/levelling/airports.h"
 #include "compiler/ground/profiles/graph/approach_paths.h"
 #include "compiler/ground/profiles/graph/profile_graph.h"
 #include "compiler/ground/profiles/plan_profiles.h"
@@ -53,6 +55,8 @@ namespace citykiln::regions {
 // | paths to a bridge      | ground::kLongestApproach_m     |   2048 | a bridge or tunnel that moves the path         |
 // | ends of these paths    | ground::kApproach_m            |     32 | the end of a bridge or tunnel                  |
 // | knots of profiles      | ground::kKnotStretch_m         |   1024 | heights along the same way                     |
+// | corrected land         | kCorrectedLand_m               |   1152 | roads that correct samples of the heightmap    |
+// | airports               | ground::kMostAirportBank_m     |    512 | runways, taxiways, aprons; and those they join |
 // | assumed yards          | lots::kYardRadius_m            |    768 | buildings and streets about the lots beside    |
 // | houses of filled lots  | parcels::kInfluenceRadius_m    |    512 | buildings and streets about the lot            |
 // | assumed railings       | things::kRailingRadius_m       |     72 | barriers, ways and heights beside the edge     |
@@ -80,17 +84,20 @@ inline constexpr double kStoreyRadius_m = 1700;
 inline constexpr double kAssumedRoads_m =
     assume::kLongestFitted_m + assume::kPavementRadius_m + assume::kLongestBridge_m;
 
+/// The radius of the land that roads correct: ground::kCorrectionSteps of the longest steps of samples (map::resample()).
+inline constexpr double kCorrectedLand_m = ground::kCorrectionSteps * map::kCell_m;
+
 /// The width of the data around a region that it is compiled with: at least the sum of radii along the longest chain of
-/// dependences, which is a tile, the supports of its wires, the roads and junctions that grade the ground below these,
-/// their profiles, the bridges of these, and the bridges that cross them. A whole number of cells of 128 m.
-inline constexpr double kRegionHalo_m = 11264;
+/// dependences, which is a tile, the supports of its wires, the roads and junctions that grade and correct the ground
+/// below these, their profiles, the bridges of these, and the bridges that cross them. A whole number of cells of 128 m.
+inline constexpr double kRegionHalo_m = 12416;
 
 static_assert(kRegionHalo_m >= wires::kSpanRadius_m + scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m +
                                    kAssumedRoads_m + ground::kProfileRadius_m + ground::kSpanEndRadius_m +
-                                   kStoreyRadius_m + ground::kKnotStretch_m);
+                                   kStoreyRadius_m + ground::kKnotStretch_m + kCorrectedLand_m);
 static_assert(kRegionHalo_m >= scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m + kAssumedRoads_m +
                                    ground::kLongestApproach_m + ground::kApproach_m + ground::kProfileRadius_m +
-                                   ground::kSpanEndRadius_m);
+                                   ground::kSpanEndRadius_m + kCorrectedLand_m);
 // what is assumed by heights takes the place of wires in this chain
 static_assert(things::kRailingRadius_m <= wires::kSpanRadius_m && things::kContactRadius_m <= wires::kSpanRadius_m);
 // yards change surfaces, barriers, plants and doors, not heights of roads

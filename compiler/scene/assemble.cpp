@@ -275,7 +275,7 @@ std::vector<ground::Landform> landforms_for(std::span<const ground::Landform> fo
                                             const std::vector<std::uint32_t>& numbers, const Box2& tile) {
   std::vector<ground::Landform> here;
   for (const std::uint32_t i : numbers) {
-    if (forms[i].kind == ground::LandformKind::kDeckArea) {
+    if (is_area(forms[i].kind)) {
       here.push_back(forms[i]);
       continue;
     }

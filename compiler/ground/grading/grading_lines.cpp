@@ -190,7 +190,7 @@ void add_road_lines(GradedHeights& heights, const GradedSegment& s, const Box2& 
 // terrain at the far end of a long segment is not known in every tile.
 void add_landform_lines(const LandformIndex& landforms, LandformIndex::Piece piece, std::vector<Line>& lines) {
   const Landform& form = landforms.forms[piece.form];
-  if (form.kind == LandformKind::kDeckArea) return;
+  if (is_area(form.kind)) return;
   const Vec2 from = form.axis[piece.segment], to = form.axis[piece.segment + 1], left = left_of(unit(to - from));
   add_line(from + left * form.left_m, to + left * form.left_m, lines);
   add_line(from - left * form.right_m, to - left * form.right_m, lines);

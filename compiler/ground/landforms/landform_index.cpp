@@ -16,7 +16,10 @@ constexpr double kLeastHalf_m = 0.125;
 // Slopes of dykes, of dams, and of the ground beside a pier's landward end.
 constexpr double kRidgeSlope = 0.5, kDamSlope = 2, kApronSlope = 0.25;
 
-bool is_area(const Landform& form) { return form.kind == LandformKind::kDeckArea; }
+// The banks of level areas, and the distance to which an area counts as beside another.
+constexpr double kLevelBank = 0.25, kBesideLevel_m = 1;
+
+bool is_area(const Landform& form) { return is_area(form.kind); }
 
 // A landform as seen from a place: the nearest point of its axis.
 struct FormView {
@@ -76,6 +79,27 @@ void add_step(const Landform& form, const FormView& view, double terrain_m, Step
     sum.nearest = StepSide{view.away_m, rise_m * end_share * step_share(view.away_m), share};
 }
 
+// The level areas at a place, by weights that are largest in the nearest one.
+struct LevelSum {
+  double weight = 0, moved_m = 0;
+};
+
+double plane_m(const Landform& form, Vec2 p) {
+  const Vec2 off = p - form.axis.front();
+  const double north = form.profile.size() > 1 ? form.profile[1].tilt : 0;
+  return form.profile[0].z_m + form.profile[0].tilt * off.x + north * off.y;
+}
+
+// Beside the area the land lies between banks that start at the plane, and meet the terrain within kLandformReach_m.
+void add_level(const Landform& form, double away_m, Vec2 p, double terrain_m, LevelSum& sum) {
+  const double to_plane_m = plane_m(form, p) - terrain_m, off_m = std::abs(to_plane_m);
+  const double bank_m = std::max(kLevelBank * away_m, off_m * away_m / kLandformReach_m);
+  const double near_m2 = away_m * away_m + kBesideLevel_m * kBesideLevel_m;
+  const double weight = std::max(0.0, 1 - away_m / kLandformReach_m) / (near_m2 * near_m2);
+  sum.weight += weight;
+  sum.moved_m += weight * std::copysign(std::max(0.0, off_m - bank_m), to_plane_m);
+}
+
 // The height of a ridge or deck with its sloping sides.
 double with_sides_m(const Landform& form, const FormView& view) {
   const double half_m = is_area(form) ? 0 : std::max(form.left_m, form.right_m);
@@ -99,6 +123,15 @@ void for_each_form(const LandformIndex& index, Vec2 p, Each each) {
   }
 }
 
+// The terrain with the planes of level areas, before other landforms.
+double with_level_areas_m(const LandformIndex& index, Vec2 p, double terrain_m) {
+  LevelSum sum;
+  for_each_form(index, p, [&](const Landform& form, const FormView& view) {
+    if (form.kind == LandformKind::kLevel) add_level(form, view.away_m, p, terrain_m, sum);
+  });
+  return sum.weight > 0 ? terrain_m + sum.moved_m / sum.weight : terrain_m;
+}
+
 double form_reach_m(const Landform& form) {
   return kLandformReach_m + (is_area(form) ? 0 : std::max(form.left_m, form.right_m));
 }
@@ -111,10 +144,11 @@ double side_slope(LandformKind kind) {
 }
 
 LandformIndex index_landforms(std::span<const Landform> forms) {
-  LandformIndex index{{forms.begin(), forms.end()}, {}, {}, {}};
+  LandformIndex index{{forms.begin(), forms.end()}, {}, {}, {}, false};
   std::vector<Box2> boxes;
   for (std::uint32_t f = 0; f < forms.size(); ++f) {
     const Landform& form = forms[f];
+    index.has_level = index.has_level || form.kind == LandformKind::kLevel;
     index.along_m.push_back(roads::distances_along(form.axis, form.start_along_m));
     // in a foreign manifest a landform may have no height
     if (form.profile.empty()) continue;
@@ -132,9 +166,11 @@ LandformIndex index_landforms(std::span<const Landform> forms) {
 LandformHeights landform_heights(const LandformIndex& index, Vec2 p, double terrain_m) {
   LandformHeights heights{.land_m = terrain_m};
   if (index.pieces.empty()) return heights;
+  if (index.has_level) terrain_m = heights.land_m = with_level_areas_m(index, p, terrain_m);
   StepSum steps;
   double ridge_m = -std::numeric_limits<double>::infinity();
   for_each_form(index, p, [&](const Landform& form, const FormView& view) {
+    if (form.kind == LandformKind::kLevel) return;
     if (form.kind == LandformKind::kStep)
       add_step(form, view, terrain_m, steps);
     else if (form.kind == LandformKind::kRidge || form.kind == LandformKind::kDam)

@@ -1,5 +1,6 @@
-// The height of the land with landforms: steps (retaining walls, cliffs), ridges (dykes, dams), and decks above water
-// (piers, breakwaters).
+// The height of the land with landforms: level areas (pitches), steps (retaining walls, cliffs), ridges (dykes, dams),
+// and decks above water (piers, breakwaters). Level areas change the terrain before the others: in an area the land is
+// its plane; beside it banks of 1 : 4, or steeper ones that meet the terrain within kLandformReach_m.
 //
 //                 top  _______ terrain     A step raises the land on its high side to its top, and lowers the land on
 //               ______|      .             its low side to its foot, each by at most its rise (top minus foot). From
@@ -28,6 +29,7 @@ struct LandformIndex {
   std::vector<std::vector<double>> along_m;  ///< For each form the distance of each vertex along the whole way.
   std::vector<Piece> pieces;                 ///< In the order of forms.
   BoxGrid grid;  ///< Boxes of `pieces`, widened by the distance at which they change the land.
+  bool has_level = false;  ///< True if any form is of kind kLevel.
 };
 
 /// Indexes landforms, which must be sorted by id. Landforms without a profile change nothing. O(n).

@@ -9,6 +9,7 @@
 #include "compiler/ground/cover/strip_cover.h"
 #include "compiler/ground/height_layer.h"
 #include "compiler/ground/landforms/landform_index.h"
+#include "compiler/ground/landforms/level_areas.h"
 #include "compiler/ground/water/water_height.h"
 
 namespace citykiln::ground {
@@ -263,6 +264,10 @@ std::vector<Landform> plan_landforms(const map::FeatureView& features, std::span
   for (const map::Landform& form : features.landforms) planner.add_line(form);
   for (const map::AreaFeature& area : features.areas)
     if (is_deck(area)) planner.add_area(area);
+  for (Landform& level : level_areas(features.areas, heights)) {
+    planner.account.in += planner.counts(level.id.osm);
+    planner.add(std::move(level));
+  }
   std::ranges::sort(planner.planned, {}, &Landform::id);
   report.account("ground", "landform") = planner.account;
   return std::move(planner.planned);

@@ -1,4 +1,5 @@
-// Plans landforms: the heights of retaining walls, cliffs, dykes, dams, piers and breakwaters along their axes.
+// Plans landforms: the planes of level areas (landforms/level_areas.h), and the heights of retaining walls, cliffs,
+// dykes, dams, piers and breakwaters along their axes.
 //
 // - A step rises by its tagged height, else by that of its kind, but at most as much as the terrain, measured at
 //   kLandformReach_m on both sides. A kind without a height takes the rise that the slopes farther out do not explain;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "compiler/geometry/box_grid.h"
 #include "compiler/ground/grading/road_influence.h"
@@ -9,6 +10,7 @@
 #include "compiler/ground/profiles/crossings/enforce_clearances.h"
 #include "compiler/ground/profiles/crossings/ground_crossings.h"
 #include "compiler/ground/profiles/diagnose_profiles.h"
+#include "compiler/ground/profiles/known_lines.h"
 #include "compiler/ground/profiles/plan_paths.h"
 #include "compiler/ground/profiles/smoothing/grade_limits.h"
 #include "compiler/ground/profiles/smoothing/initial_heights.h"
@@ -73,44 +75,32 @@ class LevelWays {
   BoxGrid raised_;  // of pieces off height 0
 };
 
-JunctionPlanes solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights,
-                     std::span<const double> lines_m) {
+// Heights by node, before and after crossings move lines.
+struct SolvedHeights {
+  std::vector<double> ground_m;
+  JunctionPlanes planes;
+};
+
+SolvedHeights solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights,
+                    std::span<const double> lines_m) {
   JunctionPlanes planes = fit_junction_planes(graph, smooth_heights(graph, lines_m, heights.longer_sample_step_m()));
-  const std::vector<double> ground_m = limit_grades(graph, planes.z_m);
+  std::vector<double> ground_m = limit_grades(graph, planes.z_m);
   planes = fit_junction_planes(graph, clear_crossings(graph, crossings, &heights, ground_m));
   planes.z_m = limit_grades(graph, planes.z_m);
   planes.z_m = enforce_clearances(graph, crossings, ground_m, planes.z_m);
-  return planes;
+  return {std::move(ground_m), std::move(planes)};
 }
 
-}  // namespace
-
-const Profile& profile_of(const Profiles& profiles, const GraphWay& way) {
-  return way.road == kNone ? profiles.off_ground[way.off_ground] : profiles.roads[way.road].profile;
-}
-
-double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m) {
-  const Profile& profile = profile_of(profiles, way);
-  return profile.empty() ? 0 : knot_at(profile, at_m).z_m;
-}
-
-Profiles plan_profiles(const map::FeatureView& features, std::span<const roads::Road> roads,
-                       std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
-                       std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,
-                       std::span<const Landform> landforms) {
-  return plan_profiles_on(graph_of(features, roads, junctions), features, roads, streams, waters, heights, report,
-                          landforms);
-}
-
-Profiles plan_profiles_on(const ProfileGraph& graph, const map::FeatureView& features,
-                          std::span<const roads::Road> roads, std::span<const roads::Strip> streams,
-                          std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,
-                          std::span<const Landform> landforms) {
+// The profiles of the lines of a graph, without the last step.
+LineProfiles profiles_on(const ProfileGraph& graph, const map::FeatureView& features,
+                         std::span<const roads::Road> roads, const TerrainWithoutRoads& terrain, Report& report) {
   assert(graph.limit_scale > 0);
+  const map::Heightfield& heights = terrain.heights;
+  const LandformIndex landforms = index_landforms(terrain.landforms);
   const std::vector<Crossing> crossings =
-      find_crossings(graph, features, {streams, waters, [&](Vec2 p) { return height_m_at(heights, p); }});
-  const std::vector<double> lines_m = initial_heights(graph, heights, index_landforms(landforms));
-  const JunctionPlanes planes = solve(graph, crossings, heights, lines_m);
+      find_crossings(graph, features, {terrain.streams, terrain.waters, [&](Vec2 p) { return height_m_at(heights, p); }});
+  const std::vector<double> lines_m = initial_heights(graph, heights, landforms);
+  const auto [ground_m, planes] = solve(graph, crossings, heights, lines_m);
 
   Profiles profiles{{roads.begin(), roads.end()}, {}, {}};
   profiles.off_ground.resize(static_cast<std::size_t>(std::ranges::count_if(features.tracks, leaves_ground)));
@@ -125,7 +115,42 @@ Profiles plan_profiles_on(const ProfileGraph& graph, const map::FeatureView& fea
   diagnose_profiles(graph, lines_m, planes.z_m, report);
   diagnose_steps(graph, ground_crossings(graph.ways), planes.z_m, report);
   report_free_ends(graph, report);
-  return plan_paths(features, std::move(profiles), {streams, waters, heights, landforms}, report);
+  return {std::move(profiles), known_lines(graph, ground_m, planes.z_m, heights, landforms)};
+}
+
+}  // namespace
+
+const Profile& profile_of(const Profiles& profiles, const GraphWay& way) {
+  return way.road == kNone ? profiles.off_ground[way.off_ground] : profiles.roads[way.road].profile;
+}
+
+double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m) {
+  const Profile& profile = profile_of(profiles, way);
+  return profile.empty() ? 0 : knot_at(profile, at_m).z_m;
+}
+
+LineProfiles plan_line_profiles(const map::FeatureView& features, std::span<const roads::Road> roads,
+                                std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
+                                std::span<const LandCoverPolygon> waters, const map::Heightfield& heights,
+                                Report& report, std::span<const Landform> landforms) {
+  return profiles_on(graph_of(features, roads, junctions), features, roads, {streams, waters, heights, landforms},
+                     report);
+}
+
+Profiles plan_profiles(const map::FeatureView& features, std::span<const roads::Road> roads,
+                       std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
+                       std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,
+                       std::span<const Landform> landforms) {
+  return plan_profiles_on(graph_of(features, roads, junctions), features, roads, streams, waters, heights, report,
+                          landforms);
+}
+
+Profiles plan_profiles_on(const ProfileGraph& graph, const map::FeatureView& features,
+                          std::span<const roads::Road> roads, std::span<const roads::Strip> streams,
+                          std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,
+                          std::span<const Landform> landforms) {
+  const TerrainWithoutRoads terrain{streams, waters, heights, landforms};
+  return plan_paths(features, profiles_on(graph, features, roads, terrain, report).profiles, terrain, report);
 }
 
 }  // namespace citykiln::ground

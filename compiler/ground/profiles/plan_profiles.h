@@ -11,8 +11,8 @@
 //     enforce_clearances   restores clearances that planes and limits have reduced
 //
 // Clearing tilts junctions and makes ramps, so planes and limits are applied again before the last step. The result is
-// stored as few knots (profile_knots.h). Foot bridges, underpasses and their approaches are planned afterwards, on the
-// graded terrain (plan_paths.h).
+// stored as few knots (profile_knots.h). Roads that lie on the land correct the heightmap (known_lines.h). Foot bridges,
+// underpasses and their approaches are planned afterwards, on the graded terrain (plan_paths.h).
 #pragma once
 
 #include <span>
@@ -21,6 +21,7 @@
 #include "compiler/contract/findings/report.h"
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/profile.h"
+#include "compiler/ground/correction/known_line.h"
 #include "compiler/ground/landforms/recipe.h"
 #include "compiler/ground/profiles/graph/profile_graph.h"
 #include "compiler/ground/recipe.h"
@@ -55,6 +56,19 @@ const Profile& profile_of(const Profiles& profiles, const GraphWay& way);
 
 /// Returns the height of a way at a distance along it; 0 without profile.
 double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m);
+
+/// The profiles of all lines but paths off the ground, and the heights that they give to the land.
+struct LineProfiles {
+  Profiles profiles;
+  std::vector<KnownLine> known;  ///< Result of known_lines().
+};
+
+/// Plans profiles as plan_profiles() does, without its last step, plan_paths(), which may then get land that is
+/// corrected by the known lines.
+LineProfiles plan_line_profiles(const map::FeatureView& features, std::span<const roads::Road> roads,
+                                std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
+                                std::span<const LandCoverPolygon> waters, const map::Heightfield& heights,
+                                Report& report, std::span<const Landform> landforms = {});
 
 /// Plans all profiles.
 /// @param streams    Watercourses with their profiles; a stream without one lies on the terrain.

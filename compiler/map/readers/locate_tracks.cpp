@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 
@@ -126,6 +127,12 @@ bool has_contact_line(std::string_view electrified, LandCoverClass surface) {
   return electrified.find("contact_line") != std::string_view::npos;
 }
 
+// The values name sides: "yes", "both", "left", "right".
+bool is_in_earthwork(const ReadContext& context, source::Range tags) {
+  return std::ranges::any_of(std::array{context.tag(tags, "cutting"), context.tag(tags, "embankment")},
+                             [](std::string_view value) { return !value.empty() && value != "no"; });
+}
+
 void tell_layer(const Track& track, Report& report) {
   if (track.passage == Passage::kBridge && track.layer == 0) report.add(Code::kBridgeWithoutLayer, track.id.osm);
   // paths in tunnels without a layer are corridors in buildings
@@ -158,6 +165,7 @@ Track track_of(const ReadContext& context, std::optional<DrivingSide> driving_si
   track.passage = is_upper_passage(context, way, track) ? Passage::kTunnel : tagged_passage(context, way.tags);
   read_cover(context, way.tags, track);
   if (track.surface == LandCoverClass::kSteps) read_stairs(context, way.tags, track);
+  track.is_in_earthwork = is_in_earthwork(context, way.tags);
   track.is_oneway = tagged_traffic(context.tag(way.tags, "oneway")).value_or(Traffic::kTwoWay) != Traffic::kTwoWay;
   track.is_lit = says_yes(context.tag(way.tags, "lit"));
   track.has_tagged_lighting = !context.tag(way.tags, "lit").empty();

@@ -55,7 +55,7 @@ struct LandOfScene {
 
 bool is_near_landform(const scene::Chunk& chunk, Vec2 p) {
   return std::ranges::any_of(chunk.landforms, [&](const ground::Landform& form) {
-    return distance_to_polyline(form.axis, p) <= ground::kLandformReach_m;
+    return form.kind != ground::LandformKind::kLevel && distance_to_polyline(form.axis, p) <= ground::kLandformReach_m;
   });
 }
 
