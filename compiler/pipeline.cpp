@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "compiler/buildings/plan.h"
 #include "compiler/climate/climate_at.h"
 #include "compiler/contract/joined.h"
+#include "compiler/fields/add_fields.h"
 #include "compiler/ground/landforms/plan_landforms.h"
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/water/pool_rims.h"
@@ -133,6 +135,28 @@ std::optional<lots::Yards> yards_of(const CompileSpec& spec, const LotFacts& fac
                                     const roads::RoadPlan& roads, Report& report) {
   if (!has(spec.assume, Assumption::kYards)) return std::nullopt;
   return lots::with_yards(features, lot_inputs(spec, facts, roads), report);
+}
+
+// The fields; nothing where they are not assumed. plane must outlive the call.
+std::optional<fields::Fields> fields_of(const CompileSpec& spec, const LotFacts& facts, const Located& located,
+                                        const map::FeatureView& features, const roads::RoadPlan& roads,
+                                        Report& report) {
+  if (!has(spec.assume, Assumption::kFields)) return std::nullopt;
+  const map::Plane& plane = located.plane;
+  const fields::RuleAt rule_at = [&](Vec2 at) { return fields::field_rule_at(plane.backward(at)); };
+  const std::function<map::CountryGroup(Vec2)> country_at = [&](Vec2 at) {
+    return map::country_group_at(plane.backward(at));
+  };
+  return fields::with_fields(features,
+                             {.roads = roads.roads,
+                              .junctions = roads.junctions,
+                              .heights = located.heights,
+                              .rule_at = rule_at,
+                              .climate_at = facts.climate_at,
+                              .country_at = country_at,
+                              .seed = spec.seed,
+                              .threads = spec.threads},
+                             report);
 }
 
 // The land cover of a whole map, and its heights.
@@ -281,7 +305,9 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   const roads::RoadPlan planned = roads::plan(streets, report);
   if (has(spec.assume, Assumption::kYards)) timer.enter("lots");
   const std::optional<lots::Yards> yards = yards_of(spec, lot_facts, streets, planned, report);
-  const map::FeatureView features = yards ? seen_with(streets, *yards) : streets;
+  const map::FeatureView lived_in = yards ? seen_with(streets, *yards) : streets;
+  const std::optional<fields::Fields> farmed = fields_of(spec, lot_facts, *located, lived_in, planned, report);
+  const map::FeatureView features = farmed ? seen_with(lived_in, *farmed) : lived_in;
 
   // the ground: land cover and all heights
   const auto [surfaces, streams, landforms, profiles, measured] =

@@ -152,6 +152,7 @@ struct AreaFeature {
   LandCoverClass surface{};
   double area_m2 = 0;  ///< Area of the whole polygon, before trimming.
   PlantTags plant_tags{};
+  std::uint8_t row_heading = 0;  ///< The direction of a field's rows (map/row_direction.h).
 };
 
 /// An area that is a bridge: a surface with bridge=yes, or the outline of a bridge (man_made=bridge).
