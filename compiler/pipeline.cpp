@@ -120,7 +120,7 @@ Result<std::optional<std::vector<map::Footprint>>> filled_lots(const CompileSpec
   if (!rules) return rules.error();
   Report without_houses;
   const assume::Assumed streets =
-      assume::assume(mapped, {Assumptions(spec.assume & kOfStreets), spec.seed}, without_houses);
+      assume::assume(mapped, {Assumptions(spec.assume & kOfStreets), spec.seed, {}}, without_houses);
   const roads::RoadPlan roads = roads::plan(seen_with(mapped, streets), without_houses);
   return std::optional(lots::with_houses(mapped, lot_inputs(spec, facts, roads), *rules, report));
 }
@@ -137,11 +137,11 @@ std::optional<lots::Yards> yards_of(const CompileSpec& spec, const LotFacts& fac
   return lots::with_yards(features, lot_inputs(spec, facts, roads), report);
 }
 
-// The fields; nothing where they are not assumed. plane must outlive the call.
+// The fields, and the hedges beside roads; nothing where neither is assumed.
 std::optional<fields::Fields> fields_of(const CompileSpec& spec, const LotFacts& facts, const Located& located,
                                         const map::FeatureView& features, const roads::RoadPlan& roads,
                                         Report& report) {
-  if (!has(spec.assume, Assumption::kFields)) return std::nullopt;
+  if (!has(spec.assume, Assumption::kFields) && !has(spec.assume, Assumption::kRoadsides)) return std::nullopt;
   const map::Plane& plane = located.plane;
   const fields::RuleAt rule_at = [&](Vec2 at) { return fields::field_rule_at(plane.backward(at)); };
   const std::function<map::CountryGroup(Vec2)> country_at = [&](Vec2 at) {
@@ -154,6 +154,7 @@ std::optional<fields::Fields> fields_of(const CompileSpec& spec, const LotFacts&
                               .rule_at = rule_at,
                               .climate_at = facts.climate_at,
                               .country_at = country_at,
+                              .assumed = spec.assume,
                               .seed = spec.seed,
                               .threads = spec.threads},
                              report);
@@ -259,8 +260,7 @@ Result<Standing> plan_standing(const CompileSpec& spec, const map::FeatureView& 
   if (!things) return things.error();
   standing.things = std::move(*things);
   standing.barriers = standing.props.barriers;
-  if (has(spec.assume, Assumption::kRailings))
-    standing.barriers = joined(std::move(standing.barriers), standing.things.railings, props::order_of);
+  standing.barriers = joined(std::move(standing.barriers), standing.things.railings, props::order_of);
   timer.enter("wires");
   standing.wire_spans = wires_of(spec, features, land, standing.things, report);
   return standing;
@@ -298,7 +298,8 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   const Result<std::optional<std::vector<map::Footprint>>> filled = filled_lots(spec, lot_facts, map, report);
   if (!filled) return filled.error();
   const map::FeatureView mapped = seen_with(map, *filled);
-  const assume::Assumed assumed = assume::assume(mapped, {spec.assume, spec.seed}, report);
+  const assume::Assumed assumed =
+      assume::assume(mapped, {spec.assume, spec.seed, [&plane](Vec2 at) { return plane.backward(at); }}, report);
   const map::FeatureView streets = seen_with(mapped, assumed);
 
   // roads, and the lots between them

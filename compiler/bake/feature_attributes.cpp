@@ -47,6 +47,8 @@ struct Describer {
   void add(const props::Barrier& b) {
     if (b.kind == map::BarrierKind::kRailing)
       table.add(b.id.osm, "", 0, bit_of(Assumption::kRailings));  // of an element that is walked on
+    else if (is_of_roadside(b.id))
+      table.add(b.id.osm, "", 0, bit_of(Assumption::kRoadsides));  // of a road
     else if (is_of_field(b.id))
       table.add(b.id.osm, "", 0, bit_of(Assumption::kFields));  // of farmland
     else if (is_derived(b.id))

@@ -7,6 +7,7 @@
 //                   roads, masts and wires along tracks
 //     n · 2^16      pieces and treads of footprints
 //     from 2^28     fields of farmland, and the hedges and walls between them
+//     from 2^29     hedges and guard rails beside roads
 //     2^30, 2^31    traffic islands and junctions
 #pragma once
 
@@ -52,6 +53,14 @@ constexpr ObjectId field_id(ObjectId land, std::uint32_t number) {
 
 /// True for an id that field_id() made.
 constexpr bool is_of_field(ObjectId id) { return (id.part & ~(kFirstFieldPart - 1)) == kFirstFieldPart; }
+
+/// Returns the id of the n-th hedge or guard rail beside a road, below 2^16; roads have parts below 2^13.
+constexpr ObjectId roadside_id(ObjectId road, std::uint32_t n) {
+  return {road.osm, 2 * kFirstFieldPart + (road.part << 16) + n};
+}
+
+/// True for an id that roadside_id() made.
+constexpr bool is_of_roadside(ObjectId id) { return id.part >= 2 * kFirstFieldPart && id.part < 4 * kFirstFieldPart; }
 
 /// Returns the id of the surface of a traffic island.
 constexpr ObjectId island_id(ObjectId island) { return {island.osm, island.part | 0x40000000u}; }

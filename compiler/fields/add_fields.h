@@ -23,6 +23,7 @@ struct FieldInputs {
   const RuleAt& rule_at;
   const lots::ClimateAt& climate_at;
   const std::function<map::CountryGroup(Vec2)>& country_at;
+  Assumptions assumed = kAllAssumptions;  ///< kFields, and kRoadsides for hedges beside roads.
   std::uint64_t seed = 0;
   int threads = 0;  ///< 0: all processors.
 };
@@ -37,7 +38,8 @@ struct Fields {
 /// outlive it unchanged.
 map::FeatureView seen_with(map::FeatureView features, const Fields& fields);
 
-/// Returns the features with farmland and meadows divided into fields. Land whose tags name its plants stays as it is.
+/// Returns the features with farmland and meadows divided into fields, and open land (open_land.h). Land whose tags
+/// name its plants stays as it is. Roads get hedges (lane_hedges.h).
 ///
 /// The area itself becomes a field, with the crop of the land that is in no other field. If it is divided
 /// (divide_land.h), the fields are areas on top of it, by its area less 1 m²: all that is mapped more finely lies above

@@ -44,11 +44,11 @@ struct Quarter {
 };
 
 Vec2 site_of(int column, int row, std::uint64_t seed) {
-  const RandomSequence draw(seed, stable_id(StableId{static_cast<std::uint64_t>(column)}, "quarter",
-                                            static_cast<std::uint64_t>(row)),
-                            "field quarter");
-  return snapped_to(map::kMapStep_m,
-                    Vec2{(column + draw.between(0.2, 0.8, 0)) * kQuarter_m, (row + draw.between(0.2, 0.8, 1)) * kQuarter_m});
+  const RandomSequence draw(
+      seed, stable_id(StableId{static_cast<std::uint64_t>(column)}, "quarter", static_cast<std::uint64_t>(row)),
+      "field quarter");
+  return snapped_to(map::kMapStep_m, Vec2{(column + draw.between(0.2, 0.8, 0)) * kQuarter_m,
+                                          (row + draw.between(0.2, 0.8, 1)) * kQuarter_m});
 }
 
 Quarter quarter_of(int column, int row, std::uint64_t seed) {
@@ -122,8 +122,8 @@ class LandDivider {
   void split(const std::vector<Ring>& rings, const FieldRule& rule, int depth) {
     if (depth == 0 || area_of(rings) <= rule.area_m2 * kNearUsual) return add_leaf(rings, rule);
     const parcels::TightBox box = parcels::tight_box(rings.front());
-    const bool is_across = halves_fit(box.long_m / 2, box.short_m, rule.aspect) <=
-                           halves_fit(box.long_m, box.short_m / 2, rule.aspect);
+    const bool is_across =
+        halves_fit(box.long_m / 2, box.short_m, rule.aspect) <= halves_fit(box.long_m, box.short_m / 2, rule.aspect);
     const Vec2 axis = is_across ? box.along : left_of(box.along);
     const double side_m = is_across ? box.long_m : box.short_m;
     const double off = draw_at(box.centre).between(-kOffMiddle, kOffMiddle, 1);

@@ -1,10 +1,9 @@
 // Divides one area of land into fields.
 //
-//    ┌────────────╱───────┐    1. lines of the map that run through it, such as tracks and streams, divide it into faces
-//    │   ┆       ╱        │    2. faces wider than kWholeFace_m are cut into quarters: cells of a plane-wide pattern
-//    │---┼------╱---------│    3. each piece is split square to a side of its smallest rectangle, until pieces are as
-//    │   ┆     ╱    ┆     │       large as fields
-//    └────────╱───────────┘
+//    ┌────────────╱───────┐    1. lines of the map that run through it, such as tracks and streams, divide it into
+//    faces │   ┆       ╱        │    2. faces wider than kWholeFace_m are cut into quarters: cells of a plane-wide
+//    pattern │---┼------╱---------│    3. each piece is split square to a side of its smallest rectangle, until pieces
+//    are as │   ┆     ╱    ┆     │       large as fields └────────╱───────────┘
 //
 // Source of the splits: Vanegas et al. 2012 (parcels/empty_lots.h), which splits pieces across their longer side only;
 // here the side is the one whose halves have a form nearer to the usual one.
@@ -43,7 +42,7 @@ struct FieldLine {
 /// An area divided into fields.
 struct Division {
   std::vector<Field> fields;       ///< Sorted by number. They share no area, and cover the land but for slivers.
-  std::vector<FieldLine> borders;  ///< Those of splits and quarters; sorted by number.
+  std::vector<FieldLine> borders;  ///< Lines of splits; sorted by number.
 };
 
 /// Returns the usual fields at a place of the plane.

@@ -59,15 +59,31 @@ bool BarrierPlaces::is_free(Vec2 at, const map::AreaFeature& land) const {
   for (const lots::Capsules* things : {&mapped_.roads, &mapped_.paths, &mapped_.drives, &mapped_.walls,
                                        &mapped_.barriers, &mapped_.trees, &mapped_.junction_zones, &waters_})
     if (lots::clearance_m(*things, at, kClear_m) < kClear_m) return false;
-  if (lots::is_inside_any(mapped_.buildings, at)) return false;
-  if (areas_.empty()) return true;
+  // gardens of unmapped towns have no hedges of fields
+  if (land.surface == LandCoverClass::kUnknown && lots::clearance_m(mapped_.walls, at, kFromHouses_m) < kFromHouses_m)
+    return false;
+  return !lots::is_inside_any(mapped_.buildings, at) && !is_on_other_land(at, land);
+}
+
+bool BarrierPlaces::is_beside_lane(Vec2 at) const {
+  // any area of another use is smaller than this land
+  static const map::AreaFeature kOpen{.id = {}, .polygon = {}, .area_m2 = 1e15};
+  for (const lots::Capsules* ways : {&mapped_.roads, &mapped_.paths, &mapped_.drives})
+    if (lots::clearance_m(*ways, at, kOffLane_m) < kOffLane_m) return false;
+  for (const lots::Capsules* things : {&mapped_.barriers, &mapped_.trees, &mapped_.junction_zones, &waters_})
+    if (lots::clearance_m(*things, at, kClear_m) < kClear_m) return false;
+  return lots::clearance_m(mapped_.walls, at, kFromHouses_m) >= kFromHouses_m && !is_on_other_land(at, kOpen);
+}
+
+bool BarrierPlaces::is_on_other_land(Vec2 at, const map::AreaFeature& land) const {
+  if (areas_.empty()) return false;
   const auto is_on = [&](std::uint32_t i) {
     const map::AreaFeature& area = *areas_[i];
-    const bool is_above = area.area_m2 < land.area_m2 || map::values_of(area.surface).priority >
-                                                             map::values_of(land.surface).priority;
+    const bool is_above =
+        area.area_m2 < land.area_m2 || map::values_of(area.surface).priority > map::values_of(land.surface).priority;
     return is_above && contains(area.polygon, at);
   };
-  return std::ranges::none_of(boxes_about(areas_grid_, at), is_on);
+  return std::ranges::any_of(boxes_about(areas_grid_, at), is_on);
 }
 
 std::vector<map::Barrier> barriers_on(const FieldLine& line, FieldBorder border, const map::AreaFeature& land,

@@ -22,7 +22,12 @@ class BarrierPlaces {
   /// than farming lies on it. O(things near).
   bool is_free(Vec2 at, const map::AreaFeature& land) const;
 
+  /// True if a place is outside of towns and free for a hedge beside a road: kOffLane_m from other ways, and
+  /// kFromHouses_m from buildings. O(things near).
+  bool is_beside_lane(Vec2 at) const;
+
  private:
+  bool is_on_other_land(Vec2 at, const map::AreaFeature& land) const;
   lots::MappedThings mapped_;
   lots::Capsules waters_;
   std::vector<const map::AreaFeature*> areas_;
@@ -33,6 +38,9 @@ class BarrierPlaces {
 /// machines in the middle. Ids are of field_id(), unique for borders of different numbers but by chance.
 std::vector<map::Barrier> barriers_on(const FieldLine& line, FieldBorder border, const map::AreaFeature& land,
                                       const BarrierPlaces& places, const RandomSequence& draw);
+
+/// The distance of a hedge beside a road from the edge of ways, and from buildings, in metres.
+inline constexpr double kOffLane_m = 1.25, kFromHouses_m = 30;
 
 /// The shortest hedge or wall, and the width of an opening for machines, in metres.
 inline constexpr double kShortestBarrier_m = 12, kGate_m = 5;

@@ -87,9 +87,9 @@ FieldRule field_rule_at(LonLat place) {
 
 map::LandCoverClass crop_at(const CropPlace& place, double draw) {
   constexpr std::array<LandCoverClass, kCrops> kClasses = {
-      LandCoverClass::kCereals,  LandCoverClass::kMaize,      LandCoverClass::kRape,
-      LandCoverClass::kBeets,    LandCoverClass::kPotatoes,   LandCoverClass::kSunflowers,
-      LandCoverClass::kRicePaddy, LandCoverClass::kLey,       LandCoverClass::kFallow};
+      LandCoverClass::kCereals,   LandCoverClass::kMaize,    LandCoverClass::kRape,
+      LandCoverClass::kBeets,     LandCoverClass::kPotatoes, LandCoverClass::kSunflowers,
+      LandCoverClass::kRicePaddy, LandCoverClass::kLey,      LandCoverClass::kFallow};
   const CropShares& shares = crop_shares(place);
   double sum = 0;
   for (const double share : shares) sum += share;

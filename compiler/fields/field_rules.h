@@ -10,14 +10,14 @@
 
 namespace citykiln::fields {
 
-/// What stands between two fields.
+/// The barrier between two fields.
 enum class FieldBorder : std::uint8_t { kNone, kHedge, kWall };
 
 /// The usual fields of a place.
 struct FieldRule {
   double area_m2 = 0;       ///< > 0.
   double aspect = 1;        ///< Length by width, >= 1.
-  FieldBorder border{};     ///< What stands on borders.
+  FieldBorder border{};     ///< The barrier on borders.
   double border_share = 0;  ///< On this share of the borders, 0 … 1.
   bool is_grid = false;     ///< True where land was surveyed in squares of half a mile along the meridian.
 };

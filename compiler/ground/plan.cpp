@@ -19,8 +19,7 @@ std::uint32_t whole_m2(double area_m2) {
 }  // namespace
 
 LandCoverPolygon surface_of(const map::AreaFeature& area) {
-  LandCoverPolygon surface{
-      .id = area.id,
+  LandCoverPolygon surface{.id = area.id,
                            .surface = area.surface,
                            .area_m2 = whole_m2(area.area_m2),
                            .rings = {area.polygon.outer},

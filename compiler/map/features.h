@@ -98,6 +98,7 @@ struct Track {
   bool is_piece = false;              ///< True for a part of a way that was cut: for assumptions, or at a street.
   DrivingSide side{};                 ///< The side on which its traffic drives.
   TreeSides trees{};                  ///< Sides with trees; left and right as seen along the axis.
+  PlantKind tree_kind{};              ///< The species of these trees; kUnknown: the usual ones of towns.
   CountryGroup country{};             ///< The group at its first node.
   Assumptions assumed = kNoAssumptions;  ///< The assumptions made of it.
 };

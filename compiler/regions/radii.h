@@ -95,8 +95,8 @@ static_assert(things::kRailingRadius_m <= wires::kSpanRadius_m && things::kConta
 // yards change surfaces, barriers, plants and doors, not heights of roads
 static_assert(kRegionHalo_m >= scene::kHalo_m + plants::kObstacleInfluence_m + lots::kYardRadius_m +
                                    parcels::kInfluenceRadius_m + roads::kJunctionRadius_m + kAssumedRoads_m);
-static_assert(kRegionHalo_m >= scene::kHalo_m + plants::kObstacleInfluence_m + fields::kFieldRadius_m +
-                                   kAssumedRoads_m);
+static_assert(kRegionHalo_m >=
+              scene::kHalo_m + plants::kObstacleInfluence_m + fields::kFieldRadius_m + kAssumedRoads_m);
 /// The additional width where houses fill lots: pavements and verges then depend on these houses, and the houses on the
 /// streets about their lots. A whole number of cells of 128 m.
 inline constexpr double kFilledLotsHalo_m = 1792;

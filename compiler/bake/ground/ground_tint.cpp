@@ -43,7 +43,7 @@ constexpr CropYear kCropYears[] = {
 };
 // The share of fields that are a month behind.
 constexpr double kLateFields = 0.3;
-// Of meadows, grazed ones are darker, and mown ones lighter and yellower.
+// Grazed meadows are darker, and mown ones lighter and yellower.
 constexpr TintFactor kGrazed{0.78, 0.92, 0.8}, kMown{1, 0.97, 0.8};
 
 struct SeasonalTint {

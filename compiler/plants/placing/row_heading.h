@@ -9,8 +9,8 @@
 
 namespace citykiln::plants {
 
-/// Returns Planting::heading (map/row_direction.h) for a polygon: perpendicular to the mean slope of its terrain, or along its longest edge
-/// if the slope is below 3 %. O(border points).
+/// Returns Planting::heading (map/row_direction.h) for a polygon: perpendicular to the mean slope of its terrain, or
+/// along its longest edge if the slope is below 3 %. O(border points).
 std::uint8_t row_heading(const ground::LandCoverPolygon& surface, const map::Heightfield& terrain);
 
 }  // namespace citykiln::plants

@@ -11,7 +11,7 @@ namespace {
 
 using map::LandCoverClass;
 
-Ring rectangle(Vec2 low, Vec2 high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
+Ring square_of(Vec2 low, Vec2 high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
 
 map::AreaFeature area(std::int64_t id, LandCoverClass surface, Ring outer) {
   const double own_m2 = signed_area_m2(outer);
@@ -26,9 +26,9 @@ struct Farm {
 
   Farm() {
     map.extent = {{-128, -128}, {768, 768}};
-    map.areas = {area(1, LandCoverClass::kFarmland, rectangle({0, 0}, {600, 600})),
-                 area(2, LandCoverClass::kForest, rectangle({200, 200}, {330, 420})),
-                 area(3, LandCoverClass::kResidential, rectangle({610, 0}, {700, 90}))};
+    map.areas = {area(1, LandCoverClass::kFarmland, square_of({0, 0}, {600, 600})),
+                 area(2, LandCoverClass::kForest, square_of({200, 200}, {330, 420})),
+                 area(3, LandCoverClass::kResidential, square_of({610, 0}, {700, 90}))};
   }
 
   Fields fields() {

@@ -26,7 +26,8 @@ double area_of_fields(const Division& division) {
 }
 
 TEST(DivideLand, FieldsCoverTheLandOnce) {
-  const Polygon land = {{{0, 0}, {900, 50}, {850, 700}, {400, 500}, {-50, 650}}, {{{300, 200}, {300, 300}, {400, 300}}}};
+  const Polygon land = {{{0, 0}, {900, 50}, {850, 700}, {400, 500}, {-50, 650}},
+                        {{{300, 200}, {300, 300}, {400, 300}}}};
   const Division division = divided(land);
   EXPECT_GT(division.fields.size(), 8u);
   EXPECT_NEAR(area_of_fields(division), area_m2(land), 0.001 * area_m2(land));
@@ -69,7 +70,9 @@ TEST(DivideLand, FieldsDoNotDependOnLandFarAway) {
   int compared = 0;
   for (const Field& field : small.fields) {
     if (box_of(field.polygon.outer).max.x > 9000 - kFieldRadius_m) continue;
-    const auto same = [&](const Field& other) { return other.number == field.number && other.polygon == field.polygon; };
+    const auto same = [&](const Field& other) {
+      return other.number == field.number && other.polygon == field.polygon;
+    };
     EXPECT_TRUE(std::ranges::any_of(large.fields, same)), ++compared;
   }
   EXPECT_GT(compared, 100);

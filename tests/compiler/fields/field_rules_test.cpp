@@ -8,14 +8,14 @@ namespace citykiln::fields {
 namespace {
 
 TEST(FieldRules, SizesAreThoseOfTheRegion) {
-  EXPECT_GT(field_rule_at({13.26, 53.55}).area_m2, 10e4);  // Neubrandenburg
-  EXPECT_LT(field_rule_at({10.0, 49.0}).area_m2, 4e4);     // Franconia
+  EXPECT_GT(field_rule_at({13.26, 53.55}).area_m2, 10e4);              // Neubrandenburg
+  EXPECT_LT(field_rule_at({10.0, 49.0}).area_m2, 4e4);                 // Franconia
   EXPECT_EQ(field_rule_at({-8.6, 52.7}).border, FieldBorder::kHedge);  // Limerick
   EXPECT_EQ(field_rule_at({-0.9, 48.9}).border, FieldBorder::kHedge);  // Normandy
-  EXPECT_LT(field_rule_at({9.5, 47.1}).area_m2, 1e4);      // Liechtenstein
-  EXPECT_GT(field_rule_at({5.0, 52.2}).aspect, 4);         // Utrecht
-  EXPECT_TRUE(field_rule_at({-98, 40}).is_grid);           // Nebraska
-  EXPECT_FALSE(field_rule_at({-71, 42.4}).is_grid);        // Massachusetts
+  EXPECT_LT(field_rule_at({9.5, 47.1}).area_m2, 1e4);                  // Liechtenstein
+  EXPECT_GT(field_rule_at({5.0, 52.2}).aspect, 4);                     // Utrecht
+  EXPECT_TRUE(field_rule_at({-98, 40}).is_grid);                       // Nebraska
+  EXPECT_FALSE(field_rule_at({-71, 42.4}).is_grid);                    // Massachusetts
 }
 
 TEST(FieldRules, EveryGroupHasCrops) {
