@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "compiler/contract/joined.h"
 #include "compiler/ground/correction/corrected_land.h"
 #include "compiler/ground/correction/known_waters.h"
+#include "compiler/fields/add_fields.h"
 #include "compiler/ground/landforms/plan_landforms.h"
 #include "compiler/ground/levelling/airports.h"
 #include "compiler/ground/profiles/plan_paths.h"
@@ -122,7 +124,7 @@ Result<std::optional<std::vector<map::Footprint>>> filled_lots(const CompileSpec
   if (!rules) return rules.error();
   Report without_houses;
   const assume::Assumed streets =
-      assume::assume(mapped, {Assumptions(spec.assume & kOfStreets), spec.seed}, without_houses);
+      assume::assume(mapped, {Assumptions(spec.assume & kOfStreets), spec.seed, {}}, without_houses);
   const roads::RoadPlan roads = roads::plan(seen_with(mapped, streets), without_houses);
   return std::optional(lots::with_houses(mapped, lot_inputs(spec, facts, roads), *rules, report));
 }
@@ -137,6 +139,29 @@ std::optional<lots::Yards> yards_of(const CompileSpec& spec, const LotFacts& fac
                                     const roads::RoadPlan& roads, Report& report) {
   if (!has(spec.assume, Assumption::kYards)) return std::nullopt;
   return lots::with_yards(features, lot_inputs(spec, facts, roads), report);
+}
+
+// The fields, and the hedges beside roads; nothing where neither is assumed.
+std::optional<fields::Fields> fields_of(const CompileSpec& spec, const LotFacts& facts, const Located& located,
+                                        const map::FeatureView& features, const roads::RoadPlan& roads,
+                                        Report& report) {
+  if (!has(spec.assume, Assumption::kFields) && !has(spec.assume, Assumption::kRoadsides)) return std::nullopt;
+  const map::Plane& plane = located.plane;
+  const fields::RuleAt rule_at = [&](Vec2 at) { return fields::field_rule_at(plane.backward(at)); };
+  const std::function<map::CountryGroup(Vec2)> country_at = [&](Vec2 at) {
+    return map::country_group_at(plane.backward(at));
+  };
+  return fields::with_fields(features,
+                             {.roads = roads.roads,
+                              .junctions = roads.junctions,
+                              .heights = located.heights,
+                              .rule_at = rule_at,
+                              .climate_at = facts.climate_at,
+                              .country_at = country_at,
+                              .assumed = spec.assume,
+                              .seed = spec.seed,
+                              .threads = spec.threads},
+                             report);
 }
 
 // The land cover of a whole map, and its heights.
@@ -256,8 +281,7 @@ Result<Standing> plan_standing(const CompileSpec& spec, const map::FeatureView& 
   if (!things) return things.error();
   standing.things = std::move(*things);
   standing.barriers = standing.props.barriers;
-  if (has(spec.assume, Assumption::kRailings))
-    standing.barriers = joined(std::move(standing.barriers), standing.things.railings, props::order_of);
+  standing.barriers = joined(std::move(standing.barriers), standing.things.railings, props::order_of);
   timer.enter("wires");
   standing.wire_spans = wires_of(spec, features, land, standing.things, report);
   return standing;
@@ -295,14 +319,17 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   const Result<std::optional<std::vector<map::Footprint>>> filled = filled_lots(spec, lot_facts, map, report);
   if (!filled) return filled.error();
   const map::FeatureView mapped = seen_with(map, *filled);
-  const assume::Assumed assumed = assume::assume(mapped, {spec.assume, spec.seed}, report);
+  const assume::Assumed assumed =
+      assume::assume(mapped, {spec.assume, spec.seed, [&plane](Vec2 at) { return plane.backward(at); }}, report);
   const map::FeatureView streets = seen_with(mapped, assumed);
 
   // roads, and the lots between them
   const roads::RoadPlan planned = roads::plan(streets, report);
   if (has(spec.assume, Assumption::kYards)) timer.enter("lots");
   const std::optional<lots::Yards> yards = yards_of(spec, lot_facts, streets, planned, report);
-  const map::FeatureView features = yards ? seen_with(streets, *yards) : streets;
+  const map::FeatureView lived_in = yards ? seen_with(streets, *yards) : streets;
+  const std::optional<fields::Fields> farmed = fields_of(spec, lot_facts, *located, lived_in, planned, report);
+  const map::FeatureView features = farmed ? seen_with(lived_in, *farmed) : lived_in;
 
   // the ground: land cover and all heights
   const auto [land_heights, surfaces, streams, landforms, profiles, measured] =

@@ -58,6 +58,8 @@ Assumed assume(const map::FeatureView& mapped, const Settings& settings, Report&
   if (is_on(Assumption::kParking)) made.tracks = assume_parking(seen(), report);
   if (is_on(Assumption::kSurfaces)) made.tracks = assume_surfaces(seen(), report);
   if (is_on(Assumption::kLamps)) made.tracks = assume_lamps(seen(), report);
+  if (is_on(Assumption::kRoadsides) && settings.lonlat_of)
+    made.tracks = assume_avenues(seen(), settings.lonlat_of, settings.seed, report);
   if (is_on(Assumption::kFronts)) {
     AssumedFronts fronts = assume_fronts(seen(), settings.seed, report);
     for (const std::uint32_t f : fronts.footprints) made.footprints[f].assumed |= bit_of(Assumption::kFronts);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "compiler/assume/avenues.h"
 #include "compiler/contract/findings/assumption.h"
 #include "compiler/contract/findings/report.h"
 #include "compiler/map/features.h"
@@ -14,6 +15,7 @@ namespace citykiln::assume {
 struct Settings {
   Assumptions on = kUsualAssumptions;  ///< The assumptions that are made.
   std::uint64_t seed = 0;              ///< Selects the random draws.
+  LonLatOf lonlat_of{};                ///< The place of a point of the plane; empty: no avenues are assumed.
 };
 
 /// The lists of a map of which something is assumed. Each list is whole, and sorted by id.
@@ -33,8 +35,8 @@ map::FeatureView seen_with(map::FeatureView features, const Assumed& assumed);
 /// kLongestWhole_m (pavements.h) may become several tracks. If Settings::on is kNoAssumptions, only widths are fitted.
 ///
 /// The steps run in this order: widths (fit_widths.h), storeys, roofs, pavements, pavements of bridges, verges,
-/// parking, surfaces, lamps, shop fronts, styles, curves. Roofs and shop fronts depend on assumed storeys, bridges and
-/// verges on assumed pavements, lamps on assumed surfaces.
+/// parking, surfaces, lamps, avenues, shop fronts, styles, curves. Roofs and shop fronts depend on assumed storeys,
+/// bridges and verges on assumed pavements, lamps on assumed surfaces.
 ///
 /// Each assumption is local: it depends on what is mapped within the radius that its header states, and on the earlier
 /// steps that it reads within this radius. The order of the features does not matter, except where areas of equal size

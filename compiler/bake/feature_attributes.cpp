@@ -47,6 +47,10 @@ struct Describer {
   void add(const props::Barrier& b) {
     if (b.kind == map::BarrierKind::kRailing)
       table.add(b.id.osm, "", 0, bit_of(Assumption::kRailings));  // of an element that is walked on
+    else if (is_of_roadside(b.id))
+      table.add(b.id.osm, "", 0, bit_of(Assumption::kRoadsides));  // of a road
+    else if (is_of_field(b.id))
+      table.add(b.id.osm, "", 0, bit_of(Assumption::kFields));  // of farmland
     else if (is_derived(b.id))
       table.add(b.id.osm, "", 0, bit_of(Assumption::kYards));  // of a building
     else
@@ -78,8 +82,10 @@ struct Describer {
   }
   // yards have the id of a building, which may be in another chunk
   void add(const ground::LandCoverPolygon& surface) {
-    table.add(surface.id.osm, map::values_of(surface.surface).name, 0,
-              is_derived(surface.id) ? bit_of(Assumption::kYards) : kNoAssumptions);
+    const Assumptions assumed = map::is_field(surface.surface) ? bit_of(Assumption::kFields)
+                                : is_derived(surface.id)       ? bit_of(Assumption::kYards)
+                                                               : kNoAssumptions;
+    table.add(surface.id.osm, map::values_of(surface.surface).name, 0, assumed);
   }
 };
 

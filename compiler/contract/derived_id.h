@@ -6,6 +6,8 @@
 //     from 0x4000   derived objects: goals of pitches, parked cars, yards, railings, axes of bridge areas, rails of
 //                   roads, masts and wires along tracks
 //     n · 2^16      pieces and treads of footprints
+//     from 2^28     fields of farmland, and the hedges and walls between them
+//     from 2^29     hedges and guard rails beside roads
 //     2^30, 2^31    traffic islands and junctions
 #pragma once
 
@@ -39,6 +41,26 @@ constexpr ObjectId rim_id(ObjectId pool) { return {pool.osm, pool.part + 0x1000}
 constexpr ObjectId piece_id(ObjectId footprint, std::uint32_t n) {
   return {footprint.osm, footprint.part + (n + 1) * 0x10000};
 }
+
+/// The parts of fields and of the hedges and walls between them are below twice this.
+inline constexpr std::uint32_t kFirstFieldPart = 1u << 28;
+
+/// Returns the id of a field, or of a barrier between fields, of an area of land. Ids of different numbers differ.
+/// @param number  Below kFirstFieldPart.
+constexpr ObjectId field_id(ObjectId land, std::uint32_t number) {
+  return {land.osm, kFirstFieldPart | (number & (kFirstFieldPart - 1))};
+}
+
+/// True for an id that field_id() made.
+constexpr bool is_of_field(ObjectId id) { return (id.part & ~(kFirstFieldPart - 1)) == kFirstFieldPart; }
+
+/// Returns the id of the n-th hedge or guard rail beside a road, below 2^16; roads have parts below 2^13.
+constexpr ObjectId roadside_id(ObjectId road, std::uint32_t n) {
+  return {road.osm, 2 * kFirstFieldPart + (road.part << 16) + n};
+}
+
+/// True for an id that roadside_id() made.
+constexpr bool is_of_roadside(ObjectId id) { return id.part >= 2 * kFirstFieldPart && id.part < 4 * kFirstFieldPart; }
 
 /// Returns the id of the surface of a traffic island.
 constexpr ObjectId island_id(ObjectId island) { return {island.osm, island.part | 0x40000000u}; }

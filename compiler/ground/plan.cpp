@@ -22,8 +22,11 @@ std::uint32_t whole_m2(double area_m2) {
 }  // namespace
 
 LandCoverPolygon surface_of(const map::AreaFeature& area) {
-  LandCoverPolygon surface{
-      .id = area.id, .surface = area.surface, .area_m2 = whole_m2(area.area_m2), .rings = {area.polygon.outer}};
+  LandCoverPolygon surface{.id = area.id,
+                           .surface = area.surface,
+                           .area_m2 = whole_m2(area.area_m2),
+                           .rings = {area.polygon.outer},
+                           .row_heading = area.row_heading};
   surface.rings.insert(surface.rings.end(), area.polygon.holes.begin(), area.polygon.holes.end());
   return surface;
 }

@@ -26,6 +26,7 @@ struct LandCoverPolygon {
   bool is_graded = false;           ///< True if it belongs to a road with a profile, which decides its height.
   /// The highest priority, raised ones included, of the larger areas that it lies in; 0 if none is above its class's.
   std::uint8_t raised_priority = 0;
+  std::uint8_t row_heading = 0;  ///< The direction of a field's rows (map/row_direction.h).
   bool operator==(const LandCoverPolygon&) const = default;
 };
 

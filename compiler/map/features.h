@@ -99,6 +99,7 @@ struct Track {
   bool is_piece = false;              ///< True for a part of a way that was cut: for assumptions, or at a street.
   DrivingSide side{};                 ///< The side on which its traffic drives.
   TreeSides trees{};                  ///< Sides with trees; left and right as seen along the axis.
+  PlantKind tree_kind{};              ///< The species of these trees; kUnknown: the usual ones of towns.
   CountryGroup country{};             ///< The group at its first node.
   Assumptions assumed = kNoAssumptions;  ///< The assumptions made of it.
 };
@@ -153,6 +154,7 @@ struct AreaFeature {
   LandCoverClass surface{};
   double area_m2 = 0;  ///< Area of the whole polygon, before trimming.
   PlantTags plant_tags{};
+  std::uint8_t row_heading = 0;  ///< The direction of a field's rows (map/row_direction.h).
 };
 
 /// An area that is a bridge: a surface with bridge=yes, or the outline of a bridge (man_made=bridge).

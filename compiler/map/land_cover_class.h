@@ -50,6 +50,11 @@ struct LandCoverValues {
 /// Returns the row of a class.
 const LandCoverValues& values_of(LandCoverClass surface);
 
+/// True for the crops of assumed fields and for the pieces of meadows: kCereals to kHayMeadow.
+constexpr bool is_field(LandCoverClass surface) {
+  return surface >= LandCoverClass::kCereals && surface <= LandCoverClass::kHayMeadow;
+}
+
 /// Roads form junctions only with roads of their family: a footpath that ends on a street makes no junction. kOther
 /// (rails, runways) has no junctions at all.
 enum class Family : std::uint8_t { kStreet, kPath, kOther };

@@ -165,14 +165,14 @@ Polyline offset_left(const Polyline& axis, double left_m) {
 }
 
 // Rows on the left have even part numbers, those on the right odd ones.
-void add_avenue(const roads::Road& road, map::TreeSides sides, std::vector<TreeRow>& rows) {
+void add_avenue(const roads::Road& road, const map::Track& track, std::vector<TreeRow>& rows) {
+  const map::TreeSides sides = track.trees;
+  const SpeciesMix species_mix = species_mix_for({.kind = track.tree_kind}, species_mix_of(PlantCommunity::kTownTrees));
   const std::uint32_t part = 2 * road.id.part;
   const auto add = [&](double left_m, std::uint32_t number) {
     Polyline line = offset_left(road.axis, left_m);
     if (line.size() >= 2)
-      rows.push_back({.id = {road.id.osm, part + number},
-                      .axis = std::move(line),
-                      .species_mix = species_mix_of(PlantCommunity::kTownTrees)});
+      rows.push_back({.id = {road.id.osm, part + number}, .axis = std::move(line), .species_mix = species_mix});
   };
   const double drift_m = roads::drift_m(road, length_m(road.axis));
   if (sides != map::TreeSides::kRight) add(roads::left_m(road) + std::max(0.0, drift_m) + kBehindKerb_m, 0);
@@ -181,10 +181,9 @@ void add_avenue(const roads::Road& road, map::TreeSides sides, std::vector<TreeR
 
 void add_avenues(const map::FeatureView& features, std::span<const roads::Road> roads, std::vector<TreeRow>& rows) {
   for (const roads::Road& road : roads) {
-    const auto found = std::ranges::lower_bound(features.tracks, ObjectId{road.id.osm, 0}, {}, &map::Track::id);
-    if (found == features.tracks.end() || found->id.osm != road.id.osm || found->trees == map::TreeSides::kNone)
-      continue;
-    add_avenue(road, found->trees, rows);
+    const auto found = std::ranges::lower_bound(features.tracks, road.id, {}, &map::Track::id);
+    if (found != features.tracks.end() && found->id == road.id && found->trees != map::TreeSides::kNone)
+      add_avenue(road, *found, rows);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "compiler/assume/pavements.h"
 #include "compiler/ground/correction/corrected_land.h"
 #include "compiler/ground/levelling/airports.h"
+#include "compiler/fields/divide_land.h"
 #include "compiler/ground/profiles/graph/approach_paths.h"
 #include "compiler/ground/profiles/graph/profile_graph.h"
 #include "compiler/ground/profiles/plan_profiles.h"
@@ -58,6 +59,7 @@ namespace citykiln::regions {
 // | corrected land         | kCorrectedLand_m               |   1152 | roads that correct samples of the heightmap    |
 // | airports               | ground::kMostAirportBank_m     |    512 | runways, taxiways, aprons; and those they join |
 // | assumed yards          | lots::kYardRadius_m            |    768 | buildings and streets about the lots beside    |
+// | assumed fields         | fields::kFieldRadius_m         |   3584 | land and lines about the same field            |
 // | houses of filled lots  | parcels::kInfluenceRadius_m    |    512 | buildings and streets about the lot            |
 // | assumed railings       | things::kRailingRadius_m       |     72 | barriers, ways and heights beside the edge     |
 // | assumed contact lines  | things::kContactRadius_m       |    384 | tracks beside those at the other support       |
@@ -103,6 +105,8 @@ static_assert(things::kRailingRadius_m <= wires::kSpanRadius_m && things::kConta
 // yards change surfaces, barriers, plants and doors, not heights of roads
 static_assert(kRegionHalo_m >= scene::kHalo_m + plants::kObstacleInfluence_m + lots::kYardRadius_m +
                                    parcels::kInfluenceRadius_m + roads::kJunctionRadius_m + kAssumedRoads_m);
+static_assert(kRegionHalo_m >=
+              scene::kHalo_m + plants::kObstacleInfluence_m + fields::kFieldRadius_m + kAssumedRoads_m);
 /// The additional width where houses fill lots: pavements and verges then depend on these houses, and the houses on the
 /// streets about their lots. A whole number of cells of 128 m.
 inline constexpr double kFilledLotsHalo_m = 1792;

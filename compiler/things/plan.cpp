@@ -14,6 +14,7 @@
 #include "compiler/map/things/thing_role.h"
 #include "compiler/things/facing.h"
 #include "compiler/things/free_places.h"
+#include "compiler/things/guard_rails.h"
 #include "compiler/things/junction_signals.h"
 #include "compiler/things/on_roofs.h"
 #include "compiler/things/parked_cars.h"
@@ -206,6 +207,9 @@ Result<ThingPlan> plan(const map::FeatureView& features, const ThingInputs& inpu
     plan.railings = assumed_railings(
         features, {.cover = cover, .roads = roads, .bridges = bridges, .buildings = buildings, .ground = ground},
         report);
+  if (has(assumed, Assumption::kRoadsides))
+    plan.railings = joined(std::move(plan.railings), assumed_guard_rails(features, roads, ground, report),
+                           [](const props::Barrier& b) { return std::tie(b.id, b.axis); });
   plan.mapped.assign(features.things.begin(), features.things.end());
   plan.mapped.insert(plan.mapped.end(), equipment.begin(), equipment.end());
   map::FeatureView seen = features;

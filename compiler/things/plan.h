@@ -25,7 +25,7 @@ struct ThingPlan {
   std::vector<Thing> things;              ///< Sorted by id, then by place.
   std::vector<Thing> beyond;              ///< Supports of power lines outside of the extent, sorted by id.
   ContactLines contact_lines;             ///< Its masts are among `things`.
-  std::vector<props::Barrier> railings;   ///< Sorted by id, then axis.
+  std::vector<props::Barrier> railings;   ///< With guard rails. Sorted by id, then axis.
 };
 
 /// The data that things depend on, besides the map.

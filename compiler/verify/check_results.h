@@ -119,6 +119,8 @@ struct CheckResults {
       "on mapped land",
       0,
       {}};
+  Check assumed_hedges{
+      "no assumed hedge, wall or guard rail stands in a carriageway, a railway, a building or water", 0, {}};
   Check assumed_houses{
       "no house that fills a lot stands on a road, a railway, a path, water or another building", 0, {}};
   Check assumed_fronts{"every assumed shop front lies on a free part of its wall", 0, {}};

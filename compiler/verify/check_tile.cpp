@@ -304,6 +304,8 @@ void check_assumed(TileUnderCheck& tile, const bake::BakedTile& level, const std
               tile.results().assumed_masts);
   add_assumed(measure_assumed_yards(tile.chunk, tile.cover, tile.box), "places and trees of yards", name,
               tile.results().assumed_yards);
+  add_assumed(measure_assumed_hedges(tile.chunk, tile.cover, tile.box), "places of hedges", name,
+              tile.results().assumed_hedges);
   add_assumed(measure_assumed_houses(tile.chunk, tile.cover, tile.box), "places of houses", name,
               tile.results().assumed_houses);
   add_assumed(measure_assumed_fronts(tile.chunk), "fronts", name, tile.results().assumed_fronts);

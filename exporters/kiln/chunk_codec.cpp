@@ -93,6 +93,7 @@ void serialise(auto& io, ground::LandCoverPolygon& s) {
   list(io, "surface rings", s.rings, 1, [&](Ring& ring) { points(io, "ring points", ring, 3); });
   level(io, s);
   standing(io, s);
+  if (map::is_field(s.surface)) io.number("field rows", s.row_heading);
 }
 
 void species_mix(auto& io, Stream name, plants::SpeciesMix& species_mix) {

@@ -157,7 +157,7 @@ FaceUvs minus(FaceUvs uvs, Vec2 off) { return {uvs[0] - off, uvs[1] - off, uvs[2
 FaceUvs uvs_on_land(const CellContext& d, std::uint32_t face, Material material) {
   const std::uint32_t surface = d.ground.face_cover[face];
   const Vec2 east =
-      surface == kNoLandCover ? Vec2{1, 0} : texture_direction(d.cover.surfaces[surface].id, material, d.header.seed);
+      surface == kNoLandCover ? Vec2{1, 0} : texture_direction(d.cover.surfaces[surface], material, d.header.seed);
   const FaceUvs of_face = each_corner(d, face, [&](Vec3 p) { return uv_on_land(in_plan(p), east); });
   return minus(of_face, periods_below_cell(in_plan(centre_of(d.ground.mesh, face)), east));
 }

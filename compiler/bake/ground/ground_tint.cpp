@@ -15,11 +15,36 @@ using ground::LandCoverPolygon;
 using map::LandCoverGroup;
 using materials::Material;
 
-// Relative to ripe straw, the colour of farmland in the material table: stubble, ploughed, sown, green, turning, ripe.
-constexpr TintFactor kCrops[] = {{0.92, 0.92, 0.95}, {0.60, 0.58, 0.80}, {0.52, 0.90, 0.52},
-                                 {0.40, 0.70, 0.42}, {0.80, 0.96, 0.60}, {1.00, 0.96, 0.80}};
-
+// The kinds of undivided farmland, by their letters in June: stubble, ploughed, sown, green, turning, ripe.
 constexpr std::string_view kCropLetters = "bpogtr";
+
+struct CropColour {
+  char letter;
+  TintFactor colour;  // linear
+};
+constexpr CropColour kCropColours[] = {
+#define CROP_COLOUR(letter, red, green, blue) {letter, {red, green, blue}},
+#define CROP(surface, letters)
+#include "compiler/bake/ground/crop_colours.inc"
+#undef CROP_COLOUR
+#undef CROP
+};
+
+struct CropYear {
+  map::LandCoverClass crop;
+  std::string_view letters;
+};
+constexpr CropYear kCropYears[] = {
+#define CROP_COLOUR(letter, red, green, blue)
+#define CROP(surface, letters) {map::LandCoverClass::surface, letters},
+#include "compiler/bake/ground/crop_colours.inc"
+#undef CROP_COLOUR
+#undef CROP
+};
+// The share of fields that are a month behind.
+constexpr double kLateFields = 0.3;
+// Grazed meadows are darker, and mown ones lighter and yellower.
+constexpr TintFactor kGrazed{0.78, 0.92, 0.8}, kMown{1, 0.97, 0.8};
 
 struct SeasonalTint {
   char letter;
@@ -62,8 +87,25 @@ static_assert(std::size(kCropsOfMonths) == 12 && kCropsOfMonths[5] == kCropLette
 
 std::size_t index_of(plants::Month month) { return (static_cast<std::size_t>(month) + 11) % 12; }
 
-TintFactor crop_in(plants::Month month, std::size_t field) {
-  return kCrops[kCropLetters.find(kCropsOfMonths[index_of(month)][field])];
+// The colour of a crop as a share of the material's.
+TintFactor crop_tint(char letter) {
+  const TintFactor colour = std::ranges::find(kCropColours, letter, &CropColour::letter)->colour;
+  const auto& base = values_of(Material::kFarmland).base_colour;
+  return {colour.red / base[0], colour.green / base[1], colour.blue / base[2]};
+}
+
+// The letter of a surface of farmland in a month: by its crop, else one of six kinds.
+char crop_letter(map::LandCoverClass surface, plants::Month month, const RandomSequence& draw) {
+  const auto year = std::ranges::find(kCropYears, surface, &CropYear::crop);
+  if (year == std::end(kCropYears))
+    return kCropsOfMonths[index_of(month)][draw.below(static_cast<std::uint32_t>(kCropLetters.size()), 1)];
+  const std::size_t late = draw.unit(2) < kLateFields ? 11 : 0;
+  return year->letters[(index_of(month) + late) % 12];
+}
+
+TintFactor meadow_tint(map::LandCoverClass surface) {
+  if (surface == map::LandCoverClass::kPasture) return kGrazed;
+  return surface == map::LandCoverClass::kHayMeadow ? kMown : TintFactor{};
 }
 
 bool is_green(Material material) {
@@ -116,9 +158,10 @@ TintFactor surface_tint(const LandCoverPolygon& surface, Material material, std:
   const RandomSequence draw(seed, stable_id(surface.id), "ground tint");
   const double level = 1 - values_of(material).variation * draw.unit(0);
   const TintFactor plain{level, level, level};
-  if (material == Material::kFarmland) return times(plain, crop_in(month, draw.below(std::size(kCrops), 1)));
+  if (material == Material::kFarmland) return times(plain, crop_tint(crop_letter(surface.surface, month, draw)));
   if (!is_green(material)) return plain;
-  return times(times(plain, dried(0.8 * (2 * draw.unit(1) - 1))), seasonal_tint(month, material));
+  const TintFactor use = meadow_tint(surface.surface);
+  return times(times(plain, use), times(dried(0.8 * (2 * draw.unit(1) - 1)), seasonal_tint(month, material)));
 }
 
 TintFactor place_tint(Vec2 place_m, Material material, std::uint64_t seed) {

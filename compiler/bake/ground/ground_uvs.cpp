@@ -8,6 +8,7 @@
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/trig.h"
 #include "compiler/map/locate.h"
+#include "compiler/map/row_direction.h"
 #include "compiler/materials/texture.h"
 
 namespace citykiln::bake {
@@ -46,6 +47,11 @@ std::array<Vec2, 3> uvs_on_plane(const Mesh& mesh, const Triangle& t) {
 Vec2 texture_direction(ObjectId surface, materials::Material material, std::uint64_t seed) {
   if (!has_rows(material)) return {1, 0};
   return direction_of(RandomSequence(seed, stable_id(surface), "rows").unit(0));
+}
+
+Vec2 texture_direction(const ground::LandCoverPolygon& surface, materials::Material material, std::uint64_t seed) {
+  if (has_rows(material) && map::is_field(surface.surface)) return left_of(map::row_direction(surface.row_heading));
+  return texture_direction(surface.id, material, seed);
 }
 
 Vec2 uv_on_land(Vec2 at, Vec2 direction) { return on_grid({dot(at, direction), cross(direction, at)}); }

@@ -7,6 +7,7 @@
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/mesh.h"
+#include "compiler/ground/recipe.h"
 #include "compiler/materials/material_mesh.h"
 
 namespace citykiln::bake {
@@ -14,6 +15,8 @@ namespace citykiln::bake {
 /// Returns the direction of u on a surface. It is east or, for materials with rows (such as fields), a random direction
 /// that depends on the surface's id; rows run along v.
 Vec2 texture_direction(ObjectId surface, materials::Material material, std::uint64_t seed);
+/// Returns the direction of u on a surface: that of a field is square to its rows.
+Vec2 texture_direction(const ground::LandCoverPolygon& surface, materials::Material material, std::uint64_t seed);
 
 /// Returns uv on land: metres along `direction` (u), and metres to its left (v). All functions of this file return
 /// multiples of materials::kTextureCoordinateStep_m.

@@ -36,7 +36,8 @@ LandCoverPolygon trimmed_to(const LandCoverPolygon& surface, const Box2& box) {
                            .piece = surface.piece,
                            .level_m = surface.level_m,
                            .is_graded = surface.is_graded,
-                           .raised_priority = surface.raised_priority};
+                           .raised_priority = surface.raised_priority,
+                           .row_heading = surface.row_heading};
   for (const Ring& ring : surface.rings)
     if (Ring kept = citykiln::trimmed_to(ring, box); !kept.empty()) trimmed.rings.push_back(std::move(kept));
   return trimmed;

@@ -4,6 +4,7 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/cover/dry_cover.h"
+#include "compiler/map/row_direction.h"
 #include "compiler/plants/placing/placing_steps.h"
 #include "compiler/plants/placing/row_heading.h"
 
@@ -80,7 +81,7 @@ struct RowGrid {
 };
 
 RowGrid row_grid_of(const Planting& planting) {
-  const Vec2 along = row_direction(planting.heading);
+  const Vec2 along = map::row_direction(planting.heading);
   return {along * planting.plant_spacing_m, left_of(along) * planting.row_spacing_m};
 }
 
@@ -143,7 +144,7 @@ void place_planting(PlacedPlants& placed, const Planting& planting, const TreeCl
   const Box2 here = extent_in(context.surfaces.surfaces[surface], context.box);
   if (here.is_empty()) return;
   const double clear_m = planting.height_m <= kLow_m ? kLowClearance_m : kTrunkClearance_m;
-  const Vec2 along = row_direction(planting.heading);
+  const Vec2 along = map::row_direction(planting.heading);
   for_each_plant(planting, here, share * probability_of(planting, context), context,
                  [&](Vec2 at, const RandomSequence& draw) {
                    if (ground::land_cover_at(context.surfaces, at) != surface || is_near_tree(trees, at)) return;

@@ -1,9 +1,6 @@
 #include "compiler/plants/placing/row_heading.h"
 
-#include <cmath>
-
-#include "compiler/geometry/mathematics.h"
-#include "compiler/geometry/trig.h"
+#include "compiler/map/row_direction.h"
 
 namespace citykiln::plants {
 namespace {
@@ -50,10 +47,7 @@ Vec2 longest_edge(const ground::LandCoverPolygon& surface) {
 std::uint8_t row_heading(const ground::LandCoverPolygon& surface, const map::Heightfield& terrain) {
   const Vec2 slope = mean_slope(surface, terrain);
   const Vec2 along = length(slope) >= kLeastSlope ? left_of(slope) : longest_edge(surface);
-  const double half_turns = arctangent2_deg(along.y, along.x) / 180;
-  return static_cast<std::uint8_t>(static_cast<int>(std::floor(half_turns * 256 + 0.5)) & 255);
+  return map::row_heading_along(along);
 }
-
-Vec2 row_direction(std::uint8_t heading) { return direction_of(heading / 512.0); }
 
 }  // namespace citykiln::plants

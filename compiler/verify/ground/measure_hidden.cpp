@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/contract/derived_id.h"
+
 namespace citykiln::verify {
 namespace {
 
@@ -14,8 +16,8 @@ constexpr double kLarger = 1.05, kTrackStep_m = 4;
 
 bool is_mapped_area(const ground::LandCoverPolygon& surface) {
   const LandCoverGroup group = map::values_of(surface.surface).group;
-  return surface.surface != LandCoverClass::kUnknown && !ground::is_yard(surface) && surface.piece == 0 &&
-         surface.area_m2 > ground::kPassedJunctionArea_m2 && group != LandCoverGroup::kRoad &&
+  return surface.surface != LandCoverClass::kUnknown && !ground::is_yard(surface) && !is_of_field(surface.id) &&
+         surface.piece == 0 && surface.area_m2 > ground::kPassedJunctionArea_m2 && group != LandCoverGroup::kRoad &&
          group != LandCoverGroup::kPath && group != LandCoverGroup::kRail && group != LandCoverGroup::kBuilding;
 }
 

@@ -327,7 +327,7 @@ OsmId no_place_for_tree(const scene::Chunk& chunk, const ground::LandCoverIndex&
 
 // True for mapped land on which no yard may lie.
 bool is_finer_than_use(const ground::LandCoverPolygon& surface) {
-  return !ground::is_yard(surface) && surface.surface != LandCoverClass::kUnknown &&
+  return !ground::is_yard(surface) && !is_of_field(surface.id) && surface.surface != LandCoverClass::kUnknown &&
          surface.surface != LandCoverClass::kResidential && surface.surface != LandCoverClass::kCommercial &&
          surface.surface != LandCoverClass::kRetail && surface.surface != LandCoverClass::kIndustrial;
 }
@@ -469,6 +469,28 @@ AssumedTests measure_assumed_yards(const scene::Chunk& chunk, const ground::Land
       found.at = tree.at, found.element = tree.id.osm, found.obstacle = on;
   }
   test_yard_places(chunk, land_cover, box, found);
+  return found;
+}
+
+AssumedTests measure_assumed_hedges(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                    const Box2& box) {
+  constexpr double kHedgeStep_m = 2;
+  AssumedTests found;
+  for (const props::Barrier& hedge : chunk.barriers) {
+    if (!is_of_field(hedge.id) && !is_of_roadside(hedge.id)) continue;
+    for (std::size_t i = 0; i + 1 < hedge.axis.size(); ++i) {
+      const Vec2 a = hedge.axis[i], b = hedge.axis[i + 1];
+      const int steps = std::max(1, static_cast<int>(distance(a, b) / kHedgeStep_m));
+      for (int k = 0; k < steps; ++k) {
+        const Vec2 p = a + (b - a) * ((k + 0.5) / steps);
+        if (!box.contains_half_open(p)) continue;
+        ++found.tested;
+        const OsmId on = taken_by(land_cover, p);
+        if (on.type != OsmType::kNone && found.conflicts++ == 0)
+          found.at = p, found.element = hedge.id.osm, found.obstacle = on;
+      }
+    }
+  }
   return found;
 }
 

@@ -57,6 +57,12 @@ AssumedTests measure_assumed_railings(const scene::Chunk& chunk, const ground::L
 AssumedTests measure_assumed_masts(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
                                    const Box2& box);
 
+/// Tests assumed hedges and walls of fields, and hedges and guard rails beside roads, at places at most 2 m apart: none
+/// may lie on a carriageway, a railway, a building or water. O(length).
+/// @param land_cover, box  The land cover of the tile, and the box that it covers.
+AssumedTests measure_assumed_hedges(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover,
+                                    const Box2& box);
+
 /// Tests every assumed shop front of the chunk's buildings. It conflicts if it leaves its wall, or overlaps a party
 /// wall, another front or the opening for a way; AssumedTests::at is then the first corner of its wall. O(fronts · what
 /// is on their walls).

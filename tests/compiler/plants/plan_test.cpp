@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "compiler/map/row_direction.h"
 #include "compiler/plants/placing/row_heading.h"
 #include "compiler/plants/plant_size.h"
 
@@ -111,13 +112,13 @@ TEST(RowHeading, IsPerpendicularToTheSlope) {
   const ground::LandCoverPolygon field{
       way(1), LandCoverClass::kVineyard, 20000, {{{0, 0}, {200, 0}, {200, 100}, {0, 100}}}};
   for (const Vec2 grade : {Vec2{0.2, 0}, Vec2{0, 0.3}, Vec2{0.1, 0.1}, Vec2{-0.05, 0.2}})
-    EXPECT_LT(std::abs(dot(row_direction(row_heading(field, sloping_by(grade))), unit(grade))), 0.01);
+    EXPECT_LT(std::abs(dot(map::row_direction(row_heading(field, sloping_by(grade))), unit(grade))), 0.01);
 }
 
 TEST(RowHeading, FollowsTheLongestBorderOfLevelFields) {
   const ground::LandCoverPolygon field{
       way(1), LandCoverClass::kVineyard, 20000, {{{0, 0}, {160, 120}, {100, 200}, {-60, 80}}}};
-  EXPECT_NEAR(std::abs(dot(row_direction(row_heading(field, sloping_by({0.01, 0}))), Vec2{0.8, 0.6})), 1, 0.001);
+  EXPECT_NEAR(std::abs(dot(map::row_direction(row_heading(field, sloping_by({0.01, 0}))), Vec2{0.8, 0.6})), 1, 0.001);
 }
 
 TEST(Plan, StreetsLinedWithTreesHaveRowsBehindTheirKerbs) {

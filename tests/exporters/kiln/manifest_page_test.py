@@ -32,6 +32,13 @@ def stream_names():
     return [names[number] for number in range(len(names))]
 
 
+def field_classes():
+    """The numbers of the land cover classes of fields."""
+    rows = (ROOT / "compiler/map/land_cover_classes.inc").read_text()
+    names = re.findall(r"^LAND_COVER\((\w+)", rows, re.MULTILINE)
+    return range(names.index("kCereals"), names.index("kHayMeadow") + 1)
+
+
 def fnv(data):
     value = 0xCBF29CE484222325
     for byte in data:
@@ -287,9 +294,16 @@ class Chunk:
         return [height / 64 for height in heights]
 
     def surface(self):
-        return (self.id(), self.plain("surface class"), self.plain("surface area"),
+        return (self.id(), self.surface_class(), self.plain("surface area"),
                 self.all("surface rings", lambda: self.points("ring points")), self.level(),
-                self.plain("graded"))
+                self.plain("graded"), self.field_rows())
+
+    def surface_class(self):
+        self.last_class = self.plain("surface class")
+        return self.last_class
+
+    def field_rows(self):
+        return self.plain("field rows") if self.last_class in field_classes() else None
 
     def level(self):
         return self.streams["water level"].step() / 128 if self.plain("levelled") else None

@@ -122,6 +122,20 @@ scene::Chunk house_with_front() {
   return chunk;
 }
 
+TEST(MeasureAssumed, FindsHedgesInBuildings) {
+  scene::Chunk chunk;
+  props::Barrier hedge{.id = field_id({kMappedWay, 0}, 5), .axis = {{10, 20}, {60, 20}}};
+  chunk.barriers = {hedge, {.id = {kMainStreet, 0}, .axis = {{10, 20}, {60, 20}}}};
+  std::vector<ground::LandCoverPolygon> cover = {
+      {{kMainStreet, 0}, LandCoverClass::kBuilding, 400, {{{30, 10}, {40, 10}, {40, 30}, {30, 30}}}}};
+  const auto conflicts = [&] {
+    return measure_assumed_hedges(chunk, ground::index_land_cover(cover, kTile), kTile).conflicts;
+  };
+  EXPECT_EQ(conflicts(), 5u);
+  cover[0].surface = LandCoverClass::kMeadow;
+  EXPECT_EQ(conflicts(), 0u);
+}
+
 TEST(MeasureAssumed, AllowsFrontsBesidePartyWallsAndOtherFronts) {
   scene::Chunk chunk = house_with_front();
   chunk.buildings[0].party_walls = {{.edge = 0, .from_m = 0, .to_m = 5, .top_m = 9},

@@ -1,0 +1,47 @@
+#include "compiler/fields/open_land.h"
+
+#include <gtest/gtest.h>
+
+namespace citykiln::fields {
+namespace {
+
+using map::LandCoverClass;
+
+Ring block(Vec2 low, Vec2 high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
+
+map::AreaFeature mapped_area(std::int64_t id, LandCoverClass surface, Ring outer) {
+  const double own_m2 = signed_area_m2(outer);
+  return {{{OsmType::kWay, id}, 0}, {std::move(outer), {}}, surface, own_m2, {}};
+}
+
+map::Footprint house(std::int64_t id, Vec2 low) {
+  map::Footprint footprint;
+  footprint.id = {{OsmType::kWay, id}, 0}, footprint.polygon = {block(low, low + Vec2{10, 10}), {}};
+  return footprint;
+}
+
+TEST(OpenLand, IsFarmedOnlyWhereFarmlandIsMapped) {
+  map::Features map;
+  map.extent = {{0, 0}, {8192, 1024}};
+  EXPECT_TRUE(open_squares(map).empty());
+  map.areas = {mapped_area(1, LandCoverClass::kFarmland, block({10, 10}, {200, 200}))};
+  const std::vector<map::AreaFeature> squares = open_squares(map);
+  EXPECT_GE(squares.size(), 3u);
+  for (const map::AreaFeature& square : squares) EXPECT_LE(square.polygon.outer.front().x, 200 + kFarmedAbout_m);
+}
+
+TEST(OpenLand, FieldsYieldToTownsAndBuildings) {
+  map::Features map;
+  map.extent = {{0, 0}, {1024, 1024}};
+  map.areas = {mapped_area(1, LandCoverClass::kResidential, block({0, 0}, {100, 300}))};
+  map.footprints = {house(2, {700, 100}), house(3, {720, 100}), house(4, {740, 150})};
+  const OpenLand open(map);
+  const std::vector<Polygon> beside_town = open.free_parts({block({50, 50}, {350, 250}), {}});
+  ASSERT_EQ(beside_town.size(), 1u);
+  EXPECT_NEAR(area_m2(beside_town[0]), 250 * 200, 1);
+  EXPECT_TRUE(open.free_parts({block({0, 0}, {150, 300}), {}}).empty()) << "most of it is a town";
+  EXPECT_TRUE(open.free_parts({block({650, 50}, {800, 250}), {}}).empty()) << "three houses stand on it";
+}
+
+}  // namespace
+}  // namespace citykiln::fields
