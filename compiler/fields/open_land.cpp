@@ -39,7 +39,8 @@ map::AreaFeature open_square(std::int64_t column, std::int64_t row) {
           .area_m2 = kOpenSquare_m * kOpenSquare_m};
 }
 
-// The outline of land that fields would cover: the box of a yard, and other land without points that it hardly bends at.
+// The outline of land that fields would cover: the box of a yard, and other land without points that it hardly bends
+// at.
 Polygon coarse_outline(const map::AreaFeature& area) {
   if (is_derived(area.id)) {
     const Box2 box = box_of(area.polygon.outer);

@@ -9,9 +9,9 @@
 #include "compiler/assume/fronts.h"
 #include "compiler/assume/heights.h"
 #include "compiler/assume/pavements.h"
+#include "compiler/fields/divide_land.h"
 #include "compiler/ground/correction/corrected_land.h"
 #include "compiler/ground/levelling/airports.h"
-#include "compiler/fields/divide_land.h"
 #include "compiler/ground/profiles/graph/approach_paths.h"
 #include "compiler/ground/profiles/graph/profile_graph.h"
 #include "compiler/ground/profiles/plan_profiles.h"
@@ -86,12 +86,14 @@ inline constexpr double kStoreyRadius_m = 1700;
 inline constexpr double kAssumedRoads_m =
     assume::kLongestFitted_m + assume::kPavementRadius_m + assume::kLongestBridge_m;
 
-/// The radius of the land that roads correct: ground::kCorrectionSteps of the longest steps of samples (map::resample()).
+/// The radius of the land that roads correct: ground::kCorrectionSteps of the longest steps of samples
+/// (map::resample()).
 inline constexpr double kCorrectedLand_m = ground::kCorrectionSteps * map::kCell_m;
 
 /// The width of the data around a region that it is compiled with: at least the sum of radii along the longest chain of
 /// dependences, which is a tile, the supports of its wires, the roads and junctions that grade and correct the ground
-/// below these, their profiles, the bridges of these, and the bridges that cross them. A whole number of cells of 128 m.
+/// below these, their profiles, the bridges of these, and the bridges that cross them. A whole number of cells of 128
+/// m.
 inline constexpr double kRegionHalo_m = 12416;
 
 static_assert(kRegionHalo_m >= wires::kSpanRadius_m + scene::kHalo_m + scene::kRoadHalo_m + roads::kJunctionRadius_m +

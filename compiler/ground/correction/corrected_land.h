@@ -1,7 +1,8 @@
 // Corrects the samples of a heightmap by heights that are known better than it: a road in mountains lies on the land,
 // so where a heightmap of 90 m has the land 20 m above the road, the heightmap is wrong.
 //
-//       .  heightmap                 The samples about a line move until the land between them meets the line, as far as
+//       .  heightmap                 The samples about a line move until the land between them meets the line, as far
+//       as
 //     .   .                          the heightmap's error allows. Other samples stay, so the land returns to the
 //    . ─ ─ .─ ─ ─ corrected land     heightmap within one step of samples.
 //   .───────────── road

@@ -16,8 +16,7 @@ struct SamplesAbout {
 
   double at(int i, int j) const {
     const int column = west + i * heights.parts, row = south + j * heights.parts;
-    return heights.height_m_at_vertex(std::clamp(column, 0, heights.columns - 1),
-                                      std::clamp(row, 0, heights.rows - 1));
+    return heights.height_m_at_vertex(std::clamp(column, 0, heights.columns - 1), std::clamp(row, 0, heights.rows - 1));
   }
   double bend(int i, int j) const {
     const double twice = 2 * at(i, j);
@@ -33,8 +32,7 @@ double heightmap_error_m(const map::Heightfield& heights, Vec2 p) {
   const double bend_m = std::max({about.bend(0, 0), about.bend(1, 0), about.bend(0, 1), about.bend(1, 1)});
   const std::array<double, 4> corners{about.at(0, 0), about.at(1, 0), about.at(0, 1), about.at(1, 1)};
   const auto [low, high] = std::ranges::minmax(corners);
-  return kOfBend * bend_m + kOfRange * (high - low) +
-         std::min(kMostNoise_m, kOfStep * heights.longer_sample_step_m());
+  return kOfBend * bend_m + kOfRange * (high - low) + std::min(kMostNoise_m, kOfStep * heights.longer_sample_step_m());
 }
 
 }  // namespace citykiln::ground

@@ -28,7 +28,7 @@ struct LandformIndex {
   std::vector<Landform> forms;
   std::vector<std::vector<double>> along_m;  ///< For each form the distance of each vertex along the whole way.
   std::vector<Piece> pieces;                 ///< In the order of forms.
-  BoxGrid grid;  ///< Boxes of `pieces`, widened by the distance at which they change the land.
+  BoxGrid grid;            ///< Boxes of `pieces`, widened by the distance at which they change the land.
   bool has_level = false;  ///< True if any form is of kind kLevel.
 };
 

@@ -45,9 +45,8 @@ bool is_sport(const map::AreaFeature& area) {
 
 bool touch(const Ring& a, const Ring& b) {
   const auto reaches = [](const Ring& from, const Ring& to) {
-    return std::ranges::any_of(from, [&](Vec2 p) {
-      return winding_number(to, p) != 0 || distance_to_ring(to, p) <= kTouch_m;
-    });
+    return std::ranges::any_of(
+        from, [&](Vec2 p) { return winding_number(to, p) != 0 || distance_to_ring(to, p) <= kTouch_m; });
   };
   return reaches(a, b) || reaches(b, a);
 }
@@ -119,8 +118,7 @@ std::vector<Landform> level_areas(std::span<const map::AreaFeature> areas, const
   for (std::uint32_t a = 0; a < level.size(); ++a) {
     const std::uint32_t group = groups.of(a);
     if (samples[group].empty()) continue;
-    forms.push_back(
-        level_landform(*level[a], fitted_surface(samples[group], SurfaceForm::kPlane, most_slope[group])));
+    forms.push_back(level_landform(*level[a], fitted_surface(samples[group], SurfaceForm::kPlane, most_slope[group])));
   }
   return forms;
 }

@@ -141,9 +141,8 @@ class Banks {
       queue_.pop();
       const Reached reached = reached_.at(number);
       if (away_m > reached.away_m || !move(number, reached)) continue;
-      for_each_neighbour(samples_, number, [&](std::uint32_t to, double step_m) {
-        improve(to, away_m + step_m, reached.from);
-      });
+      for_each_neighbour(samples_, number,
+                         [&](std::uint32_t to, double step_m) { improve(to, away_m + step_m, reached.from); });
     }
   }
 

@@ -10,9 +10,8 @@ namespace citykiln::ground {
 namespace {
 
 bool leads_into_tunnel(const ProfileGraph& graph, std::uint32_t node) {
-  return std::ranges::any_of(graph.legs_of(node), [&](const Leg& leg) {
-    return graph.ways[leg.way].track->passage == map::Passage::kTunnel;
-  });
+  return std::ranges::any_of(
+      graph.legs_of(node), [&](const Leg& leg) { return graph.ways[leg.way].track->passage == map::Passage::kTunnel; });
 }
 
 // By node: true on the land.
@@ -44,7 +43,8 @@ std::vector<KnownLine> known_lines(const ProfileGraph& graph, std::span<const do
   const auto height_m = [&](std::uint32_t node) {
     const double terrain_m = map::height_m_at(heights, graph.nodes[node].at);
     const bool is_ramp = std::abs(z_m[node] - ground_m[node]) > kLeastRamp_m;
-    return (is_ramp ? ground_m : z_m)[node] - (with_landforms_m(landforms, graph.nodes[node].at, terrain_m) - terrain_m);
+    return (is_ramp ? ground_m : z_m)[node] -
+           (with_landforms_m(landforms, graph.nodes[node].at, terrain_m) - terrain_m);
   };
   std::vector<KnownLine> lines;
   for (const GraphWay& way : graph.ways) {

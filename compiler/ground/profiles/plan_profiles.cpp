@@ -97,8 +97,8 @@ LineProfiles profiles_on(const ProfileGraph& graph, const map::FeatureView& feat
   assert(graph.limit_scale > 0);
   const map::Heightfield& heights = terrain.heights;
   const LandformIndex landforms = index_landforms(terrain.landforms);
-  const std::vector<Crossing> crossings =
-      find_crossings(graph, features, {terrain.streams, terrain.waters, [&](Vec2 p) { return height_m_at(heights, p); }});
+  const std::vector<Crossing> crossings = find_crossings(
+      graph, features, {terrain.streams, terrain.waters, [&](Vec2 p) { return height_m_at(heights, p); }});
   const std::vector<double> lines_m = initial_heights(graph, heights, landforms);
   const auto [ground_m, planes] = solve(graph, crossings, heights, lines_m);
 

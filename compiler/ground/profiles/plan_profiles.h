@@ -11,8 +11,8 @@
 //     enforce_clearances   restores clearances that planes and limits have reduced
 //
 // Clearing tilts junctions and makes ramps, so planes and limits are applied again before the last step. The result is
-// stored as few knots (profile_knots.h). Roads that lie on the land correct the heightmap (known_lines.h). Foot bridges,
-// underpasses and their approaches are planned afterwards, on the graded terrain (plan_paths.h).
+// stored as few knots (profile_knots.h). Roads that lie on the land correct the heightmap (known_lines.h). Foot
+// bridges, underpasses and their approaches are planned afterwards, on the graded terrain (plan_paths.h).
 #pragma once
 
 #include <span>

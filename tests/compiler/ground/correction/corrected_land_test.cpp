@@ -109,7 +109,8 @@ TEST(CorrectedLand, DependsOnWhatIsNear) {
     const map::Heightfield whole = corrected_land(field, lines), part = corrected_land(window_of(field, window), near);
     const double inside_m = 900 - kCorrectionSteps * kStep_m;
     for (double x = -inside_m; x <= inside_m; x += 7)
-      for (double y = -inside_m; y <= inside_m; y += 7) EXPECT_EQ(height_m_at(whole, {x, y}), height_m_at(part, {x, y}));
+      for (double y = -inside_m; y <= inside_m; y += 7)
+        EXPECT_EQ(height_m_at(whole, {x, y}), height_m_at(part, {x, y}));
   }
 }
 

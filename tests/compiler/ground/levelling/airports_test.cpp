@@ -57,8 +57,8 @@ TEST(Airports, AreEvenOnNoisyHeightmaps) {
   const map::Features features = airport();
   for (const double step_m : {8.0, 32.0, 64.0, 96.0}) {
     const map::Heightfield noisy = noisy_land(step_m, 15);
-    const map::Heightfield land = with_level_airports(map::smooth_land(noisy, map::smooth_parts({step_m, step_m})),
-                                                      features);
+    const map::Heightfield land =
+        with_level_airports(map::smooth_land(noisy, map::smooth_parts({step_m, step_m})), features);
     EXPECT_GT(largest_slope(noisy, {{-1000, -22}, {1000, 22}}, 20), 0.1) << step_m;
     EXPECT_LE(largest_slope(land, {{-1000, -22}, {1000, 22}}, 20), kAirportSlope + 0.002) << step_m;
     EXPECT_LE(largest_slope(land, {{-200, 0}, {200, 350}}, 20), kAirportSlope + 0.002) << step_m;
@@ -67,8 +67,8 @@ TEST(Airports, AreEvenOnNoisyHeightmaps) {
 }
 
 TEST(Airports, MeetTheLandInBanksOfOneInTen) {
-  const map::Heightfield land = with_level_airports(
-      field_from([](double, double y) { return y > 0 ? 20.0 : 0.0; }, 2048, 32), airport());
+  const map::Heightfield land =
+      with_level_airports(field_from([](double, double y) { return y > 0 ? 20.0 : 0.0; }, 2048, 32), airport());
   EXPECT_LE(largest_slope(land, {{-1000, -500}, {1000, -50}}, 32), 0.14);
   EXPECT_LE(largest_slope(land, {{-1000, 400}, {1000, 900}}, 32), 0.14);
   EXPECT_EQ(height_m_at(land, {0, -1500}), 0);

@@ -40,8 +40,7 @@ TEST(KnownLines, LeaveOutCuttingsAndEmbankmentsThatAreMapped) {
 
 TEST(KnownLines, LeaveOutBridgesAndTheCuttingsBeforeTunnels) {
   map::Features features;
-  features.tracks = {track(1, {{-400, 0}, {0, 0}}),
-                     track(2, {{0, 0}, {200, 0}}, kStreet, map::Passage::kTunnel, -1)};
+  features.tracks = {track(1, {{-400, 0}, {0, 0}}), track(2, {{0, 0}, {200, 0}}, kStreet, map::Passage::kTunnel, -1)};
   EXPECT_LT(known_length_m(known_of(features, kHills)), 400 - kPortalCutting_m + 1);
   features.tracks[1].passage = map::Passage::kBridge;
   EXPECT_NEAR(known_length_m(known_of(features, kHills)), 400, 1);
