@@ -186,7 +186,7 @@ void plan_lines(const map::FeatureView& features, const roads::RoadPlan& planned
   ground.profiles = std::move(lines.profiles);
   const std::vector<ground::KnownLine> waters = ground::known_waters(ground.surfaces, ground.streams);
   lines.known.insert(lines.known.end(), waters.begin(), waters.end());
-  ground.heights = ground::corrected_land(std::move(ground.heights), lines.known);
+  ground.heights = ground::corrected_land(ground.heights, lines.known);
   ground.landforms = ground::plan_landforms(features, ground.surfaces, ground.streams, ground.heights, report);
 }
 

@@ -126,7 +126,7 @@ std::int32_t quanta_of(double height_m) {
 
 }  // namespace
 
-map::Heightfield corrected_land(map::Heightfield heights, std::span<const KnownLine> lines) {
+map::Heightfield corrected_land(const map::Heightfield& heights, std::span<const KnownLine> lines) {
   if (lines.empty() || heights.longer_sample_step_m() <= kFineSamples_m) return heights;
   const int parts = heights.parts;
   map::Heightfield samples = map::samples_of(heights);

@@ -34,7 +34,7 @@ inline constexpr int kCorrectionSteps = kCorrectionPasses + 3;
 /// it is. A sample depends on lines and samples within kCorrectionSteps steps, in the order of the lines, so windows of
 /// a field agree farther inside. O(length of lines / step · log).
 ///
-/// @param heights  May be divided (map/plane/smooth_land.h); the result is divided likewise.
-map::Heightfield corrected_land(map::Heightfield heights, std::span<const KnownLine> lines);
+/// @param heights  May be divided (map/plane/smooth_land.h); the result is divided into as many parts.
+map::Heightfield corrected_land(const map::Heightfield& heights, std::span<const KnownLine> lines);
 
 }  // namespace citykiln::ground

@@ -12,9 +12,10 @@ namespace citykiln::ground {
 ///   map, lie up to a quarter of a step beside their places;
 /// - 1/32 of the samples' distance, at most 1 m: rounding and noise.
 ///
-/// Of SRTM's samples of five degrees (Andorra, Engadin, Liechtenstein, Monaco, Berlin), when every second, third or
-/// fourth is kept, 99 % of those left out lie within it, and 98 % within its first and last summand: the second one is
-/// for places, which leaving out samples does not move. Depends on 4 x 4 samples. O(1).
+/// Measured on SRTM of five degrees (Andorra, Engadin, Liechtenstein, Monaco, Berlin): when every second, third or
+/// fourth sample is kept, 98.5 to 99.99 % of those left out lie within the error, and 97.8 to 99.9 % within its first
+/// and last summand. The second summand is for places, which leaving out samples does not move. Depends on 4 x 4
+/// samples. O(1).
 double heightmap_error_m(const map::Heightfield& heights, Vec2 p);
 
 }  // namespace citykiln::ground

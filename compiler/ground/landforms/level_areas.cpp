@@ -31,7 +31,7 @@ constexpr double kTouchBucket_m = 128;
 // Samples of an area across, about.
 constexpr double kSamplesAcross = 12;
 
-const LevelRow* row_of(const map::AreaFeature& area) {
+const LevelRow* level_row_of(const map::AreaFeature& area) {
   const auto fits = [&](const LevelRow& row) {
     return row.surface == area.surface && area.area_m2 >= row.least_m2 && area.area_m2 <= row.most_m2;
   };
@@ -100,7 +100,7 @@ Landform level_landform(const map::AreaFeature& area, const FittedSurface& plane
 
 }  // namespace
 
-bool is_level_area(const map::AreaFeature& area) { return row_of(area) != nullptr; }
+bool is_level_area(const map::AreaFeature& area) { return level_row_of(area) != nullptr; }
 
 std::vector<Landform> level_areas(std::span<const map::AreaFeature> areas, const map::Heightfield& heights) {
   std::vector<const map::AreaFeature*> level;
@@ -112,7 +112,7 @@ std::vector<Landform> level_areas(std::span<const map::AreaFeature> areas, const
   for (std::uint32_t a = 0; a < level.size(); ++a) {
     const std::uint32_t group = groups.of(a);
     add_samples(*level[a], heights, samples[group]);
-    most_slope[group] = std::min(most_slope[group], row_of(*level[a])->most_slope);
+    most_slope[group] = std::min(most_slope[group], level_row_of(*level[a])->most_slope);
   }
   std::vector<Landform> forms;
   for (std::uint32_t a = 0; a < level.size(); ++a) {

@@ -180,7 +180,7 @@ class Banks {
 
 }  // namespace
 
-map::Heightfield with_level_airports(map::Heightfield heights, const map::FeatureView& features) {
+map::Heightfield with_level_airports(const map::Heightfield& heights, const map::FeatureView& features) {
   const int parts = heights.parts;
   map::Heightfield samples = map::samples_of(heights);
   const std::vector<std::uint32_t> numbers = samples_in_airports(samples, features);

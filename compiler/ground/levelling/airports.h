@@ -26,6 +26,6 @@ inline constexpr double kLeastApron_m2 = 10'000;
 /// An airport is made of runways, taxiways and aprons whose strips join. Its surface is fitted_surface() of at most
 /// some thousand samples in it, of form kBent. Without airports the field is returned as it is. Depends on the samples
 /// in an airport, and within kMostAirportBank_m of it. O(samples in and beside airports · log).
-map::Heightfield with_level_airports(map::Heightfield heights, const map::FeatureView& features);
+map::Heightfield with_level_airports(const map::Heightfield& heights, const map::FeatureView& features);
 
 }  // namespace citykiln::ground

@@ -30,7 +30,7 @@ KnownLine line_above(const map::Heightfield& field, Vec2 from, Vec2 to, double a
   return line_at(from, to, height_m_at(field, from) + above_m, height_m_at(field, to) + above_m);
 }
 
-double largest_gap_m(const map::Heightfield& field, const KnownLine& line) {
+double distance_from_line_m(const map::Heightfield& field, const KnownLine& line) {
   double largest_m = 0;
   for (double t = 0; t <= 1; t += 1.0 / 64)
     largest_m = std::max(largest_m, std::abs(height_m_at(field, line.from + (line.to - line.from) * t) -
@@ -47,7 +47,7 @@ TEST(CorrectedLand, FollowsARoadWithinTheErrorOfTheHeightmap) {
   const map::Heightfield field = slope_of(0.4);
   const KnownLine road = line_above(field, {-300, -500}, {-300, 500}, -3.5);
   EXPECT_GT(heightmap_error_m(field, {-300, 0}), 3.5);
-  EXPECT_LT(largest_gap_m(corrected_land(field, std::span(&road, 1)), road), 0.35);
+  EXPECT_LT(distance_from_line_m(corrected_land(field, std::span(&road, 1)), road), 0.35);
 }
 
 TEST(CorrectedLand, RemainsCutBeyondTheErrorOfTheHeightmap) {
@@ -55,7 +55,7 @@ TEST(CorrectedLand, RemainsCutBeyondTheErrorOfTheHeightmap) {
   const KnownLine road = line_above(field, {-300, -500}, {-300, 500}, -30);
   const double error_m = heightmap_error_m(field, {-300, 0});
   EXPECT_LT(error_m, 2);
-  EXPECT_GT(largest_gap_m(corrected_land(field, std::span(&road, 1)), road), 29 - error_m);
+  EXPECT_GT(distance_from_line_m(corrected_land(field, std::span(&road, 1)), road), 29 - error_m);
 }
 
 TEST(CorrectedLand, ReachesAsFarAsOneStepOfSamples) {
@@ -79,7 +79,7 @@ TEST(CorrectedLand, LevelLinesAreFollowedWhateverTheHeightmapSays) {
   const map::Heightfield field = slope_of(0.1);
   KnownLine runway = line_above(field, {-300, -500}, {-300, 500}, -30);
   runway.kind = KnownKind::kLevel;
-  EXPECT_LT(largest_gap_m(corrected_land(field, std::span(&runway, 1)), runway), 3);
+  EXPECT_LT(distance_from_line_m(corrected_land(field, std::span(&runway, 1)), runway), 3);
 }
 
 TEST(CorrectedLand, IsNotLoweredBelowWaterBesideARoad) {
