@@ -54,7 +54,9 @@ std::uint8_t reach_of(int slope, double length_m, const CurveLimits& limits) {
   if (slope == 0) return 0;
   // a bulge is 4/27 of slope times reach high
   const double reach_m = std::min(limits.reach_m, 27.0 / 4 * limits.most_m / (std::abs(slope) * kSlopeUnit));
-  return static_cast<std::uint8_t>(std::min(std::floor(reach_m / length_m * kWholeReach), double{kWholeReach}));
+  const auto reach = static_cast<int>(std::min(std::floor(reach_m / length_m * kWholeReach), double{kWholeReach}));
+  // few values take few bytes
+  return static_cast<std::uint8_t>(reach < 4 ? reach : reach / 4 * 4);
 }
 
 // The chord whose bulges overlap with the largest common reach that keeps the limits; else each has its half.

@@ -14,7 +14,7 @@
 namespace citykiln::assume {
 
 /// Nodes at which lines turn less than this keep their corners: they are not seen.
-inline constexpr double kLeastTurn_deg = 4;
+inline constexpr double kLeastTurn_deg = 6;
 /// Nodes at which lines turn more than this keep their corners: these are meant.
 inline constexpr double kMostTurn_deg = 60;
 /// The most that a line turns at a junction that it runs through.

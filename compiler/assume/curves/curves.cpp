@@ -156,9 +156,11 @@ std::vector<Track> curved_tracks(const map::FeatureView& features, Report& repor
   const Walls walls = walls_of(features.footprints);
   std::vector<Line> lines;
   for (const Track& track : features.tracks) lines.push_back(line_of(track, walls));
+  const WayPieces ways = pieces_of_ways(features.tracks);
   const auto has_room = [&](std::size_t l, std::size_t, const Polyline& curve) {
     const Track& track = features.tracks[l];
-    return track.passage != map::Passage::kGround || has_room_between(walls, curve, room_m(track));
+    return track.passage != map::Passage::kGround ||
+           (has_room_between(walls, curve, room_m(track)) && keeps_pavements(ways, track, curve));
   };
   std::vector<CurvedLine> curved = curved_lines(lines, has_room);
   std::vector<Track> tracks;

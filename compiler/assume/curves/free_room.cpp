@@ -22,6 +22,22 @@ double distance_from_ring(const Ring& ring, const Polyline& line) {
   return least_m;
 }
 
+double distance_from_piece(Vec2 a, Vec2 b, const Polyline& line) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    least_m = std::min(least_m, distance_of_segments(a, b, line[i], line[i + 1]));
+  return least_m;
+}
+
+// The distance of the farther edge of a way from its axis, pavements included.
+double edge_m(const map::Track& track) {
+  return map::total_width_m(track.section) -
+         std::min(map::left_kerb_m(track.section), map::right_kerb_m(track.section));
+}
+
+/// The strips of chord and curve differ by less than is seen.
+constexpr double kSameStrip_m = 0.05;
+
 }  // namespace
 
 Walls walls_of(std::span<const map::Footprint> footprints) {
@@ -41,13 +57,38 @@ bool is_in_town(const Walls& walls, Vec2 a, Vec2 b) {
 }
 
 bool has_room_between(const Walls& walls, const Polyline& curve, double half_m) {
-  // the strips of chord and curve differ by less than is seen
-  constexpr double kSame_m = 0.05;
   const Polyline chord = {curve.front(), curve.back()};
   return std::ranges::all_of(boxes_about(walls.grid, box_of(curve).widened(half_m)), [&](std::uint32_t i) {
     const Ring& ring = walls.footprints[i]->polygon.outer;
     const double curve_m = distance_from_ring(ring, curve);
-    return curve_m >= half_m || curve_m >= distance_from_ring(ring, chord) - kSame_m;
+    return curve_m >= half_m || curve_m >= distance_from_ring(ring, chord) - kSameStrip_m;
+  });
+}
+
+WayPieces pieces_of_ways(std::span<const map::Track> tracks) {
+  WayPieces ways;
+  std::vector<Box2> boxes;
+  for (const map::Track& track : tracks) {
+    if (track.passage != map::Passage::kGround || track.is_indoor) continue;
+    ways.widest_m = std::max(ways.widest_m, edge_m(track));
+    for (std::size_t i = 0; i + 1 < track.axis.size(); ++i) {
+      ways.pieces.emplace_back(&track, i);
+      boxes.push_back(box_of_segment(track.axis[i], track.axis[i + 1]));
+    }
+  }
+  ways.grid = grid_of(boxes, 32);
+  return ways;
+}
+
+bool keeps_pavements(const WayPieces& ways, const map::Track& track, const Polyline& curve) {
+  const double own_m = edge_m(track);
+  const Polyline chord = {curve.front(), curve.back()};
+  return !any_about(ways.grid, box_of(curve).widened(own_m + ways.widest_m), [&](std::uint32_t i) {
+    const map::Track& other = *ways.pieces[i].first;
+    if (other.id.osm == track.id.osm || (track.assumed_sides == 0 && other.assumed_sides == 0)) return false;
+    const Vec2 a = other.axis[ways.pieces[i].second], b = other.axis[ways.pieces[i].second + 1];
+    const double curve_m = distance_from_piece(a, b, curve);
+    return curve_m < own_m + edge_m(other) && curve_m < distance_from_piece(a, b, chord) - kSameStrip_m;
   });
 }
 
