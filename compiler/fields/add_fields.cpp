@@ -27,6 +27,8 @@ constexpr double kLineBucket_m = 128;
 constexpr double kThinLine_m = 0.25;
 // Meadows are mown in larger pieces than arable land is tilled in.
 constexpr double kMeadowsLarger = 1.8;
+// Fields of unmapped land are larger than usual: half of the bytes, and what they look like is a guess anyway.
+constexpr double kOpenLarger = 2;
 // Land this steep has small meadows at any place.
 constexpr double kSteepSlope = 0.15, kSteepField_m2 = 8000;
 // The share of meadows that are pastures.
@@ -141,6 +143,7 @@ class FieldMaker {
   FieldRule rule_for(const map::AreaFeature& land, Vec2 at) const {
     FieldRule rule = inputs_.rule_at(at);
     if (land.surface == LandCoverClass::kMeadow) rule.area_m2 *= kMeadowsLarger;
+    if (land.surface == LandCoverClass::kUnknown) rule.area_m2 *= kOpenLarger;
     if (is_steep(at)) rule.area_m2 = std::min(rule.area_m2, kSteepField_m2);
     return rule;
   }

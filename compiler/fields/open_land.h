@@ -37,6 +37,6 @@ class OpenLand {
 };
 
 /// The least area of a field on unmapped land.
-inline constexpr double kLeastOpen_m2 = 6000;
+inline constexpr double kLeastOpen_m2 = 40000;
 
 }  // namespace citykiln::fields
