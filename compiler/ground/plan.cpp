@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "compiler/contract/derived_id.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/cover/contained_areas.h"
 #include "compiler/ground/water/grown_widths.h"
@@ -35,7 +36,9 @@ std::vector<LandCoverPolygon> plan(const map::FeatureView& features, Report& rep
   std::vector<LandCoverPolygon> surfaces;
   Account account;
   for (const map::AreaFeature& area : features.areas) {
-    account.in += report.counts(area.id.osm), account.out += report.counts(area.id.osm);
+    // fields are no elements of the map: each region divides the land that it needs
+    const bool is_counted = !is_of_field(area.id) && report.counts(area.id.osm);
+    account.in += is_counted, account.out += is_counted;
     surfaces.push_back(surface_of(area));
   }
   report.account("ground", "area") = account;

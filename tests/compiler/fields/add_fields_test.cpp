@@ -21,7 +21,8 @@ map::AreaFeature area(std::int64_t id, LandCoverClass surface, Ring outer) {
 // Farmland of 36 ha with a wood in it, hedges between fields of 2 ha.
 struct Farm {
   map::Features map;
-  map::Heightfield heights{.min = {-256, -256}, .step_m = {1280, 1280}, .columns = 2, .rows = 2, .heights = {0, 0, 0, 0}};
+  map::Heightfield heights{
+      .min = {-256, -256}, .step_m = {1280, 1280}, .columns = 2, .rows = 2, .heights = {0, 0, 0, 0}};
   Report report;
 
   Farm() {
