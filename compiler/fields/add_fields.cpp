@@ -9,6 +9,7 @@
 #include "compiler/contract/random_sequence.h"
 #include "compiler/contract/system/for_each_slot.h"
 #include "compiler/contract/system/once.h"
+#include "compiler/fields/cut_rings.h"
 #include "compiler/fields/field_barriers.h"
 #include "compiler/fields/lane_hedges.h"
 #include "compiler/fields/open_land.h"
@@ -112,7 +113,7 @@ class FieldMaker {
       const Division division = divide(inside, lines, rule_at, stable_id(square.id), inputs_.seed);
       for (const Field& field : division.fields) {
         if (is_steep(box_of(field.polygon.outer).centre())) continue;
-        for (Polygon& part : open.free_parts(field.polygon)) add_open(square, field, std::move(part), made.areas);
+        for (const Polygon& part : open.free_parts(field.polygon)) add_open(square, field, part, made.areas);
       }
       for (const FieldLine& line : division.borders) add_barriers(square, line, made.barriers);
     }
@@ -165,19 +166,19 @@ class FieldMaker {
 
   void add_field(const map::AreaFeature& land, const Field& field, std::vector<map::AreaFeature>& areas) const {
     map::AreaFeature area = as_field(land, field_id(land.id, field.number), field.along);
-    area.polygon = field.polygon;
+    area.polygon = on_map_steps(field.polygon);
     area.area_m2 = std::max(land.area_m2 - 1, 0.0);
     areas.push_back(std::move(area));
   }
 
   // Parts of one field have its crop and rows.
-  void add_open(const map::AreaFeature& square, const Field& field, Polygon&& part,
+  void add_open(const map::AreaFeature& square, const Field& field, const Polygon& part,
                 std::vector<map::AreaFeature>& areas) const {
     const auto place = static_cast<std::uint32_t>(areas.size());
     map::AreaFeature area = as_field(square, field_id(square.id, field.number), field.along);
     area.id = field_id(square.id, field.number + place);
     area.area_m2 = area_m2(part);
-    area.polygon = std::move(part);
+    area.polygon = on_map_steps(part);
     areas.push_back(std::move(area));
   }
 

@@ -62,6 +62,18 @@ double area_of(std::span<const Ring> rings) {
   return sum_m2;
 }
 
+Polygon on_map_steps(const Polygon& polygon) {
+  const auto on_steps = [](const Ring& ring) {
+    Ring snapped;
+    for (const Vec2 p : ring) snapped.push_back(snapped_to(map::kMapStep_m, p));
+    return without_repeats(snapped);
+  };
+  Polygon made{on_steps(polygon.outer), {}};
+  for (const Ring& hole : polygon.holes)
+    if (Ring ring = on_steps(hole); ring.size() >= 3) made.holes.push_back(std::move(ring));
+  return made;
+}
+
 std::vector<Ring> strip_about(const Polyline& line, double half_m) {
   std::vector<Ring> rings;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {

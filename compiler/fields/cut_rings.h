@@ -21,6 +21,10 @@ std::vector<std::pair<Vec2, Vec2>> inside_parts(std::span<const Ring> rings, Vec
 /// Returns the sum of the areas of rings, m².
 double area_of(std::span<const Ring> rings);
 
+/// Returns a polygon with its points on multiples of map::kMapStep_m, as mapped ones are. One point between them would
+/// make all points of its tile need more bytes.
+Polygon on_map_steps(const Polygon& polygon);
+
 /// Returns rings that together cover the strip of this half width about a line, one for each segment. Corners are
 /// multiples of 1/8 m. Neighbours overlap. O(n).
 std::vector<Ring> strip_about(const Polyline& line, double half_m);

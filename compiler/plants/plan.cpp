@@ -5,6 +5,7 @@
 
 #include "compiler/contract/derived_id.h"
 #include "compiler/geometry/snap.h"
+#include "compiler/map/plane/plane.h"
 #include "compiler/plants/placing/row_heading.h"
 #include "compiler/plants/plant_size.h"
 
@@ -158,7 +159,7 @@ Polyline offset_left(const Polyline& axis, double left_m) {
     const Vec2 after = i + 1 < axis.size() ? unit(axis[i + 1] - axis[i]) : before;
     const Vec2 first = i > 0 ? before : after, middle = unit(first + after);
     const double mitre = std::max(dot(middle, after), kLeastCosine);
-    const Vec2 p = snapped(axis[i] + left_of(middle) * (left_m / mitre));
+    const Vec2 p = snapped_to(map::kMapStep_m, axis[i] + left_of(middle) * (left_m / mitre));
     if (line.empty() || line.back() != p) line.push_back(p);
   }
   return line;
