@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "compiler/contract/findings/assumption_names.h"
 #include "compiler/contract/findings/code_names.h"
 #include "compiler/contract/texts/parse.h"
 #include "compiler/parse_values.h"
@@ -215,26 +216,29 @@ Result<Done> set_drive_on(CompileSpec& spec, std::string_view text) {
 
 /// Returns the names of the assumptions of --assume: "pavements, lamps or heights".
 std::string assumption_names() {
+  const std::vector<std::string> named = names_in(kNamedAssumptions);
   std::string names;
-  // the last one, kHouses, belongs to --fill
-  const auto count = static_cast<std::size_t>(Assumption::kHouses);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i > 0) names += i + 1 == count ? " or " : ", ";
-    names += name_of(static_cast<Assumption>(i));
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    if (i > 0) names += i + 1 == named.size() ? " or " : ", ";
+    names += named[i];
   }
   return names;
 }
 
 Result<Done> set_assume(CompileSpec& spec, std::string_view text) {
   if (text == "all" || text == "none") {
-    spec.assume = text == "all" ? kUsualAssumptions : kNoAssumptions;
+    spec.assume = text == "all" ? kNamedAssumptions : kNoAssumptions;
     return Done{};
   }
   Assumptions set = kNoAssumptions;
   for (const std::string_view name : split(text, ',')) {
+    if (name == "usual") {
+      set |= kUsualAssumptions;
+      continue;
+    }
     const std::optional<Assumption> assumption = assumption_named(name);
     if (!assumption || *assumption == Assumption::kHouses)
-      return expected("all, none, or names among " + assumption_names(), text);
+      return expected("usual, all, none, or names among " + assumption_names(), text);
     set |= bit_of(*assumption);
   }
   spec.assume = set;
@@ -373,8 +377,9 @@ constexpr Setting kSettings[] = {
      "the N brightest street lamps of each tile are lights of .glb (KHR_lights_punctual) and USD (UsdLux) files, at "
      "any time (default: {})",
      false, set_lights, [](const CompileSpec& spec) { return fmt::format("{}", spec.outputs.lights); }},
-    {"assume", "all|none|NAME,...", "what is assumed where the map is silent, such as pavements,lamps (default: all)",
-     false, set_assume},
+    {"assume", "usual|all|none|NAME,...",
+     "what is assumed where the map is silent, such as pavements,lamps or usual,curves (default: usual)", false,
+     set_assume},
     {"fill", "lots|none",
      "lots: puts houses on residential land without buildings, beside mapped streets (default: none)", false, set_fill},
     {"drive-on", "left|right", "side of the road on which vehicles drive (default: by country)", false, set_drive_on},

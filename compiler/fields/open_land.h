@@ -12,8 +12,9 @@ namespace citykiln::fields {
 inline constexpr double kFarmedAbout_m = 2048;
 
 /// Returns land of no mapped use in the country, as areas of LandCoverClass::kUnknown: one for each square of
-/// kOpenSquare_m of the plane in which, or within kFarmedAbout_m of which, farmland is mapped. What else is mapped in a
-/// square is not taken out of it. Ids are those of the square: OsmType::kLot with the square's number and the part 0.
+/// kOpenSquare_m of the plane in which, or within kFarmedAbout_m of which, farmland is mapped. Other mapped things
+/// in a square are not taken out of it. Ids are those of the square: OsmType::kLot with the square's number and the
+/// part 0.
 std::vector<map::AreaFeature> open_squares(const map::FeatureView& features);
 
 /// The side of the squares, in metres: the land of a square is no larger than a whole face (divide_land.h).

@@ -6,6 +6,7 @@
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/map/buildings/building_classes.h"
+#include "compiler/map/ways/curve_nodes.h"
 #include "compiler/parcels/rights_of_way.h"
 
 namespace citykiln::lots {
@@ -51,6 +52,28 @@ LineKind kind_of_line(const Road& road) {
 bool may_be_pavement(const Road& road) {
   return road.surface == LandCoverClass::kPavedFootPath || road.surface == LandCoverClass::kFootPath ||
          road.surface == LandCoverClass::kCyclePath;
+}
+
+bool is_west_of(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
+// The points of curves between mapped nodes, sorted. Lots are divided by mapped axes, which are at most some metres
+// from the curves: the work grows with the square of the number of points along a block.
+std::vector<Vec2> points_of_curves(std::span<const map::Track> tracks) {
+  std::vector<Vec2> points;
+  for (const map::Track& track : tracks)
+    for (std::size_t i = 0; i < track.node_ids.size(); ++i)
+      if (map::is_curve_node(track.node_ids[i])) points.push_back(track.axis[i]);
+  std::ranges::sort(points, is_west_of);
+  return points;
+}
+
+// The ends of an axis, and its points that are not of curves.
+Polyline mapped_axis(const Polyline& axis, std::span<const Vec2> of_curves) {
+  Polyline mapped;
+  for (std::size_t i = 0; i < axis.size(); ++i)
+    if (i == 0 || i + 1 == axis.size() || !std::ranges::binary_search(of_curves, axis[i], is_west_of))
+      mapped.push_back(axis[i]);
+  return mapped;
 }
 
 parcels::Line line_of(const Road& road, LineKind kind) {
@@ -151,12 +174,14 @@ MapLand land_of(const map::FeatureView& features, std::span<const Road> roads, s
     land.sizes.push_back(
         {.area_m2 = row.frontage_m * row.depth_m, .frontage_m = row.frontage_m, .depth_m = row.depth_m});
   const StreetSegments streets = street_segments(roads);
+  const std::vector<Vec2> of_curves = points_of_curves(features.tracks);
   for (const Road& road : roads) {
     if (std::ranges::binary_search(private_ways, road.id.osm)) continue;
     if (may_be_pavement(road)) add_pavement_paths(road, streets, land.lines);
     if (const LineKind kind = kind_of_line(road); kind != LineKind::kNone) land.lines.push_back(line_of(road, kind));
     made.roads.resize(land.lines.size(), static_cast<std::uint32_t>(&road - roads.data()));
   }
+  for (parcels::Line& line : land.lines) line.axis = mapped_axis(line.axis, of_curves);
   for (const map::Waterway& river : features.waterways)
     if (river.passage == map::Passage::kGround)
       land.lines.push_back({.id = stable_id(river.id),

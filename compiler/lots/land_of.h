@@ -26,6 +26,7 @@ struct MapLand {
 ///
 /// - streets: roads on the ground without motorways and runways, as wide as carriageway and raised lanes, less
 ///   kUnderPavement_m on each side; a path that runs along a street is one too, since it is the street's pavement
+/// - axes: as mapped, without the points of curves between nodes
 /// - barriers: motorways, runways, railways without tramways, rivers
 /// - taken: all mapped land but residential, commercial, retail and industrial land and pools
 /// - footprints: outlines of buildings with walls that stand on the ground

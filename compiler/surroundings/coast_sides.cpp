@@ -36,7 +36,7 @@ double squared_distance(const Box2& box, Vec2 p) {
 
 }  // namespace
 
-// Of segments that meet in the nearest point, the one that is seen most from the side decides.
+// If segments meet in the nearest point, the one that is seen most from the side decides.
 struct CoastSides::Nearest {
   double squared_m = std::numeric_limits<double>::infinity(), sine = 0;
   Vec2 at;

@@ -368,7 +368,7 @@ class Divider {
     return sheet_.patches[face.patch].raised_m > 0 && !is_open_water(cover_of(face));
   }
 
-  // That of all three corners; else land.
+  // The cover of all three corners; land if they differ.
   Cover cover_of(const Face& face) const {
     const auto& [a, b, c] = face.corners;
     const Cover cover = sheet_.covers[a];

@@ -15,7 +15,7 @@ namespace citykiln::surroundings {
 /// The water in the extent, and the coast around it.
 struct MappedWater {
   std::vector<ground::LandCoverPolygon> sea{};    ///< In the extent.
-  std::vector<ground::LandCoverPolygon> lakes{};  ///< Those that reach_beyond() the extent, with their levels.
+  std::vector<ground::LandCoverPolygon> lakes{};  ///< All that reaches_beyond() the extent, with their levels.
   CoastSides coast{{}};                           ///< Also beyond the extent.
   bool has_sea() const { return !sea.empty() || !coast.is_empty(); }
 };

@@ -9,6 +9,7 @@
 #include "compiler/assume/curves/curved_line.h"
 #include "compiler/assume/curves/free_room.h"
 #include "compiler/geometry/mathematics.h"
+#include "compiler/map/ways/curve_nodes.h"
 
 namespace citykiln::assume {
 namespace {
@@ -70,21 +71,12 @@ Line line_of(const Track& track, const Walls& walls) {
           .is_corner = corners_of(track)};
 }
 
-// The node ids of points of curves: below those of maps, and apart from those of places where ways are cut
-// (map/rails_in_streets.cpp).
-std::int64_t curve_node_id(const Track& track, std::uint32_t vertex) {
-  constexpr std::int64_t kHighest = std::numeric_limits<std::int64_t>::min() / 4, kPerPiece = 1 << 16,
-                         kPieces = 1 << 10;
-  const std::int64_t piece = track.id.osm.id * kPieces + track.id.part % kPieces;
-  return kHighest - piece * kPerPiece - vertex % kPerPiece;
-}
-
 Track with_axis(Track track, CurvedLine line) {
   std::vector<std::int64_t> node_ids;
   std::size_t next = 0;
   for (std::uint32_t v = 0; v < line.axis.size(); ++v) {
     const bool is_mapped = v == line.mapped[next];
-    node_ids.push_back(is_mapped ? track.node_ids[next] : curve_node_id(track, v));
+    node_ids.push_back(is_mapped ? track.node_ids[next] : map::curve_node_id(track.id, v));
     if (is_mapped) ++next;
   }
   for (map::TrackPoint& point : track.points) point.vertex = line.mapped[point.vertex];
