@@ -12,7 +12,9 @@
 namespace citykiln::things {
 namespace {
 
-constexpr double kGuardStep_m = 8, kGuardOff_m = 0.5, kGuardBucket_m = 64;
+constexpr double kGuardStep_m = 4, kGuardOff_m = 0.5, kGuardBucket_m = 64;
+// The room beside the carriageways of other roads, whose corners are wider than they are: more than half a step.
+constexpr double kOffRoad_m = 3;
 constexpr double kGuardHeight_m = 0.75, kGuardThickness_m = 0.25;
 // Roads this near to buildings are those of towns.
 constexpr double kOffTown_m = 25;
@@ -24,28 +26,30 @@ constexpr std::uint32_t kFirstGuard = 1u << 15;
 struct GuardObstacle {
   Vec2 a, b;
   double radius_m = 0;
-  OsmId way{};  // a street's, which does not keep its own rails away
+  OsmId way{};
+  double own_m = 0;  // the radius for rails of the way itself, which stand beside its carriageway
 };
 
 struct GuardObstacles {
   std::vector<GuardObstacle> all;
   BoxGrid grid;
 
-  void add(std::span<const Vec2> line, double radius_m, OsmId way) {
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) all.push_back({line[i], line[i + 1], radius_m, way});
+  void add(std::span<const Vec2> line, double radius_m, OsmId way = {}, double own_m = 0) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) all.push_back({line[i], line[i + 1], radius_m, way, own_m});
   }
 };
 
 GuardObstacles guard_obstacles(const map::FeatureView& features, std::span<const roads::Road> roads) {
   GuardObstacles found;
-  for (const map::Barrier& barrier : features.barriers) found.add(barrier.axis, 3, {});
+  for (const map::Barrier& barrier : features.barriers) found.add(barrier.axis, 3);
   for (const map::Footprint& footprint : features.footprints) {
     if (footprint.polygon.outer.empty()) continue;
     Ring ring = footprint.polygon.outer;
     ring.push_back(ring.front());
-    found.add(ring, kOffTown_m, {});
+    found.add(ring, kOffTown_m);
   }
-  for (const roads::Road& road : roads) found.add(road.axis, roads::max_offset_m(road) + 1.5, road.id.osm);
+  for (const roads::Road& road : roads)
+    found.add(road.axis, roads::max_offset_m(road) + kOffRoad_m, road.id.osm, roads::max_offset_m(road));
   std::vector<Box2> boxes;
   for (const GuardObstacle& o : found.all) boxes.push_back(box_of_segment(o.a, o.b).widened(o.radius_m));
   if (!boxes.empty()) found.grid = grid_of(boxes, kGuardBucket_m);
@@ -80,7 +84,7 @@ class GuardPlanner {
     if (land_m(ground_, edge) - land_m(ground_, beyond) < kGuardedFall_m) return false;
     return !any_about(obstacles_.grid, Box2{edge, edge}, [&](std::uint32_t i) {
       const GuardObstacle& o = obstacles_.all[i];
-      return o.way != own && distance_to_segment(o.a, o.b, edge) < o.radius_m;
+      return distance_to_segment(o.a, o.b, edge) < (o.way == own ? o.own_m : o.radius_m);
     });
   }
 
