@@ -319,8 +319,8 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   const Result<std::optional<std::vector<map::Footprint>>> filled = filled_lots(spec, lot_facts, map, report);
   if (!filled) return filled.error();
   const map::FeatureView mapped = seen_with(map, *filled);
-  const assume::Assumed assumed =
-      assume::assume(mapped, {spec.assume, spec.seed, [&plane](Vec2 at) { return plane.backward(at); }}, report);
+  const assume::Assumed assumed = assume::assume(
+      mapped, {spec.assume, spec.seed, [&located](Vec2 at) { return located->plane.backward(at); }}, report);
   const map::FeatureView streets = seen_with(mapped, assumed);
 
   // roads, and the lots between them

@@ -142,7 +142,7 @@ class Banks {
       const Reached reached = reached_.at(number);
       if (away_m > reached.away_m || !move(number, reached)) continue;
       for_each_neighbour(samples_, number,
-                         [&](std::uint32_t to, double step_m) { improve(to, away_m + step_m, reached.from); });
+                         [&](std::uint32_t to, double step_m) { improve(to, reached.away_m + step_m, reached.from); });
     }
   }
 
