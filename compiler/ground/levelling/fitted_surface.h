@@ -22,8 +22,8 @@ struct FittedSurface {
 enum class SurfaceForm : std::uint8_t { kPlane, kBent };
 
 /// Returns the surface with the least sum of Cauchy's distances from the points, in kFitRounds rounds of weighted least
-/// squares, whose scale is the median distance. Points off the surface by many times the median do not move it: a third
-/// of the points may be wrong.
+/// squares, whose scale is the median distance. Points off the surface by many times the median do not move it: a
+/// quarter of the points may be wrong.
 ///
 /// If its slope at any point exceeds `most_slope`, all its slopes are reduced by one factor, and it has the median
 /// height of the points above it. Without points it is level at 0. O(points).
