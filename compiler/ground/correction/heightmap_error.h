@@ -13,8 +13,8 @@ namespace citykiln::ground {
 /// - 1/32 of the samples' distance, at most 1 m: rounding and noise.
 ///
 /// Measured on SRTM of five degrees (Andorra, Engadin, Liechtenstein, Monaco, Berlin): when every second, third or
-/// fourth sample is kept, at least 98.5 % of those left out lie within the error, and 97.8 to 99.9 % within its first and
-/// last summand. The second summand is for places, which leaving out samples does not move. Depends on 4 x 4
+/// fourth sample is kept, at least 98.5 % of those left out lie within the error, and 97.8 to 99.9 % within its first
+/// and last summand. The second summand is for places, which leaving out samples does not move. Depends on 4 x 4
 /// samples. O(1).
 double heightmap_error_m(const map::Heightfield& heights, Vec2 p);
 
