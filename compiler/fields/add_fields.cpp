@@ -109,6 +109,7 @@ class FieldMaker {
     const RuleAt rule_at = [&](Vec2 at) { return rule_for(square, at); };
     const std::vector<Polyline> lines = lines_near(lines_, box_of(square.polygon.outer));
     Fields made;
+    if (is_steep_all_over(box_of(square.polygon.outer))) return made;
     for (const Polygon& inside : united_in(copied_rings(square.polygon), features_.extent)) {
       const Division division = divide(inside, lines, rule_at, stable_id(square.id), inputs_.seed);
       for (const Field& field : division.fields) {
@@ -139,6 +140,15 @@ class FieldMaker {
   bool is_steep(Vec2 at) const {
     const Vec3 normal = map::normal_at(inputs_.heights, at);
     return length(in_plan(normal)) > kSteepSlope * normal.z;
+  }
+
+  // True if no place of a lattice in the box is level enough for a field.
+  bool is_steep_all_over(const Box2& box) const {
+    constexpr double kStep_m = 32;
+    for (double y = box.min.y; y <= box.max.y; y += kStep_m)
+      for (double x = box.min.x; x <= box.max.x; x += kStep_m)
+        if (!is_steep({x, y})) return false;
+    return true;
   }
 
   FieldRule rule_for(const map::AreaFeature& land, Vec2 at) const {
