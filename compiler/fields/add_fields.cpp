@@ -99,24 +99,26 @@ class FieldMaker {
       // the area itself is its only field
       if (division.fields.size() < 2) continue;
       for (const Field& field : division.fields) add_field(land, field, made.areas);
-      for (const FieldLine& line : division.borders) add_barriers(land, line, made.barriers);
+      const auto is_free = [&](Vec2 at) { return places().is_free(at, land); };
+      for (const FieldLine& line : division.borders) add_barriers(land, line, is_free, made.barriers);
     }
     return made;
   }
 
   // The fields on a square of unmapped land, each with the number of its square.
-  Fields fields_on(const map::AreaFeature& square, const OpenLand& open) const {
-    const RuleAt rule_at = [&](Vec2 at) { return rule_for(square, at); };
-    const std::vector<Polyline> lines = lines_near(lines_, box_of(square.polygon.outer));
+  Fields fields_on(const map::AreaFeature& land, const OpenLand& open) const {
+    const RuleAt rule_at = [&](Vec2 at) { return rule_for(land, at); };
+    const Box2 box = box_of(land.polygon.outer);
+    const OpenSquare square = open.square_at(box.min, [&](Vec2 at) { return is_steep(at); });
     Fields made;
-    if (is_steep_all_over(box_of(square.polygon.outer))) return made;
-    for (const Polygon& inside : united_in(copied_rings(square.polygon), features_.extent)) {
-      const Division division = divide(inside, lines, rule_at, stable_id(square.id), inputs_.seed);
-      for (const Field& field : division.fields) {
-        if (is_steep(box_of(field.polygon.outer).centre())) continue;
-        for (const Polygon& part : open.free_parts(field.polygon)) add_open(square, field, part, made.areas);
-      }
-      for (const FieldLine& line : division.borders) add_barriers(square, line, made.barriers);
+    if (open_m2(square) < kLeastOpen_m2) return made;
+    const std::vector<Polyline> lines = lines_near(lines_, box);
+    for (const Polygon& inside : united_in(copied_rings(land.polygon), features_.extent)) {
+      const Division division = divide(inside, lines, rule_at, stable_id(land.id), inputs_.seed);
+      for (const Field& field : division.fields)
+        for (const Polygon& part : open.free_parts(square, field.polygon)) add_open(land, field, part, made.areas);
+      const auto is_free = [&](Vec2 at) { return is_open(square, at) && places().is_free(at, land); };
+      for (const FieldLine& line : division.borders) add_barriers(land, line, is_free, made.barriers);
     }
     return made;
   }
@@ -140,15 +142,6 @@ class FieldMaker {
   bool is_steep(Vec2 at) const {
     const Vec3 normal = map::normal_at(inputs_.heights, at);
     return length(in_plan(normal)) > kSteepSlope * normal.z;
-  }
-
-  // True if no place of a lattice in the box is level enough for a field.
-  bool is_steep_all_over(const Box2& box) const {
-    constexpr double kStep_m = 32;
-    for (double y = box.min.y; y <= box.max.y; y += kStep_m)
-      for (double x = box.min.x; x <= box.max.x; x += kStep_m)
-        if (!is_steep({x, y})) return false;
-    return true;
   }
 
   FieldRule rule_for(const map::AreaFeature& land, Vec2 at) const {
@@ -192,11 +185,12 @@ class FieldMaker {
     areas.push_back(std::move(area));
   }
 
-  void add_barriers(const map::AreaFeature& land, const FieldLine& line, std::vector<map::Barrier>& barriers) const {
+  void add_barriers(const map::AreaFeature& land, const FieldLine& line, const IsFree& is_free,
+                    std::vector<map::Barrier>& barriers) const {
     const FieldRule rule = inputs_.rule_at((line.from + line.to) * 0.5);
     const RandomSequence draw(inputs_.seed, stable_id(field_id(land.id, line.number)), "field border");
     if (rule.border == FieldBorder::kNone || draw.unit(0) >= rule.border_share) return;
-    for (map::Barrier& barrier : barriers_on(line, rule.border, land, places(), draw)) barriers.push_back(barrier);
+    for (map::Barrier& barrier : barriers_on(line, rule.border, land.id, is_free, draw)) barriers.push_back(barrier);
   }
 
   const map::FeatureView& features_;

@@ -86,8 +86,8 @@ bool BarrierPlaces::is_on_other_land(Vec2 at, const map::AreaFeature& land) cons
   return std::ranges::any_of(boxes_about(areas_grid_, at), is_on);
 }
 
-std::vector<map::Barrier> barriers_on(const FieldLine& line, FieldBorder border, const map::AreaFeature& land,
-                                      const BarrierPlaces& places, const RandomSequence& draw) {
+std::vector<map::Barrier> barriers_on(const FieldLine& line, FieldBorder border, ObjectId land, const IsFree& is_free,
+                                      const RandomSequence& draw) {
   const double whole_m = distance(line.from, line.to);
   const auto steps = static_cast<int>(whole_m / kTestStep_m);
   const auto at = [&](int i) { return line.from + (line.to - line.from) * (i / std::max(1.0, steps * 1.0)); };
@@ -98,7 +98,7 @@ std::vector<map::Barrier> barriers_on(const FieldLine& line, FieldBorder border,
   const auto finish = [&](int last) {
     if (first >= 0 && (last - first) * kTestStep_m >= kShortestBarrier_m) {
       map::Barrier barrier = barrier_of(border, draw);
-      barrier.id = field_id(land.id, line.number + static_cast<std::uint32_t>(barriers.size()));
+      barrier.id = field_id(land, line.number + static_cast<std::uint32_t>(barriers.size()));
       barrier.axis = {snapped_to(map::kMapStep_m, at(first)), snapped_to(map::kMapStep_m, at(last))};
       barriers.push_back(std::move(barrier));
     }
@@ -106,7 +106,7 @@ std::vector<map::Barrier> barriers_on(const FieldLine& line, FieldBorder border,
   };
   for (int i = 0; i <= steps; ++i) {
     const bool is_gate = std::abs(i * kTestStep_m - gate_m) < kGate_m / 2;
-    if (is_gate || !places.is_free(at(i), land))
+    if (is_gate || !is_free(at(i)))
       finish(i - 1);
     else if (first < 0)
       first = i;

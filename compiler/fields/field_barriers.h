@@ -1,6 +1,7 @@
 // Hedges and walls on the borders of fields.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "compiler/contract/random_sequence.h"
@@ -34,10 +35,14 @@ class BarrierPlaces {
   BoxGrid areas_grid_;
 };
 
-/// Returns the hedges or walls on a border, each on a free stretch of kShortestBarrier_m or more, with an opening for
-/// machines in the middle. Ids are of field_id(), unique for borders of different numbers but by chance.
-std::vector<map::Barrier> barriers_on(const FieldLine& line, FieldBorder border, const map::AreaFeature& land,
-                                      const BarrierPlaces& places, const RandomSequence& draw);
+/// Returns true if a hedge may stand at a place.
+using IsFree = std::function<bool(Vec2)>;
+
+/// Returns the hedges or walls on a border of land with this id, each on a free stretch of kShortestBarrier_m or more,
+/// with an opening for machines in the middle. Ids are of field_id(), unique for borders of different numbers but by
+/// chance. Asks for places every 3 m.
+std::vector<map::Barrier> barriers_on(const FieldLine& line, FieldBorder border, ObjectId land, const IsFree& is_free,
+                                      const RandomSequence& draw);
 
 /// The distance of a hedge beside a road from the edge of ways, and from buildings, in metres.
 inline constexpr double kOffLane_m = 1.25, kFromHouses_m = 30;

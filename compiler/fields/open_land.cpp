@@ -1,10 +1,14 @@
 #include "compiler/fields/open_land.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <span>
 
 #include "compiler/contract/derived_id.h"
+#include "compiler/fields/cut_rings.h"
 #include "compiler/fields/thinned.h"
+#include "compiler/geometry/polygons/clip_polygon.h"
 #include "compiler/geometry/polygons/overlay.h"
 
 namespace citykiln::fields {
@@ -20,6 +24,9 @@ constexpr double kBuildingsPerM2 = 1 / 20000.0;
 constexpr double kThinOutline_m = 1;
 // The highest priority of crops and pieces of meadows (land_cover_classes.inc).
 constexpr int kFieldPriority = 32;
+constexpr int kCells = 64;
+// Areas are clipped this far outside of a square, so that the cuts are on no border of a field.
+constexpr double kClipBeyond_m = 1;
 // Squares have numbers below 2^40: rows of 2^20 columns.
 constexpr std::int64_t kSquaresInRow = 1 << 20;
 
@@ -39,14 +46,80 @@ map::AreaFeature open_square(std::int64_t column, std::int64_t row) {
           .area_m2 = kOpenSquare_m * kOpenSquare_m};
 }
 
+std::vector<Ring> rings_in(std::vector<Ring> rings, const Box2& box) {
+  rings = left_of_cut(rings, box.min, {1, 0});
+  rings = left_of_cut(rings, {box.max.x, box.min.y}, {0, 1});
+  rings = left_of_cut(rings, box.max, {-1, 0});
+  return left_of_cut(rings, {box.min.x, box.max.y}, {0, -1});
+}
+
+// The first cell whose centre is at v or beyond it.
+int first_cell(double v, double low) {
+  return static_cast<int>(std::clamp(std::ceil((v - low) / kOpenCell_m - 0.5), 0.0, double{kCells}));
+}
+
+double centre_of_cell(int i, double low) { return low + (i + 0.5) * kOpenCell_m; }
+
+std::uint64_t bits_from(int first) { return first >= kCells ? 0 : ~std::uint64_t{0} << first; }
+
+// Closes the cells whose centres are in the rings.
+void close_cells(std::span<const Ring> rings, OpenSquare& square) {
+  // each edge turns all cells to the right of it round: an odd number of turns is inside
+  std::array<std::uint64_t, kCells> inside{};
+  for (const Ring& ring : rings)
+    for (std::size_t i = 0, n = ring.size(); i < n; ++i) {
+      const Vec2 a = std::min(ring[i], ring[(i + 1) % n]), b = std::max(ring[i], ring[(i + 1) % n]);
+      const int first = first_cell(std::min(a.y, b.y), square.low.y),
+                last = first_cell(std::max(a.y, b.y), square.low.y);
+      for (int row = first; row < last; ++row) {
+        const double x = a.x + (b.x - a.x) * ((centre_of_cell(row, square.low.y) - a.y) / (b.y - a.y));
+        inside[static_cast<std::size_t>(row)] ^= bits_from(first_cell(x, square.low.x));
+      }
+    }
+  for (std::size_t row = 0; row < kCells; ++row) square.cells[row] &= ~inside[row];
+}
+
 // The outline of land that fields would cover: the box of a yard, and other land without points that it hardly bends
 // at.
-Polygon coarse_outline(const map::AreaFeature& area) {
+Polygon coarse_outline(const map::AreaFeature& area, const Box2& within) {
+  Polygon outline;
   if (is_derived(area.id)) {
     const Box2 box = box_of(area.polygon.outer);
-    return {{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, {}};
+    outline.outer = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+  } else {
+    outline = {thinned_ring(area.polygon.outer, kThinOutline_m), area.polygon.holes};
   }
-  return {thinned_ring(area.polygon.outer, kThinOutline_m), area.polygon.holes};
+  std::vector<Ring> rings = rings_in(copied_rings(outline), within);
+  if (rings.empty()) return {};
+  outline = {std::move(rings.front()), {}};
+  for (std::size_t i = 1; i < rings.size(); ++i) outline.holes.push_back(std::move(rings[i]));
+  return outline;
+}
+
+void close_steep(const std::function<bool(Vec2)>& is_steep, OpenSquare& square) {
+  constexpr std::uint64_t kBlock = (std::uint64_t{1} << kSteepCells) - 1;
+  for (int row = 0; row < kCells; row += kSteepCells)
+    for (int column = 0; column < kCells; column += kSteepCells) {
+      const auto rows = std::span(square.cells).subspan(static_cast<std::size_t>(row), kSteepCells);
+      const std::uint64_t block = kBlock << column;
+      if (std::ranges::none_of(rows, [&](std::uint64_t cells) { return (cells & block) != 0; })) continue;
+      const Vec2 centre = square.low + Vec2{column + kSteepCells / 2.0, row + kSteepCells / 2.0} * kOpenCell_m;
+      if (is_steep(centre))
+        for (std::uint64_t& cells : rows) cells &= ~block;
+    }
+}
+
+// The share of the cells of a field that are open.
+double open_share(const OpenSquare& square, const Polygon& field) {
+  const Box2 box = box_of(field.outer);
+  int all = 0, open = 0;
+  for (int row = first_cell(box.min.y, square.low.y); row < first_cell(box.max.y, square.low.y); ++row)
+    for (int column = first_cell(box.min.x, square.low.x); column < first_cell(box.max.x, square.low.x); ++column) {
+      const Vec2 at{centre_of_cell(column, square.low.x), centre_of_cell(row, square.low.y)};
+      if (!contains(field, at)) continue;
+      ++all, open += is_open(square, at);
+    }
+  return all == 0 ? 0 : double(open) / all;
 }
 
 }  // namespace
@@ -84,26 +157,50 @@ OpenLand::OpenLand(const map::FeatureView& features) {
   if (!places.empty()) buildings_grid_ = grid_of(places, kOpenBucket_m);
 }
 
-std::vector<Polygon> OpenLand::free_parts(const Polygon& field) const {
-  const Box2 box = box_of(field.outer);
-  const double whole_m2 = area_m2(field);
-  std::size_t count = 0;
-  if (!buildings_.empty())
-    for (const std::uint32_t i : boxes_about(buildings_grid_, box)) count += contains(field, buildings_[i]);
-  if (static_cast<double>(count) > whole_m2 * kBuildingsPerM2) return {};
-  std::vector<Polygon> taken, below;
+bool is_open(const OpenSquare& square, Vec2 at) {
+  const Vec2 cell = (at - square.low) * (1 / kOpenCell_m);
+  if (!(cell.x >= 0 && cell.y >= 0 && cell.x < kCells && cell.y < kCells)) return false;
+  return (square.cells[static_cast<std::size_t>(cell.y)] >> static_cast<int>(cell.x) & 1) != 0;
+}
+
+double open_m2(const OpenSquare& square) {
+  int count = 0;
+  for (const std::uint64_t cells : square.cells) count += std::popcount(cells);
+  return count * kOpenCell_m * kOpenCell_m;
+}
+
+OpenSquare OpenLand::square_at(Vec2 low, const std::function<bool(Vec2)>& is_steep) const {
+  OpenSquare square{low, {}, {}};
+  square.cells.fill(~std::uint64_t{0});
+  const Box2 box = Box2{low, low + Vec2{kOpenSquare_m, kOpenSquare_m}}.widened(kClipBeyond_m);
   if (!areas_.empty())
     for (const std::uint32_t i : boxes_about(areas_grid_, box)) {
       const map::AreaFeature& area = *areas_[i];
       if (!box_of(area.polygon.outer).touches(box)) continue;
-      taken.push_back(area.polygon);
-      if (map::values_of(area.surface).priority <= kFieldPriority) below.push_back(coarse_outline(area));
+      close_cells(rings_in(copied_rings(area.polygon), box), square);
+      // what lies above fields need not be taken out of them
+      if (map::values_of(area.surface).priority > kFieldPriority) continue;
+      if (Polygon outline = coarse_outline(area, box); !outline.outer.empty())
+        square.below.push_back(std::move(outline));
     }
-  double left_m2 = taken.empty() ? whole_m2 : 0;
-  if (!taken.empty())
-    for (const Polygon& part : difference(field, taken)) left_m2 += area_m2(part);
-  if (left_m2 < whole_m2 / 2) return {};
-  // what lies above fields need not be taken out of them
+  close_steep(is_steep, square);
+  return square;
+}
+
+bool OpenLand::has_buildings(const Polygon& field) const {
+  if (buildings_.empty()) return false;
+  std::size_t count = 0;
+  for (const std::uint32_t i : boxes_about(buildings_grid_, box_of(field.outer)))
+    count += contains(field, buildings_[i]);
+  return static_cast<double>(count) > area_m2(field) * kBuildingsPerM2;
+}
+
+std::vector<Polygon> OpenLand::free_parts(const OpenSquare& square, const Polygon& field) const {
+  if (open_share(square, field) < 0.5 || has_buildings(field)) return {};
+  const Box2 box = box_of(field.outer);
+  std::vector<Polygon> below;
+  for (const Polygon& land : square.below)
+    if (box_of(land.outer).touches(box)) below.push_back(land);
   std::vector<Polygon> parts = below.empty() ? std::vector{field} : difference(field, below);
   std::erase_if(parts, [](const Polygon& part) { return area_m2(part) < kLeastOpen_m2; });
   return parts;

@@ -17,31 +17,39 @@ double bulge(int slope, int reach, double t) {
   return slope * kSlopeUnit * t * rest * rest;
 }
 
-// Ends of the pieces of a bulge, which are shorter near its node, where the line turns most.
-void append_bulge(int reach, int pieces, std::vector<double>& shares) {
-  for (int k = 1; k <= pieces; ++k) {
-    const double t = static_cast<double>(k) / pieces;
-    shares.push_back(t * (1 + t) / 2 * reach / kWholeReach);
-  }
+// The end of a piece of a bulge; pieces are shorter near its node, where the line turns most.
+double end_of_piece(int k, int pieces, int reach) {
+  const double t = static_cast<double>(k) / pieces;
+  return t * (1 + t) / 2 * reach / kWholeReach;
 }
 
-// The shares of the points between the ends, ascending.
-std::vector<double> shares_of(const CurvedChord& chord) {
-  std::vector<double> shares;
-  if (chord.pieces <= 1) return shares;
-  if (chord.leave_reach + chord.arrive_reach > kWholeReach) {
-    for (int k = 1; k < chord.pieces; ++k) shares.push_back(static_cast<double>(k) / chord.pieces);
-    return shares;
+// The shares of the points of a chord between its ends, ascending.
+class ChordShares {
+ public:
+  explicit ChordShares(const CurvedChord& chord)
+      : chord_(chord), is_common_(chord.leave_reach + chord.arrive_reach > kWholeReach) {
+    if (chord.pieces <= 1) return;
+    // the end of a bulge may be that of the other, or of the chord
+    const bool is_shared = chord.leave_reach + chord.arrive_reach == kWholeReach;
+    if (is_common_)
+      size_ = chord.pieces - 1;
+    else
+      left_ = chord.leave_reach == 0 ? 0 : chord.pieces - (chord.leave_reach == kWholeReach ? 1 : 0),
+      size_ = left_ + (chord.arrive_reach == 0 ? 0 : chord.pieces - (is_shared ? 1 : 0));
   }
-  std::vector<double> from_end;
-  if (chord.leave_reach > 0) append_bulge(chord.leave_reach, chord.pieces, shares);
-  if (chord.arrive_reach > 0) append_bulge(chord.arrive_reach, chord.pieces, from_end);
-  for (auto t = from_end.rbegin(); t != from_end.rend(); ++t) shares.push_back(1 - *t);
-  std::erase_if(shares, [](double t) { return t <= 0 || t >= 1; });
-  // bulges that share their end
-  shares.erase(std::unique(shares.begin(), shares.end()), shares.end());
-  return shares;
-}
+
+  int size() const { return size_; }
+  double at(int k) const {
+    if (is_common_) return static_cast<double>(k + 1) / chord_.pieces;
+    if (k < left_) return end_of_piece(k + 1, chord_.pieces, chord_.leave_reach);
+    return 1 - end_of_piece(size_ - k, chord_.pieces, chord_.arrive_reach);
+  }
+
+ private:
+  CurvedChord chord_;
+  bool is_common_;
+  int left_ = 0, size_ = 0;
+};
 
 double farthest(const CurvedChord& chord) {
   constexpr int kSamples = 32;
@@ -73,47 +81,49 @@ CurvedChord with_common_reach(CurvedChord chord, double length_m, const CurveLim
 
 // True if the straight pieces keep the limits.
 bool is_fine(const CurvedChord& chord, double length_m, const CurveLimits& limits) {
-  std::vector<double> shares = shares_of(chord);
-  shares.push_back(1);
   double last = 0, slope = chord.leave * kSlopeUnit, allowed = limits.turn / 2;
-  for (const double t : shares) {
-    if (t == last) continue;
+  const auto is_fine_to = [&](double t) {
     const double from = offset_at(chord, last), to = offset_at(chord, t), next = (to - from) / (t - last);
     const double apart = std::abs(offset_at(chord, (last + t) / 2) - (from + to) / 2);
     if (apart * length_m > limits.error_m || std::abs(next - slope) > allowed) return false;
     last = t, slope = next, allowed = limits.turn;
-  }
-  return std::abs(chord.arrive * kSlopeUnit - slope) <= limits.turn / 2;
+    return true;
+  };
+  const ChordShares shares(chord);
+  for (int k = 0; k < shares.size(); ++k)
+    if (!is_fine_to(shares.at(k))) return false;
+  return is_fine_to(1) && std::abs(chord.arrive * kSlopeUnit - slope) <= limits.turn / 2;
 }
 
 double shortest_piece(const CurvedChord& chord) {
   double shortest = 1, last = 0;
-  std::vector<double> shares = shares_of(chord);
-  shares.push_back(1);
-  for (const double t : shares) {
-    if (t != last) shortest = std::min(shortest, t - last);
-    last = t;
-  }
-  return shortest;
+  const ChordShares shares(chord);
+  for (int k = 0; k < shares.size(); ++k) shortest = std::min(shortest, shares.at(k) - last), last = shares.at(k);
+  return std::min(shortest, 1 - last);
 }
 
-// A line in the frame of its chord: shares along it, and offsets to its left, as shares of its length.
-struct InFrame {
-  std::vector<double> t, offset;  // of the points between the ends
-  double rounding = 0;            // the largest error of either
+// A line in the frame of its chord, whose length is 1. Nothing is computed before it is asked for: most lines differ
+// from a curve in their first point.
+class InFrame {
+ public:
+  explicit InFrame(std::span<const Vec2> line)
+      : line_(line),
+        along_(line.back() - line.front()),
+        squared_(dot(along_, along_)),
+        rounding_(kCurveStep_m / std::sqrt(squared_)) {}
+
+  // The number of points between the ends.
+  std::size_t size() const { return line_.size() - 2; }
+  double t(std::size_t i) const { return dot(line_[i + 1] - line_.front(), along_) / squared_; }
+  double offset(std::size_t i) const { return cross(along_, line_[i + 1] - line_.front()) / squared_; }
+  // The largest error of either.
+  double rounding() const { return rounding_; }
+
+ private:
+  std::span<const Vec2> line_;
+  Vec2 along_;
+  double squared_, rounding_;
 };
-
-InFrame in_frame(std::span<const Vec2> line) {
-  const Vec2 along = line.back() - line.front();
-  const double squared = dot(along, along);
-  InFrame frame;
-  frame.rounding = kCurveStep_m / std::sqrt(squared);
-  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-    const Vec2 p = line[i] - line.front();
-    frame.t.push_back(dot(p, along) / squared), frame.offset.push_back(cross(along, p) / squared);
-  }
-  return frame;
-}
 
 bool is_line(const CurvedChord& chord, std::span<const Vec2> line) {
   const Polyline between = points_between(chord, line.front(), line.back());
@@ -137,9 +147,11 @@ std::optional<CurvedChord> with_slopes(CurvedChord chord, double leave, double a
 }
 
 bool has_shares(const CurvedChord& chord, const InFrame& frame) {
-  const std::vector<double> shares = shares_of(chord);
-  return shares.size() == frame.t.size() &&
-         std::ranges::equal(shares, frame.t, [&](double a, double b) { return std::abs(a - b) <= frame.rounding; });
+  const ChordShares shares(chord);
+  if (static_cast<std::size_t>(shares.size()) != frame.size()) return false;
+  for (int k = 0; k < shares.size(); ++k)
+    if (std::abs(shares.at(k) - frame.t(static_cast<std::size_t>(k))) > frame.rounding()) return false;
+  return true;
 }
 
 double height_of(int reach, double t) { return bulge(1, reach, t); }
@@ -147,13 +159,13 @@ double height_of(int reach, double t) { return bulge(1, reach, t); }
 // Bulges that overlap, with points at equal shares.
 std::optional<CurvedChord> overlapping_through(const InFrame& frame, std::span<const Vec2> line) {
   CurvedChord chord{.leave = 1, .arrive = 1, .leave_reach = 64, .arrive_reach = 64};
-  chord.pieces = static_cast<std::uint8_t>(frame.t.size() + 1);
+  chord.pieces = static_cast<std::uint8_t>(frame.size() + 1);
   if (chord.pieces > kMostPieces || !has_shares(chord, frame)) return std::nullopt;
   const double first = 1.0 / chord.pieces;
   for (const std::uint8_t reach : kCommonReaches) {
     chord.leave_reach = chord.arrive_reach = reach;
     const double near = height_of(reach, first), far = height_of(reach, 1 - first);
-    const double from = frame.offset.front(), to = frame.offset.back(), area = near * near - far * far;
+    const double from = frame.offset(0), to = frame.offset(frame.size() - 1), area = near * near - far * far;
     // one point has the same height from both ends: any two slopes of its sum
     const double sum = from / near, leave = area == 0 ? std::ceil(sum / 2) : (from * near - to * far) / area;
     const double arrive = area == 0 ? leave - sum : (from * far - to * near) / area;
@@ -169,16 +181,16 @@ std::uint8_t reach_to(double t) {
 // Bulges that do not overlap: one of `before` points, and one of `after` points.
 std::optional<CurvedChord> apart_through(const InFrame& frame, std::size_t before, std::size_t after, bool is_shared,
                                          std::span<const Vec2> line) {
-  const std::size_t n = frame.t.size();
+  const std::size_t n = frame.size();
   CurvedChord chord{.leave = before > 0, .arrive = after > 0};
   chord.pieces = static_cast<std::uint8_t>(std::max(before, after));
   if (chord.pieces < 2 || chord.pieces > kMostPieces) return std::nullopt;
-  if (before > 0) chord.leave_reach = before > n ? kWholeReach : reach_to(frame.t[before - 1]);
-  if (after > 0) chord.arrive_reach = after > n ? kWholeReach : reach_to(1 - frame.t[n - after]);
+  if (before > 0) chord.leave_reach = before > n ? kWholeReach : reach_to(frame.t(before - 1));
+  if (after > 0) chord.arrive_reach = after > n ? kWholeReach : reach_to(1 - frame.t(n - after));
   if (is_shared) chord.arrive_reach = static_cast<std::uint8_t>(kWholeReach - chord.leave_reach);
   if (chord.leave_reach + chord.arrive_reach > kWholeReach || !has_shares(chord, frame)) return std::nullopt;
-  const double leave = before > 0 ? frame.offset.front() / height_of(chord.leave_reach, frame.t.front()) : 0;
-  const double arrive = after > 0 ? -frame.offset.back() / height_of(chord.arrive_reach, 1 - frame.t.back()) : 0;
+  const double leave = before > 0 ? frame.offset(0) / height_of(chord.leave_reach, frame.t(0)) : 0;
+  const double arrive = after > 0 ? -frame.offset(n - 1) / height_of(chord.arrive_reach, 1 - frame.t(n - 1)) : 0;
   return with_slopes(chord, leave, arrive, line);
 }
 
@@ -205,7 +217,9 @@ Polyline points_between(const CurvedChord& chord, Vec2 a, Vec2 b) {
   }
   Polyline points;
   const Vec2 along = b - a, left = left_of(along);
-  for (const double t : shares_of(chord)) {
+  const ChordShares shares(chord);
+  for (int k = 0; k < shares.size(); ++k) {
+    const double t = shares.at(k);
     const Vec2 p = snapped_to(kCurveStep_m, a + along * t + left * offset_at(chord, t));
     if (p != a && p != b && (points.empty() || points.back() != p)) points.push_back(p);
   }
@@ -215,8 +229,8 @@ Polyline points_between(const CurvedChord& chord, Vec2 a, Vec2 b) {
 std::optional<CurvedChord> chord_through(std::span<const Vec2> line) {
   assert(line.size() >= 3);
   if (line.front() == line.back()) return std::nullopt;
-  const InFrame frame = in_frame(line);
-  const std::size_t n = frame.t.size();
+  const InFrame frame(line);
+  const std::size_t n = frame.size();
   if (const std::optional<CurvedChord> found = overlapping_through(frame, line)) return found;
   // one bulge that ends before the chord, or with it; then two, apart or with a common end
   if (const std::optional<CurvedChord> found = apart_through(frame, n, 0, false, line)) return found;

@@ -36,11 +36,38 @@ TEST(OpenLand, FieldsYieldToTownsAndBuildings) {
   map.areas = {mapped_area(1, LandCoverClass::kResidential, block({0, 0}, {100, 300}))};
   map.footprints = {house(2, {700, 100}), house(3, {720, 100}), house(4, {740, 150})};
   const OpenLand open(map);
-  const std::vector<Polygon> beside_town = open.free_parts({block({50, 50}, {350, 290}), {}});
+  const OpenSquare square = open.square_at({0, 0}, [](Vec2) { return false; });
+  EXPECT_FALSE(is_open(square, {90, 290}));
+  EXPECT_TRUE(is_open(square, {110, 290})) << "beside the town";
+  EXPECT_FALSE(is_open(square, {-10, 290})) << "in another square";
+  const std::vector<Polygon> beside_town = open.free_parts(square, {block({50, 50}, {350, 290}), {}});
   ASSERT_EQ(beside_town.size(), 1u);
   EXPECT_NEAR(area_m2(beside_town[0]), 250 * 240, 1);
-  EXPECT_TRUE(open.free_parts({block({0, 0}, {150, 300}), {}}).empty()) << "most of it is a town";
-  EXPECT_TRUE(open.free_parts({block({650, 50}, {800, 250}), {}}).empty()) << "three houses stand on it";
+  EXPECT_TRUE(open.free_parts(square, {block({0, 0}, {150, 300}), {}}).empty()) << "most of it is a town";
+  EXPECT_TRUE(open.free_parts(square, {block({650, 50}, {800, 250}), {}}).empty()) << "three houses stand on it";
+}
+
+TEST(OpenLand, FieldsKeepToLevelLand) {
+  map::Features map;
+  map.extent = {{0, 0}, {1024, 1024}};
+  const OpenLand open(map);
+  const OpenSquare square = open.square_at({0, 0}, [](Vec2 at) { return at.x > 512; });
+  EXPECT_EQ(open_m2(square), kOpenSquare_m * kOpenSquare_m / 2);
+  EXPECT_FALSE(open.free_parts(square, {block({100, 100}, {500, 400}), {}}).empty());
+  EXPECT_TRUE(open.free_parts(square, {block({500, 100}, {900, 400}), {}}).empty());
+}
+
+TEST(OpenLand, CellsOfLandWithHolesAreThoseOutsideOfIt) {
+  map::Features map;
+  map.extent = {{0, 0}, {1024, 1024}};
+  map::AreaFeature wood = mapped_area(1, LandCoverClass::kForest, block({-5000, -5000}, {5000, 5000}));
+  const Ring clearing = block({200, 200}, {520, 360});
+  wood.polygon.holes = {{clearing.rbegin(), clearing.rend()}};
+  map.areas = {wood};
+  const OpenSquare square = OpenLand(map).square_at({0, 0}, [](Vec2) { return false; });
+  EXPECT_NEAR(open_m2(square), 320 * 160, 320 * 32);
+  EXPECT_TRUE(is_open(square, {300, 300}));
+  EXPECT_FALSE(is_open(square, {300, 100}));
 }
 
 }  // namespace
