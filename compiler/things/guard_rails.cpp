@@ -80,9 +80,12 @@ class GuardPlanner {
     const Vec2 beyond = edge + out * kGuardWithin_m;
     if (!extent_.contains(edge) || !extent_.contains(beyond)) return false;
     const Vec3 normal = map::normal_at(ground_.terrain, beyond);
-    if (length(in_plan(normal)) < kLeastFall * normal.z) return false;
-    if (land_m(ground_, edge) - land_m(ground_, beyond) < kGuardedFall_m) return false;
-    return !any_about(obstacles_.grid, Box2{edge, edge}, [&](std::uint32_t i) {
+    if (length(in_plan(normal)) < kLeastFall * normal.z || is_barred(edge, own)) return false;
+    return land_m(ground_, edge) - land_m(ground_, beyond) >= kGuardedFall_m;
+  }
+
+  bool is_barred(Vec2 edge, OsmId own) const {
+    return any_about(obstacles_.grid, Box2{edge, edge}, [&](std::uint32_t i) {
       const GuardObstacle& o = obstacles_.all[i];
       return distance_to_segment(o.a, o.b, edge) < (o.way == own ? o.own_m : o.radius_m);
     });

@@ -106,12 +106,19 @@ double with_sides_m(const Landform& form, const FormView& view) {
   return view.knot.z_m - side_slope(form.kind) * std::max(0.0, view.away_m - half_m);
 }
 
-// Calls each(form, view) once for each landform near p, with the nearest of its pieces; trimmed runs count as one.
-template <typename Each>
-void for_each_form(const LandformIndex& index, Vec2 p, Each each) {
+bool is_level(const Landform& form) { return form.kind == LandformKind::kLevel; }
+
+// Calls each(form, view) once for each landform near p that is wanted, with the nearest of its pieces; trimmed runs
+// count as one.
+template <typename IsWanted, typename Each>
+void for_each_form(const LandformIndex& index, Vec2 p, IsWanted is_wanted, Each each) {
   const std::span<const std::uint32_t> near = boxes_about(index.grid, p);
   for (std::size_t i = 0; i < near.size();) {
     const Landform& form = index.forms[index.pieces[near[i]].form];
+    if (!is_wanted(form)) {
+      ++i;
+      continue;
+    }
     FormView best;
     for (; i < near.size() && index.forms[index.pieces[near[i]].form].id == form.id; ++i) {
       const LandformIndex::Piece piece = index.pieces[near[i]];
@@ -126,9 +133,8 @@ void for_each_form(const LandformIndex& index, Vec2 p, Each each) {
 // The terrain with the planes of level areas, before other landforms.
 double with_level_areas_m(const LandformIndex& index, Vec2 p, double terrain_m) {
   LevelSum sum;
-  for_each_form(index, p, [&](const Landform& form, const FormView& view) {
-    if (form.kind == LandformKind::kLevel) add_level(form, view.away_m, p, terrain_m, sum);
-  });
+  for_each_form(index, p, is_level,
+                [&](const Landform& form, const FormView& view) { add_level(form, view.away_m, p, terrain_m, sum); });
   return sum.weight > 0 ? terrain_m + sum.moved_m / sum.weight : terrain_m;
 }
 
@@ -169,8 +175,7 @@ LandformHeights landform_heights(const LandformIndex& index, Vec2 p, double terr
   if (index.has_level) terrain_m = heights.land_m = with_level_areas_m(index, p, terrain_m);
   StepSum steps;
   double ridge_m = -std::numeric_limits<double>::infinity();
-  for_each_form(index, p, [&](const Landform& form, const FormView& view) {
-    if (form.kind == LandformKind::kLevel) return;
+  for_each_form(index, p, std::not_fn(is_level), [&](const Landform& form, const FormView& view) {
     if (form.kind == LandformKind::kStep)
       add_step(form, view, terrain_m, steps);
     else if (form.kind == LandformKind::kRidge || form.kind == LandformKind::kDam)
