@@ -13,18 +13,22 @@ namespace citykiln::fields {
 
 struct FieldInputs;
 
-/// Finds the places on which nothing mapped keeps a hedge from standing.
+/// Finds the places where nothing mapped keeps a hedge or wall from standing.
 class BarrierPlaces {
  public:
-  /// Refers to the features, which must outlive it. O(n log n).
+  /// Builds indexes of the features, roads and junctions, which must outlive this object.
+  /// O(n log n).
   BarrierPlaces(const map::FeatureView& features, const FieldInputs& inputs);
 
-  /// True if a place is kClear_m from ways, water, buildings, barriers and trees, and no smaller area of another use
-  /// than farming lies on it. O(things near).
+  /// True if a place is at least kClear_m from ways, junctions, water, buildings, barriers and
+  /// trees, and if no area of another use than farming lies above `land` there: one that is smaller
+  /// or has a higher priority. Unmapped land must be kFromHouses_m from buildings, since gardens of
+  /// towns have no hedges of fields. O(things near).
   bool is_free(Vec2 at, const map::AreaFeature& land) const;
 
-  /// True if a place is outside of towns and free for a hedge beside a road: kOffLane_m from other ways, and
-  /// kFromHouses_m from buildings. O(things near).
+  /// True if a hedge beside a road may stand at a place: at least kOffLane_m from the edges of all
+  /// ways, pavements included, kFromHouses_m from buildings, kClear_m from junctions, water,
+  /// barriers and trees, and on no area of another use than farming. O(things near).
   bool is_beside_lane(Vec2 at) const;
 
  private:
@@ -35,19 +39,24 @@ class BarrierPlaces {
   BoxGrid areas_grid_;
 };
 
-/// Returns true if a hedge may stand at a place.
+/// Returns true if nothing keeps a hedge or wall from standing at a place, in plane metres.
 using IsFree = std::function<bool(Vec2)>;
 
-/// Returns the hedges or walls on a border of land with this id, each on a free stretch of kShortestBarrier_m or more,
-/// with an opening for machines in the middle. Ids are of field_id(), unique for borders of different numbers but by
-/// chance. Asks for places every 3 m.
+/// Returns the hedges or walls on a border of fields, each over a stretch of at least
+/// kShortestBarrier_m where is_free(), with a random height. is_free() is called every 3 to 4 m. An
+/// opening for machines lies at 40 to 60 % of the border: places within kGate_m / 2 of it are left
+/// out. Ids are those of field_id(), from line.number on. O(length of the border).
+/// @param land  The id of the area that the border divides.
+/// @param draw  A sequence of this border; draws 1 and 2 are used.
 std::vector<map::Barrier> barriers_on(const FieldLine& line, FieldBorder border, ObjectId land, const IsFree& is_free,
                                       const RandomSequence& draw);
 
-/// The distance of a hedge beside a road from the edge of ways, and from buildings, in metres.
+/// The least distance in metres of a hedge beside a road from the edges of ways, and from
+/// buildings.
 inline constexpr double kOffLane_m = 1.25, kFromHouses_m = 30;
 
-/// The shortest hedge or wall, and the width of an opening for machines, in metres.
+/// The shortest hedge or wall in metres, and the width of the opening, to which up to one step
+/// between tested places is added on each side.
 inline constexpr double kShortestBarrier_m = 12, kGate_m = 5;
 
 }  // namespace citykiln::fields

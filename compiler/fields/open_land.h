@@ -1,4 +1,4 @@
-// Unmapped land that is farmed, since farmland is mapped about it.
+// Open land: land without a mapped use that is taken as farmed, since farmland is mapped near it.
 #pragma once
 
 #include <array>
@@ -11,47 +11,58 @@
 
 namespace citykiln::fields {
 
-/// Farmland or meadows that are mapped within this distance show that unmapped land is farmed, in metres.
+/// The distance in metres within which mapped farmland or a mapped meadow shows that unmapped land
+/// is farmed.
 inline constexpr double kFarmedAbout_m = 2048;
 
-/// Returns land of no mapped use in the country, as areas of LandCoverClass::kUnknown: one for each square of
-/// kOpenSquare_m of the plane in which, or within kFarmedAbout_m of which, farmland is mapped. Other mapped things
-/// in a square are not taken out of it. Ids are those of the square: OsmType::kLot with the square's number and the
-/// part 0.
+/// Returns the squares of open land that touch the extent, as areas of LandCoverClass::kUnknown.
+/// The plane is divided into squares of kOpenSquare_m; a square has open land if its box, widened
+/// by kFarmedAbout_m, touches the box of farmland or of a meadow of at least 5000 m². An area is
+/// the whole square, with the mapped land in it. Its id is that of OsmType::kLot with the square's
+/// number, part 0. O(n log n) and O(squares of the extent).
 std::vector<map::AreaFeature> open_squares(const map::FeatureView& features);
 
-/// The side of the squares, in metres: the land of a square is no larger than a whole face (divide_land.h).
+/// The side of the squares, in metres. It is less than kWholeFace_m, so that a square is not cut
+/// into quarters (divide_land.h).
 inline constexpr double kOpenSquare_m = 1024;
 
-/// The side of the cells of an OpenSquare, in metres.
+/// The side in metres of the cells of a square, 64 x 64.
 inline constexpr double kOpenCell_m = kOpenSquare_m / 64;
 
-/// What of a square may be farmed.
+/// A square of open land, with what may be farmed in it.
 struct OpenSquare {
-  Vec2 low;                               ///< Its lower left corner.
-  std::array<std::uint64_t, 64> cells{};  ///< For each row of cells from the low one, bits of those that are open.
-  std::vector<Polygon> below;             ///< Mapped land in the square that fields would cover. Thinned, may overlap.
+  Vec2 low;  ///< The south-western corner, plane metres.
+  /// For each row of cells, from south to north, a bit for each column from west, the lowest first:
+  /// 1 if the cell is open.
+  std::array<std::uint64_t, 64> cells{};
+  /// Outlines of mapped land that fields would cover, as its class has no higher priority. They are
+  /// thinned within a few metres, or are boxes of yards, are cut about 1 m beyond the square, and
+  /// may overlap.
+  std::vector<Polygon> below;
 };
 
-/// Returns true if the cell at a place of the square is open.
+/// Returns true if the cell at a place is open; false outside of the square.
 bool is_open(const OpenSquare& square, Vec2 at);
 
 /// Returns the area of the open cells, m².
 double open_m2(const OpenSquare& square);
 
-/// Finds what keeps unmapped land from being farmed.
+/// Finds the mapped areas, buildings and steep land that keep unmapped land from being farmed.
 class OpenLand {
  public:
-  /// Refers to the features, which must outlive it. O(n log n).
+  /// Builds indexes of the features, which must outlive this object. O(n log n).
   explicit OpenLand(const map::FeatureView& features);
 
-  /// Returns a square of kOpenSquare_m. A cell is open if its centre is in no mapped area, and if the centre of the
-  /// block of kSteepCells by kSteepCells about it is not steep. O(points of the areas near).
+  /// Returns the square of kOpenSquare_m with the south-western corner `low`. A cell is open if its
+  /// centre is in no mapped area of any class and its block of kSteepCells by kSteepCells cells is
+  /// not steep. O(points of the areas near).
+  /// @param is_steep  True for a place in plane metres that is too steep for fields. It is called
+  ///                  for the centres of blocks, at most 256 times.
   OpenSquare square_at(Vec2 low, const std::function<bool(Vec2)>& is_steep) const;
 
-  /// Returns the parts of a field in the square that are on no mapped area that fields would cover; none if more than
-  /// one building on two hectares stands on it, or if less than half of its cells are open. Parts of less than
-  /// kLeastOpen_m2 are left out. O(things near).
+  /// Returns the parts of a field that are outside of OpenSquare::below, each of at least
+  /// kLeastOpen_m2. The result is empty if less than half of the field's cells are open, or if more
+  /// than one building on two hectares stands on it. O(things near).
   std::vector<Polygon> free_parts(const OpenSquare& square, const Polygon& field) const;
 
  private:
@@ -62,10 +73,10 @@ class OpenLand {
   BoxGrid areas_grid_, buildings_grid_;
 };
 
-/// Whether land is steep is asked once for this many cells in each direction.
+/// The side, in cells, of the blocks whose steepness is tested once.
 inline constexpr int kSteepCells = 4;
 
-/// The least area of a field on unmapped land.
+/// The least area in m² of a part of a field on open land.
 inline constexpr double kLeastOpen_m2 = 40000;
 
 }  // namespace citykiln::fields

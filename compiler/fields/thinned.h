@@ -1,4 +1,4 @@
-// Leaves out points of lines that hardly bend there.
+// Leaves out points where a line hardly bends.
 #pragma once
 
 #include <span>
@@ -7,13 +7,17 @@
 
 namespace citykiln::fields {
 
-/// Returns a line without points that lie within `within_m` of the chord between their neighbours. Its ends stay.
+/// Returns a line without most of the points that are nearer than `within_m`, in metres, to the
+/// chord between their neighbours. Its ends stay.
 ///
-/// Each of four rounds drops no two neighbours, so the result is off by up to four times `within_m`. Whether a point is
-/// dropped depends on the points about it alone, not on where the line begins. O(n).
+/// Each of four rounds drops points of which no two are neighbours, so the result is off the line
+/// by less than four times `within_m`. Points that only more rounds would drop stay. The decision
+/// about a point depends only on the points near it, not on where the line begins. The result may
+/// cross itself. O(n).
 Polyline thinned(std::span<const Vec2> line, double within_m);
 
-/// Returns a ring without such points, with at least three.
+/// Returns a ring without such points. A ring of three or four points stays, and a larger one keeps
+/// at least three.
 Ring thinned_ring(std::span<const Vec2> ring, double within_m);
 
 }  // namespace citykiln::fields

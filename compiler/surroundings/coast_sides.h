@@ -1,4 +1,4 @@
-// The sides of coastlines: which places are sea, as far as coastlines are mapped, and beyond.
+// The sides of coastlines: decides by the nearest coastline whether a place is sea or land.
 #pragma once
 
 #include <optional>
@@ -12,24 +12,28 @@ namespace citykiln::surroundings {
 
 /// A place as seen from the nearest coastline.
 struct CoastSide {
-  bool is_sea = false;     ///< True to the right of the coastline.
-  bool is_beyond = false;  ///< True if an end of all coastlines is nearest: the last segment then goes on straight.
-  double away_m = 0;       ///< The distance.
+  bool is_sea = false;     ///< True to the right of the nearest segment; false on it.
+  bool is_beyond = false;  ///< True if the nearest point is an end of the mapped coast.
+  double away_m = 0;       ///< The distance from the coastline, metres.
 };
 
-/// Coastlines, which have the sea on their right.
+/// Coastlines, which have the sea on their right, with boxes that find the nearest one.
 class CoastSides {
  public:
-  /// @param coasts  Plane metres. They may be closed (islands) and continue each other. Must outlive this object.
+  /// @param coasts  Plane metres. They may be closed (islands), and one may continue another. They
+  ///                must outlive this object.
   explicit CoastSides(std::span<const Polyline> coasts);
 
-  /// Returns the side of a place; nothing without coastlines. Right if coastlines do not cross each other and the
-  /// nearest one is mapped. Same bits on every CPU. O(n / 16 + 16) for n segments.
+  /// Returns the side of a place; nothing if there are no coastlines. It is correct if coastlines
+  /// do not cross and the nearest one is mapped. An end that no other coastline continues is an end
+  /// of the mapped coast: its segment is taken as going on straight there, and is_beyond is true.
+  /// The result has the same bits on every CPU. O(n / 16) for n segments, and the segments of runs
+  /// of 16 near the nearest point.
   std::optional<CoastSide> at(Vec2 place) const;
   bool is_empty() const { return runs_.empty(); }
 
  private:
-  // Some segments that follow each other.
+  // Up to 16 segments that follow each other.
   struct Run {
     std::span<const Vec2> points;
     Box2 box;

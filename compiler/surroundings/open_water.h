@@ -1,4 +1,4 @@
-// Decides where the sea and wide lakes go on around the extent.
+// Decides where the sea and wide lakes continue around the extent.
 #pragma once
 
 #include <functional>
@@ -12,31 +12,38 @@
 
 namespace citykiln::surroundings {
 
-/// The water in the extent, and the coast around it.
+/// The sea and wide lakes in the extent, and the coastlines in and around it.
 struct MappedWater {
   std::vector<ground::LandCoverPolygon> sea{};    ///< In the extent.
-  std::vector<ground::LandCoverPolygon> lakes{};  ///< All that reaches_beyond() the extent, with their levels.
+  std::vector<ground::LandCoverPolygon> lakes{};  ///< Lakes that reaches_beyond(); all have levels.
   CoastSides coast{{}};                           ///< Also beyond the extent.
   bool has_sea() const { return !sea.empty() || !coast.is_empty(); }
 };
 
-/// True if a standing water with a level lies on at least 1 km of the extent's border. Narrower ones end soon, as lakes
-/// do; this one may reach to the horizon. O(border · vertices).
+/// True if a water area with a level touches the extent's border from inside along at least 1 km in
+/// all, tested every 32 m. Narrower areas end soon; wider ones may reach to the horizon.
+/// O(border · vertices).
 bool reaches_beyond(const ground::LandCoverPolygon& water, const Box2& extent);
 
-/// Sets the covers of vertices in the extent, and of those outside with known heights; sea has height 0, a lake its
-/// level in whole metres.
+/// Sets the cover of all vertices of `around` to sea, lake or land, and the heights of water: 0 for
+/// the sea, its level in whole metres for a lake.
 ///
-/// - In the extent, polygons decide.
-/// - Outside, the side of a coastline within 1 km decides; else heights up to 0 are sea, as heightmaps of 1 to 3 arc
-///   seconds are 0 at sea. Polders are then sea. Without sea and coast there is none.
-/// - A lake goes on from vertex to vertex, as long as known heights are within 1 m of its level.
-/// @param known   One value for each vertex.
-/// @param around  Heights are set; covers are set by this.
+/// - Polygons decide in the extent.
+/// - Only vertices with known heights may be water outside of it. The side of a coastline that is
+///   mapped within 1 km decides. Heights up to 0 are sea elsewhere, since heightmaps of 1 to 3 arc
+///   seconds are 0 at sea; polders become sea, too. There is no sea without a sea polygon or a
+///   coastline.
+/// - A lake goes on from its vertices in the extent to neighbours on land outside, where the known
+///   height is within 1 m of its level.
+///
+/// O(vertices · coastline and polygons).
+/// @param known   For each vertex, true if its height is known.
+/// @param around  The grid, with heights; its covers are replaced.
 void find_open_water(const MappedWater& water, const Box2& extent, const std::vector<bool>& known,
                      Surroundings& around);
 
-/// Returns the cover of a place whose height is unknown, by the side of the nearest coastline; nothing without coast.
+/// Returns the cover of a place whose height is unknown, by the side of the nearest coastline at
+/// any distance; nothing if there are no coastlines.
 std::optional<Cover> cover_by_coast(const MappedWater& water, Vec2 place);
 
 }  // namespace citykiln::surroundings

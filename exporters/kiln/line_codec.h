@@ -1,4 +1,5 @@
-// Reads and writes lines with curves: the points of a curve between its ends are computed from a few numbers.
+// Reads and writes lines with curves: each curve is stored as a CurvedChord and its end, and the
+// points between are computed from these.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +12,15 @@
 
 namespace citykiln::exporters {
 
-/// A part of a line: a curve, or a straight piece, to the point `last` of the line.
+/// A part of a line, which ends at its point `last`: a curve, or one straight segment.
 struct CodedPart {
   std::size_t last = 0;
   std::optional<CurvedChord> curve{};
 };
 
-/// Returns the parts of a line, the first of which is its first point. A curve is the longest that the line follows
-/// from where the part before ends. O(points).
+/// Returns the parts of a line with at least one point. The first part is its first point. Each
+/// next one is the longest curve that begins where the part before ends, found by chord_through(),
+/// else a segment. O(points).
 inline std::vector<CodedPart> parts_of(std::span<const Vec2> line) {
   constexpr std::size_t kMostBetween = 2 * kMostPieces;
   std::vector<CodedPart> parts = {{0}};
@@ -32,7 +34,7 @@ inline std::vector<CodedPart> parts_of(std::span<const Vec2> line) {
   return parts;
 }
 
-// Reads a part of a line that begins where the line ends.
+// Reads one part, and adds its points to the line. A curve begins at the line's last point.
 void read_part(auto& io, Stream kind, std::vector<Vec2>& line) {
   std::uint64_t code = io.whole("points");
   const bool is_curve = code == kCurve;
@@ -46,9 +48,12 @@ void read_part(auto& io, Stream kind, std::vector<Vec2>& line) {
   line.push_back(end);
 }
 
-/// The points of a line that may have curves.
-/// @param kind   The stream with the number of its parts.
-/// @param least  The smallest number of parts.
+/// Writes or reads the points of a line that may have curves. A Reader fails on fewer parts than
+/// `least`, and on a line that begins with a curve. An `io` that has no curves gets all points by
+/// points().
+/// @param kind   The stream with the number of parts.
+/// @param line   At least one point if it is written.
+/// @param least  The smallest number of parts that a Reader accepts.
 template <typename Io>
 void curved_points(Io& io, Stream kind, std::vector<Vec2>& line, std::size_t least) {
   if constexpr (Io::kReads) {

@@ -11,25 +11,28 @@
 
 namespace citykiln::assume {
 
-/// A line with points of curves between its mapped points.
+/// A line with its mapped points and the points of curves between them.
 struct CurvedLine {
   Polyline axis;
-  /// The index in `axis` of each mapped point, ascending, from 0 to the last.
+  /// The index in `axis` of each mapped point, ascending; the first is 0.
   std::vector<std::uint32_t> mapped;
   bool is_curved() const { return axis.size() > mapped.size(); }
 };
 
-/// has_room(line, chord, curve): true if a curve, from one end of a chord to its other, may replace the chord.
+/// Returns true if a curve may replace a chord: has_room(index of the line, index of the chord,
+/// curve). The curve contains both ends of the chord.
 using HasRoom = std::function<bool(std::size_t, std::size_t, const Polyline&)>;
 
-/// Returns the lines with curves through all of their points, in the same order.
+/// Returns the lines, in the same order, with curves through all of their points. New points are
+/// multiples of kCurveStep_m (geometry/curved_chord.h).
 ///
-/// - A curve keeps to the ChordLimits of its chord and to slopes_of(); chords without room, chords of less than 1 m and
-///   chords of which the straight pieces would be the chord itself stay straight.
-/// - A line that would cross itself, though it does not as mapped, stays as mapped.
-/// - A line that is reversed gives the same points, reversed.
+/// - A curve keeps to the ChordLimits of its chord and has the slopes of slopes_of().
+/// - A chord stays straight if it is shorter than 1 m, if its slopes are 0, if its curve needs no
+///   points, or if has_room() is false for its curve.
+/// - A line whose curves would add crossings with itself stays as mapped.
+/// - A reversed line has the same points, reversed, if has_room() does not depend on the direction.
 ///
-/// O(n log n), n: points of all lines, and the calls of has_room for chords with slopes.
+/// O(n log n), n: points of all lines, and the calls of has_room() for curves with points.
 std::vector<CurvedLine> curved_lines(std::span<const Line> lines, const HasRoom& has_room);
 
 }  // namespace citykiln::assume

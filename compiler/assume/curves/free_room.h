@@ -1,4 +1,4 @@
-// Finds buildings that a curve would come too near to.
+// Tests whether a curve comes too near to buildings or to other ways.
 #pragma once
 
 #include <cstddef>
@@ -11,37 +11,43 @@
 
 namespace citykiln::assume {
 
-/// A chord is in a town if a building is nearer than this.
+/// The distance in metres from a chord within which a building means that the chord is in a town.
 inline constexpr double kInTown_m = 32;
 
-/// The outlines of buildings on the ground, with a grid that finds them. Refers to footprints that must outlive it.
+/// The outer outlines of buildings, with a grid that finds them. They refer to footprints that must
+/// outlive them.
 struct Walls {
   std::vector<const map::Footprint*> footprints;
   BoxGrid grid;
 };
 
-/// Returns the walls of all footprints but parts. O(n).
+/// Returns the outlines of all footprints that are not building parts. O(n).
 Walls walls_of(std::span<const map::Footprint> footprints);
 
-/// True if the box of a footprint is nearer than kInTown_m to the chord's box.
+/// True if the bounding box of a building is within kInTown_m of the bounding box of the chord from
+/// a to b.
 bool is_in_town(const Walls& walls, Vec2 a, Vec2 b);
 
-/// True if a line keeps a distance of half_m from all walls, except where its chord comes as near. O(walls near it).
-/// @param curve  From one end of the chord to its other.
+/// True if the curve is at least half_m, in metres, from each building, or as near to it as the
+/// chord is (to 5 cm). O(outlines near it).
+/// @param curve  Points from one end of the chord to its other, both included.
 bool has_room_between(const Walls& walls, const Polyline& curve, double half_m);
 
-/// The pieces of axes of ways on the ground, with a grid that finds them. Refers to tracks that must outlive it.
+/// The segments of axes of ways on the ground, with a grid that finds them. They refer to tracks
+/// that must outlive them.
 struct WayPieces {
-  std::vector<std::pair<const map::Track*, std::size_t>> pieces;  ///< A track, and the first point of the piece.
+  /// A track, and the index of the first point of a segment.
+  std::vector<std::pair<const map::Track*, std::size_t>> pieces;
   BoxGrid grid;
-  double widest_m = 0;  ///< The largest distance of an edge from its axis.
+  double widest_m = 0;  ///< The largest distance of an edge of a way from its axis, with pavements.
 };
 
-/// Returns the pieces of all ways on the ground that are not indoors. O(n).
+/// Returns the segments of all ways on the ground that are not indoors. O(n).
 WayPieces pieces_of_ways(std::span<const map::Track> tracks);
 
-/// Returns false if a curve brings the way nearer to another one than its chord does, so that a pavement which is
-/// assumed of either would lie in the other. O(pieces near it).
+/// Returns false if the curve brings the way nearer to another way than its chord does, by more
+/// than 5 cm, so that their strips overlap and a pavement is assumed on one of them: it would lie
+/// in the other. Pieces of the same way do not count. O(segments near it).
 bool keeps_pavements(const WayPieces& ways, const map::Track& track, const Polyline& curve);
 
 }  // namespace citykiln::assume

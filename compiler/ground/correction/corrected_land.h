@@ -1,11 +1,11 @@
-// Corrects the samples of a heightmap by heights that are known better than it: a road in mountains lies on the land,
-// so where a heightmap of 90 m has the land 20 m above the road, the heightmap is wrong.
+// Corrects the samples of a heightmap by heights that are better known: a road in mountains lies on
+// the land, so where a heightmap with samples 90 m apart is 20 m above the road, the heightmap is
+// wrong.
 //
-//       .  heightmap                 The samples about a line move until the land between them meets the line, as far
-//       as
-//     .   .                          the heightmap's error allows. Other samples stay, so the land returns to the
-//    . ─ ─ .─ ─ ─ corrected land     heightmap within one step of samples.
-//   .───────────── road
+//       .  heightmap                 Samples beside a line move until the land between them meets
+//     .   .                          the line, within the error of the heightmap. Other samples
+//    . ─ ─ .─ ─ ─ corrected land     stay, so the land returns to the heightmap within one step of
+//   .───────────── road              samples.
 #pragma once
 
 #include <span>
@@ -15,26 +15,32 @@
 
 namespace citykiln::ground {
 
-/// Heightmaps with samples at most this far apart show roads themselves: their samples stay, apart from level areas.
+/// The longest step of samples, in metres, that is not corrected: such heightmaps show roads
+/// themselves.
 inline constexpr double kFineSamples_m = 8;
 
-/// The number of passes. Each moves samples within one step about lines, by the mean of what is missing there.
+/// The number of passes. Each one moves the samples about lines by the weighted mean of the changes
+/// that are missing there.
 inline constexpr int kCorrectionPasses = 6;
 
-/// The distance of data that can move a sample, in steps of samples.
+/// The distance of lines and samples that can move a sample, in steps of samples.
 inline constexpr int kCorrectionSteps = kCorrectionPasses + 3;
 
-/// Returns the field with samples moved towards lines.
+/// Returns the field with samples moved towards lines, rounded to map::kHeightQuantum_m.
 ///
-/// Method: simultaneous iterative reconstruction (Gilbert 1972) of the missing heights on bilinear patches between
-/// samples, kCorrectionPasses times. Roads move the land by at most heightmap_error_m(), measured once, before. Lines
-/// are sampled every quarter of a step.
+/// Method: simultaneous iterative reconstruction (Gilbert 1972) of the missing heights on bilinear
+/// patches between samples, in kCorrectionPasses passes. Each line has about four places in a step.
+/// The change at a road is limited to heightmap_error_m() of the given field; that at a level line
+/// is not. Lines of water undo changes of others: land lower than the water, or more than 3 m above
+/// it.
 ///
-/// Guarantees: samples farther than one step from all lines keep their heights; without lines the field is returned as
-/// it is. A sample depends on lines and samples within kCorrectionSteps steps, in the order of the lines, so windows of
-/// a field agree farther inside. O(length of lines / step · log).
+/// Guarantees: samples of cells without a line keep their heights. The field is returned as it is
+/// if there are no lines, or if the step of samples is at most kFineSamples_m, for lines of any
+/// kind. Places outside the field are skipped. A sample depends only on lines and samples within
+/// kCorrectionSteps steps, so windows of a field agree farther inside, if their lines have the same
+/// order. O(length of lines / step · log).
 ///
-/// @param heights  May be divided (map/plane/smooth_land.h); the result is divided into as many parts.
+/// @param heights  A field, divided or not (map/plane/smooth_land.h); the result has as many parts.
 map::Heightfield corrected_land(const map::Heightfield& heights, std::span<const KnownLine> lines);
 
 }  // namespace citykiln::ground

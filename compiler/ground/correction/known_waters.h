@@ -1,4 +1,4 @@
-// Lines of water, which roads neither uncover nor bury.
+// Heights of water, which keep roads from correcting the land to below the water or far above it.
 #pragma once
 
 #include <span>
@@ -10,8 +10,9 @@
 
 namespace citykiln::ground {
 
-/// Returns the axes of streams with profiles and the shores of standing water with levels, as KnownKind::kWater.
-/// O(points).
+/// Returns lines of KnownKind::kWater: the segments of axes of streams with a profile, and of all
+/// rings of land cover with a level (standing water). Others are skipped. Heights are those of the
+/// water in metres. O(points).
 std::vector<KnownLine> known_waters(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams);
 
 }  // namespace citykiln::ground

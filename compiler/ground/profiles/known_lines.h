@@ -1,4 +1,5 @@
-// Selects the stretches of roads and rails that lie on the land, so that their heights correct the heightmap.
+// Selects the stretches of roads and rails that lie on the land. Their heights then correct the
+// heightmap (corrected_land.h).
 #pragma once
 
 #include <span>
@@ -11,18 +12,24 @@
 
 namespace citykiln::ground {
 
-/// The distance along roads from the end of a tunnel within which they lie in its cutting.
+/// The distance in metres, along roads, from the end of a tunnel within which a road lies in a
+/// cutting.
 inline constexpr double kPortalCutting_m = 64;
-/// A road that crossings move by more than this is on a ramp, above or below the land.
+/// The change of height by crossings, in metres, above which a node of a road is on a ramp, above
+/// or below the land.
 inline constexpr double kLeastRamp_m = 0.5;
 
-/// Returns the pieces between stations of ways on the ground, in the order of ways, without those before tunnels
-/// (kPortalCutting_m) and with cutting=* or embankment=*: there the road is not on the land. Heights are those of the
-/// road, on ramps to crossings (kLeastRamp_m) those that it would have without the crossing, less the changes that
-/// landforms make there. Runways are KnownKind::kLevel.
+/// Returns one line for each two neighbouring stations of ways on the ground, in the order of ways.
+/// Lines within kPortalCutting_m of tunnels, and of ways with cutting=* or embankment=*, are left
+/// out, since they are not on the land. Runways are KnownKind::kLevel, all others KnownKind::kRoad.
 ///
-/// @param ground_m  Heights by node before crossings move lines.
-/// @param z_m       Planned heights by node.
+/// Heights are the planned ones. Nodes on ramps (kLeastRamp_m) have their heights before crossings
+/// moved them. The change that landforms make at the node is subtracted, since landforms are
+/// applied to the corrected land again. O(stations).
+///
+/// @param ground_m  Heights by node, in metres, before crossings move them.
+/// @param z_m       Planned heights by node, in metres.
+/// @param heights   The terrain without landforms.
 std::vector<KnownLine> known_lines(const ProfileGraph& graph, std::span<const double> ground_m,
                                    std::span<const double> z_m, const map::Heightfield& heights,
                                    const LandformIndex& landforms);

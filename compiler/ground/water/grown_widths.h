@@ -1,7 +1,7 @@
-// The widths of waterways, which grow downstream where nothing is tagged.
+// The widths of waterways, which grow downstream where no width is tagged.
 //
-//   spring ~~~~~~--------======  mouth          The width follows the length of all waterways upstream.
-//                  /
+//   spring ~~~~~~--------======  mouth          The width follows the length of all waterways
+//                  /                            upstream.
 //          ~~~~~~~'
 #pragma once
 
@@ -13,18 +13,22 @@
 
 namespace citykiln::ground {
 
-/// The width of a watercourse with one kilometre of watercourses upstream of it. The width grows with the square root
-/// of that length: the width of rivers grows with the root of what they carry (Leopold and Maddock, "The hydraulic
-/// geometry of stream channels", 1953), and that with the length of the channels that it comes from.
+/// The width in metres of a watercourse with one kilometre of watercourses upstream. Widths grow
+/// with the square root of this length: the width of rivers grows with the root of their discharge
+/// (Leopold and Maddock, "The hydraulic geometry of stream channels", 1953), and the discharge with
+/// the length of the channels upstream.
 inline constexpr double kWidthAtOneKilometre_m = 1.5;
 
-/// Returns the width of each waterway, in metres: its width_m if it is tagged, else one between least_width_m and
-/// most_width_m by the length of all waterways that run into it, and half of its own, rounded to 1/8 m.
+/// Returns the width of each waterway, in metres and in their order. It is width_m if that is
+/// tagged (most_width_m = 0). A width without a tag is computed from the length of all waterways
+/// upstream and half of its own length, rounded to 1/8 m, and kept between least_width_m and
+/// most_width_m.
 ///
-/// A waterway runs into another if its last point is a point of that one; where several go on, each gets an equal part.
-/// One that enters the extent over its border begins with the length that its width_m stands for.
+/// A waterway runs into another if its last point is a point of the other, but not its last one.
+/// Each of several such waterways gets an equal part of the length. A waterway that begins outside
+/// of the extent, or within 1 m of its border, starts with the length that its width_m stands for.
+/// A circle is cut before its waterway of the lowest id. O(n log n), n: points.
 /// @param waterways  Sorted by id, directed downstream.
-/// O(n log n) in points.
 std::vector<double> grown_widths_m(std::span<const map::Waterway> waterways, const Box2& extent);
 
 }  // namespace citykiln::ground

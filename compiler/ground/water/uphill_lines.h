@@ -7,12 +7,20 @@
 
 namespace citykiln::ground {
 
-/// Returns for each line that is clearly mapped uphill the height by which it would rise; 0 for other lines.
+/// Returns for each line that is clearly mapped uphill the height by which it would rise, in
+/// metres; 0 for other lines.
 ///
-/// Lines of which each begins where the one before ends, and nothing else meets them, are a chain: one waterway in
-/// parts, culverts included. A chain is clearly mapped uphill if its last third is at least 10 m above its first third,
-/// and one direction would need four times as much fill as the other. The 10 m are 3 m if it begins in the sea, and
-/// 30 m if it continues other waterways, as these are rarely mapped wrong. All lines of a chain have its height.
+/// A chain is one waterway mapped in parts, with culverts: lines of which each begins where the one
+/// before ends, where nothing else meets them. Its rise is the mean terrain of its last third less
+/// that of its first third. A chain is clearly mapped uphill if the rise is at least
+///
+/// - 3 m, if it begins in the sea;
+/// - 30 m, if other waterways lead into its start and on from its end, since such chains are rarely
+///   mapped wrong;
+/// - 10 m in all other cases,
+///
+/// and if water needs more than four times as much fill to run in the mapped direction as in the
+/// other one. All lines of a chain have its rise. Stations without known terrain do not count.
 /// O(stations).
 ///
 /// @param seas  Per standing water: true if it is the sea.

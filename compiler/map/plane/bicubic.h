@@ -1,12 +1,13 @@
-// A smooth surface through samples on a grid: bicubic Hermite patches with limited slopes.
+// A smooth surface through samples on a square grid: bicubic Hermite patches with limited slopes.
 //
-// The surface is C1: two patches that share an edge have the same heights and slopes along it, since both are decided
-// by the samples' own slopes at its ends. A patch depends on the 4 x 4 samples about it.
+// The surface is C1: it has no steps and no creases. Patches that share an edge have the same
+// heights and slopes along it, since these depend only on the samples at its ends and their slopes.
+// A patch depends on the 4 x 4 samples about it.
 //
-// Slopes are central differences, limited to kMostSlope times the smaller of the two differences beside the sample.
-// Without the limit a lake below a cliff would be lower beside the cliff than its own samples: a patch between samples
-// of one height is level, whatever lies beside it. Planes are reproduced, as are products of a linear function east and
-// one north.
+// Slopes are central differences, limited to kMostSlope times the smaller of the two differences
+// beside the sample. The limit keeps lakes level: a patch between four samples of one height is
+// level, whatever lies beside it. Water below a cliff would dip beside the cliff without the limit.
+// The surface is exact for planes, and for products of a linear function of x and one of y.
 #pragma once
 
 #include <algorithm>
@@ -16,30 +17,35 @@
 
 namespace citykiln::map {
 
-/// The largest slope at a sample, as a multiple of the smaller difference to its neighbours. At most 3, a line between
-/// rising samples rises everywhere (Fritsch and Carlson 1980). Without a limit the errors at samples left out are 2 to
-/// 4 % smaller, but lie up to six times as far outside of their neighbours (citykiln-chart smooth).
+/// The largest slope at a sample, as a multiple of the smaller difference to its neighbours. A line
+/// between rising samples rises everywhere for multiples up to 3 (Fritsch and Carlson 1980). Errors
+/// at samples left out are 2 to 4 % smaller without a limit, but the surface then leaves the range
+/// of the samples about it by up to six times as much (citykiln-chart smooth).
 inline constexpr int kMostSlope = 2;
 
-/// The surface leaves the range of the four samples about a place by at most this share of the range: 0.22 on the lines
-/// between samples, and 3/4 for slopes across them of up to 2, with twists of up to 4.
+/// A bound of how far the surface leaves the range of the four samples about a place, as a share of
+/// the range (highest less lowest). It is the sum of 0.22 on the lines between samples and 3/4
+/// across them, for slopes of up to 2 and twists of up to 4 times the range, rounded up.
 inline constexpr double kMostOvershoot = 1;
 
-/// A sample with its slopes, in metres a step: east, north, and the change of the slope east by a step north.
+/// A sample: its height z, its slopes east and north, and the twist, the change of the slope east
+/// by one step north. Slopes are in units of z for each step of the grid.
 template <typename Real>
 struct SmoothSample {
   Real z, east, north, twist;
 };
 
-/// Returns the mean of two differences, limited to kMostSlope times the smaller one.
+/// Returns the mean of the differences before and after a sample, limited in size to kMostSlope
+/// times the smaller one.
 template <typename Real>
 Real limited_slope(Real before, Real after) {
   const Real most = kMostSlope * std::min(std::abs(before), std::abs(after));
   return std::clamp<Real>((before + after) / 2, -most, most);
 }
 
-/// Returns the sample in the middle of 3 x 3 heights with its slopes. Exact for heights that are whole numbers.
-/// @param at  at(column, row), both -1 to 1, rows northwards: a height.
+/// Returns the sample in the middle of 3 x 3 heights with its slopes. It is exact for heights that
+/// are whole numbers.
+/// @param at  at(column, row), both -1 to 1, columns eastwards, rows northwards: a height.
 template <typename Real, typename At>
 SmoothSample<Real> smooth_sample(const At& at) {
   const auto twist = [&](int c, int r) {
@@ -51,21 +57,22 @@ SmoothSample<Real> smooth_sample(const At& at) {
           std::clamp<Real>((sw + se + nw + ne) / 4, -most, most)};
 }
 
-/// The weights of two heights and their slopes at a share of the way from the first to the second.
+/// The weights of two heights, and of the slopes there, at a place between them.
 template <typename Real>
 struct HermiteWeights {
   Real first, second, first_slope, second_slope;
 };
 
+/// Returns the weights at a share of the way from the first height to the second, 0 to 1.
 template <typename Real>
 HermiteWeights<Real> hermite_weights(Real share) {
   const Real rest = 1 - share, second = share * share * (3 - 2 * share);
   return {1 - second, second, share * rest * rest, -share * share * rest};
 }
 
-/// Returns the height of the patch between four samples.
+/// Returns the height at a place of the patch between four samples.
 /// @param corners  South-west, south-east, north-west, north-east.
-/// @param u, v     Weights at the shares east and north.
+/// @param u, v     The hermite_weights() of the place's shares east and north.
 template <typename Real>
 Real patch_height(const std::array<SmoothSample<Real>, 4>& corners, const HermiteWeights<Real>& u,
                   const HermiteWeights<Real>& v) {
@@ -78,9 +85,10 @@ Real patch_height(const std::array<SmoothSample<Real>, 4>& corners, const Hermit
          along(nw.north, ne.north, nw.twist, ne.twist) * v.second_slope;
 }
 
-/// Returns the height between four samples of which at(0, 0) is the south-western one.
-/// @param at    at(column, row), both -1 to 2, rows northwards: a height.
-/// @param u, v  Shares east and north, 0 to 1.
+/// Returns the height of the surface at a place between four samples, the south-western of which is
+/// at(0, 0).
+/// @param at    at(column, row), both -1 to 2, columns eastwards, rows northwards: a height.
+/// @param u, v  The place's shares of a step east and north, 0 to 1.
 template <typename Real, typename At>
 Real smooth_height(const At& at, Real u, Real v) {
   const auto sample = [&](int column, int row) {
