@@ -126,7 +126,7 @@ class FieldMaker {
   // Hedges beside roads, where fields have hedges.
   std::vector<map::Barrier> hedges(Report& report) const {
     const auto has_hedges = [&](const roads::Road& road) {
-      return !road.axis.empty() && inputs_.rule_at(road.axis.front()).border == FieldBorder::kHedge;
+      return !road.axis.empty() && inputs_.rule_at(road.axis[road.axis.size() / 2]).border == FieldBorder::kHedge;
     };
     if (std::ranges::none_of(inputs_.roads, has_hedges)) return {};
     return lane_hedges(inputs_, places(), report);

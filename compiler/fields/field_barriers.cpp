@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "compiler/contract/derived_id.h"
 #include "compiler/fields/add_fields.h"
@@ -41,6 +42,25 @@ map::Barrier barrier_of(FieldBorder border, const RandomSequence& draw) {
           .kind = is_hedge ? map::BarrierKind::kHedge : map::BarrierKind::kWall,
           .height_m = height_m,
           .width_m = is_hedge ? 1.25 : 0.5};
+}
+
+// From and to, in metres along a line.
+using Stretch = std::pair<double, double>;
+
+// The parts of a stretch that are free at every kTestStep_m, of kShortestBarrier_m or more.
+std::vector<Stretch> free_stretches(Stretch whole, const std::function<bool(double)>& is_free) {
+  std::vector<Stretch> found;
+  const int steps = std::max(1, static_cast<int>(std::ceil((whole.second - whole.first) / kTestStep_m)));
+  const auto at = [&](int i) { return whole.first + (whole.second - whole.first) * i / steps; };
+  int first = -1;
+  for (int i = 0; i <= steps + 1; ++i) {
+    const bool is_in = i <= steps && is_free(at(i));
+    if (is_in && first < 0) first = i;
+    if (is_in || first < 0) continue;
+    if (at(i - 1) - at(first) >= kShortestBarrier_m) found.emplace_back(at(first), at(i - 1));
+    first = -1;
+  }
+  return found;
 }
 
 }  // namespace
@@ -89,29 +109,19 @@ bool BarrierPlaces::is_on_other_land(Vec2 at, const map::AreaFeature& land) cons
 std::vector<map::Barrier> barriers_on(const FieldLine& line, FieldBorder border, ObjectId land, const IsFree& is_free,
                                       const RandomSequence& draw) {
   const double whole_m = distance(line.from, line.to);
-  const auto steps = static_cast<int>(whole_m / kTestStep_m);
-  const auto at = [&](int i) { return line.from + (line.to - line.from) * (i / std::max(1.0, steps * 1.0)); };
+  const Vec2 along = unit(line.to - line.from);
   // an opening near the middle of lines that lead from one side to the other
   const double gate_m = whole_m * (0.4 + 0.2 * draw.unit(2));
   std::vector<map::Barrier> barriers;
-  int first = -1;
-  const auto finish = [&](int last) {
-    if (first >= 0 && (last - first) * kTestStep_m >= kShortestBarrier_m) {
+  for (const auto& [from_m, to_m] : {Stretch{0, gate_m - kGate_m / 2}, Stretch{gate_m + kGate_m / 2, whole_m}})
+    for (const Stretch& free :
+         free_stretches({from_m, to_m}, [&](double m) { return is_free(line.from + along * m); })) {
       map::Barrier barrier = barrier_of(border, draw);
       barrier.id = field_id(land, line.number + static_cast<std::uint32_t>(barriers.size()));
-      barrier.axis = {snapped_to(map::kMapStep_m, at(first)), snapped_to(map::kMapStep_m, at(last))};
+      for (const double m : {free.first, free.second})
+        barrier.axis.push_back(snapped_to(map::kMapStep_m, line.from + along * m));
       barriers.push_back(std::move(barrier));
     }
-    first = -1;
-  };
-  for (int i = 0; i <= steps; ++i) {
-    const bool is_gate = std::abs(i * kTestStep_m - gate_m) < kGate_m / 2;
-    if (is_gate || !is_free(at(i)))
-      finish(i - 1);
-    else if (first < 0)
-      first = i;
-  }
-  finish(steps);
   return barriers;
 }
 

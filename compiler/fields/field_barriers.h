@@ -43,9 +43,8 @@ class BarrierPlaces {
 using IsFree = std::function<bool(Vec2)>;
 
 /// Returns the hedges or walls on a border of fields, each over a stretch of at least
-/// kShortestBarrier_m where is_free(), with a random height. is_free() is called every 3 to 4 m. An
-/// opening for machines lies at 40 to 60 % of the border: places within kGate_m / 2 of it are left
-/// out. Ids are those of field_id(), from line.number on. O(length of the border).
+/// kShortestBarrier_m where is_free(), with a random height. is_free() is called every 3 m or less. An
+/// opening of kGate_m for machines has its middle at 40 to 60 % of the border. Ids are those of field_id(), from line.number on. O(length of the border).
 /// @param land  The id of the area that the border divides.
 /// @param draw  A sequence of this border; draws 1 and 2 are used.
 std::vector<map::Barrier> barriers_on(const FieldLine& line, FieldBorder border, ObjectId land, const IsFree& is_free,
@@ -55,8 +54,7 @@ std::vector<map::Barrier> barriers_on(const FieldLine& line, FieldBorder border,
 /// buildings.
 inline constexpr double kOffLane_m = 1.25, kFromHouses_m = 30;
 
-/// The shortest hedge or wall in metres, and the width of the opening, to which up to one step
-/// between tested places is added on each side.
+/// The shortest hedge or wall, and the width of the opening, in metres.
 inline constexpr double kShortestBarrier_m = 12, kGate_m = 5;
 
 }  // namespace citykiln::fields

@@ -27,7 +27,7 @@ struct GuardObstacle {
   Vec2 a, b;
   double radius_m = 0;
   OsmId way{};
-  double own_m = 0;  // the radius for rails of the way itself, which stand beside its carriageway
+  double own_m = 0;  // the radius for rails of the way itself, which stand kGuardOff_m beside its carriageway
 };
 
 struct GuardObstacles {
@@ -49,7 +49,8 @@ GuardObstacles guard_obstacles(const map::FeatureView& features, std::span<const
     found.add(ring, kOffTown_m);
   }
   for (const roads::Road& road : roads)
-    found.add(road.axis, roads::max_offset_m(road) + kOffRoad_m, road.id.osm, roads::max_offset_m(road));
+    found.add(road.axis, roads::max_offset_m(road) + kOffRoad_m, road.id.osm,
+              std::min(roads::left_m(road), roads::right_m(road)) + kGuardOff_m / 2);
   std::vector<Box2> boxes;
   for (const GuardObstacle& o : found.all) boxes.push_back(box_of_segment(o.a, o.b).widened(o.radius_m));
   if (!boxes.empty()) found.grid = grid_of(boxes, kGuardBucket_m);
