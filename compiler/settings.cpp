@@ -232,13 +232,9 @@ Result<Done> set_assume(CompileSpec& spec, std::string_view text) {
   }
   Assumptions set = kNoAssumptions;
   for (const std::string_view name : split(text, ',')) {
-    if (name == "usual") {
-      set |= kUsualAssumptions;
-      continue;
-    }
     const std::optional<Assumption> assumption = assumption_named(name);
     if (!assumption || *assumption == Assumption::kHouses)
-      return expected("usual, all, none, or names among " + assumption_names(), text);
+      return expected("all, none, or names among " + assumption_names(), text);
     set |= bit_of(*assumption);
   }
   spec.assume = set;
@@ -377,9 +373,8 @@ constexpr Setting kSettings[] = {
      "the N brightest street lamps of each tile are lights of .glb (KHR_lights_punctual) and USD (UsdLux) files, at "
      "any time (default: {})",
      false, set_lights, [](const CompileSpec& spec) { return fmt::format("{}", spec.outputs.lights); }},
-    {"assume", "usual|all|none|NAME,...",
-     "what is assumed where the map is silent, such as pavements,lamps or usual,curves (default: usual)", false,
-     set_assume},
+    {"assume", "all|none|NAME,...", "what is assumed where the map is silent, such as pavements,lamps (default: all)",
+     false, set_assume},
     {"fill", "lots|none",
      "lots: puts houses on residential land without buildings, beside mapped streets (default: none)", false, set_fill},
     {"drive-on", "left|right", "side of the road on which vehicles drive (default: by country)", false, set_drive_on},

@@ -91,7 +91,7 @@ struct CompileSpec {
   double tile_m = map::kDefaultTile_m;  ///< A multiple of map::kCell_m.
   std::vector<scene::TileKey> only;     ///< Sorted. If not empty, only these tiles are compiled.
   std::uint64_t seed = 0;
-  Assumptions assume = kUsualAssumptions;  ///< The assumptions made where the map is silent.
+  Assumptions assume = kNamedAssumptions;  ///< The assumptions made where the map is silent.
   std::optional<double> snow_line_m;       ///< Land above it is covered by snow.
   std::string rules_folder;         ///< A folder of rule files that replace shipped ones of the same name; "" for none.
   std::string things_folder;        ///< A folder with a table of things and rule files; "" for none.

@@ -13,7 +13,7 @@ namespace citykiln::assume {
 
 /// Settings of assume().
 struct Settings {
-  Assumptions on = kUsualAssumptions;  ///< The assumptions that are made.
+  Assumptions on = kNamedAssumptions;  ///< The assumptions that are made.
   std::uint64_t seed = 0;              ///< Selects the random draws.
   LonLatOf lonlat_of{};                ///< The place of a point of the plane; empty: no avenues are assumed.
 };

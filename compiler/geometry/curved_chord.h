@@ -61,7 +61,7 @@ struct CurveLimits {
   double most_m = 0;        ///< The largest distance of the line from the chord.
   double reach_m = 0;       ///< The largest reach of a bulge.
   double error_m = 0.1;     ///< The largest distance of the straight pieces from the line.
-  double turn = 0.165;      ///< The largest difference of slope between pieces; 0.165: 9.4 degrees.
+  double turn = 0.174;      ///< The largest difference of slope between pieces; 0.174: 9.9 degrees.
   double shortest_m = 0.5;  ///< The shortest piece; it has precedence over error_m and turn.
 };
 

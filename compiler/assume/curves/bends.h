@@ -14,7 +14,7 @@
 namespace citykiln::assume {
 
 /// Nodes with a smaller turn keep their corners, since such corners are not seen.
-inline constexpr double kLeastTurn_deg = 6;
+inline constexpr double kLeastTurn_deg = 10;
 /// Nodes with a larger turn keep their corners, since such corners are real. It holds where two
 /// chords meet.
 inline constexpr double kMostTurn_deg = 60;

@@ -18,13 +18,14 @@ using map::LandCoverClass;
 using map::Track;
 
 /// The largest distances of the straight pieces from curves. Wide roads show them most, and points cost bytes.
-constexpr double kErrorOfRoads_m = 0.1, kErrorOfPaths_m = 0.15, kErrorOfWater_m = 0.2, kErrorOfBarriers_m = 0.05;
+constexpr double kErrorOfRoads_m = 0.1, kErrorOfWater_m = 0.2, kErrorOfBarriers_m = 0.05;
 /// The largest reach of a bulge (geometry/curved_chord.h): a straight street stays straight beyond.
 constexpr double kReachInTown_m = 40, kReachInTheOpen_m = 96;
 
+// Paths are narrow, so that their corners are hardly seen, and have as many as roads.
 bool keeps_axis(const Track& track) {
-  return track.is_through_building || track.is_covered || track.is_arcade || track.is_indoor ||
-         track.surface == LandCoverClass::kSteps || track.surface == LandCoverClass::kRunway ||
+  return map::family_of(track.surface) == map::Family::kPath || track.is_through_building || track.is_covered ||
+         track.is_arcade || track.is_indoor || track.surface == LandCoverClass::kRunway ||
          track.section.axis_drift != 0;
 }
 
@@ -37,8 +38,6 @@ ChordLimits limits_of(ChordLimits limits, Vec2 a, Vec2 b) {
 }
 
 ChordLimits limits_of_road(const Track& track, const Walls& walls, Vec2 a, Vec2 b) {
-  if (map::family_of(track.surface) == map::Family::kPath)
-    return limits_of({kMostOfPaths_m, kReachInTown_m, kErrorOfPaths_m}, a, b);
   if (is_in_town(walls, a, b)) return limits_of({kMostOfRoads_m, kReachInTown_m, kErrorOfRoads_m}, a, b);
   const double most_m = std::clamp(kMostInTheOpen * distance(a, b), kMostOfRoads_m, kMostInTheOpen_m);
   return limits_of({most_m, kReachInTheOpen_m, kErrorOfRoads_m}, a, b);

@@ -1,4 +1,4 @@
-// Rounds the bends of lines that are mapped with few points: roads, paths, railways, watercourses,
+// Rounds the bends of lines that are mapped with few points: roads, railways, watercourses,
 // walls and hedges.
 #pragma once
 
@@ -18,9 +18,8 @@ inline constexpr double kMostOfRoads_m = 1;
 /// chord's length, from kMostOfRoads_m up to kMostInTheOpen_m. Long chords are drawn with less
 /// care.
 inline constexpr double kMostInTheOpen = 0.02, kMostInTheOpen_m = 3;
-/// The largest distances in metres of curves of paths, which have narrow bends, of watercourses,
-/// and of walls, fences and hedges.
-inline constexpr double kMostOfPaths_m = 0.5, kMostOfWater_m = 1.5, kMostOfBarriers_m = 0.25;
+/// The largest distances in metres of curves of watercourses, and of walls, fences and hedges.
+inline constexpr double kMostOfWater_m = 1.5, kMostOfBarriers_m = 0.25;
 /// The largest distance of any curve, as a share of the chord's length.
 inline constexpr double kMostOfChord = 0.12;
 /// The longest chord in metres that is curved.
@@ -34,7 +33,7 @@ inline constexpr double kCurveRadius_m = 2 * kLongestChord_m + kInTown_m;
 /// where they are; slopes_of() (bends.h) selects those that are rounded. Points of curves have the
 /// node ids of curve_node_id(); the indices of TrackPoints refer to the new axes.
 ///
-/// These axes stay as mapped: stairs, runways, ways through buildings, covered or indoors, and axes
+/// These axes stay as mapped: paths, stairs, runways, ways through buildings, covered or indoors, and axes
 /// that drift (placement=transition). Turning circles and mini-roundabouts keep their corners.
 /// Curves on the ground keep their distance from buildings and from pavements of other ways
 /// (free_room.h). Each way with a curve is counted once as Assumption::kCurves. The result does not

@@ -88,7 +88,9 @@ bool keeps_pavements(const WayPieces& ways, const map::Track& track, const Polyl
     if (other.id.osm == track.id.osm || (track.assumed_sides == 0 && other.assumed_sides == 0)) return false;
     const Vec2 a = other.axis[ways.pieces[i].second], b = other.axis[ways.pieces[i].second + 1];
     const double curve_m = distance_from_piece(a, b, curve);
-    return curve_m < own_m + edge_m(other) && curve_m < distance_from_piece(a, b, chord) - kSameStrip_m;
+    if (curve_m >= own_m + edge_m(other)) return false;
+    const bool meets = a == chord[0] || a == chord[1] || b == chord[0] || b == chord[1];
+    return !meets || curve_m < distance_from_piece(a, b, chord) - kSameStrip_m;
   });
 }
 

@@ -45,9 +45,10 @@ struct WayPieces {
 /// Returns the segments of all ways on the ground that are not indoors. O(n).
 WayPieces pieces_of_ways(std::span<const map::Track> tracks);
 
-/// Returns false if the curve brings the way nearer to another way than its chord does, by more
-/// than 5 cm, so that their strips overlap and a pavement is assumed on one of them: it would lie
-/// in the other. Pieces of the same way do not count. O(segments near it).
+/// Returns false if a pavement is assumed on this or another way, and their strips would overlap: it
+/// would lie in the other. Segments that meet the chord at its ends overlap anyway: these count if
+/// the curve is nearer to them than the chord, by more than 5 cm. Segments of the same way do not
+/// count. O(segments near it).
 bool keeps_pavements(const WayPieces& ways, const map::Track& track, const Polyline& curve);
 
 }  // namespace citykiln::assume

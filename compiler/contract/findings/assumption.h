@@ -29,8 +29,6 @@ constexpr Assumptions bit_of(Assumption assumption) {
 
 /// All that --assume can name: houses belong to --fill.
 inline constexpr Assumptions kNamedAssumptions = kAllAssumptions & ~bit_of(Assumption::kHouses);
-/// The default: all but curves, which cost a fifth of the time.
-inline constexpr Assumptions kUsualAssumptions = kNamedAssumptions & ~bit_of(Assumption::kCurves);
 /// True if a set has the assumption.
 constexpr bool has(Assumptions set, Assumption assumption) { return (set & bit_of(assumption)) != 0; }
 

@@ -121,7 +121,8 @@ void for_each_form(const LandformIndex& index, Vec2 p, IsWanted is_wanted, Each 
     }
     FormView best;
     for (; i < near.size() && index.forms[index.pieces[near[i]].form].id == form.id; ++i) {
-      const LandformIndex::Piece piece = index.pieces[near[i]];
+      const LandformIndex::Piece& piece = index.pieces[near[i]];
+      if (!piece.reach.contains(p)) continue;
       const FormView view = is_area(form) ? view_of_area(form, p) : view_of_segment(index, piece, p);
       if (view.away_m < best.away_m) best = view;
     }
@@ -160,9 +161,9 @@ LandformIndex index_landforms(std::span<const Landform> forms) {
     if (form.profile.empty()) continue;
     const std::size_t count = is_area(form) ? 1 : form.axis.size() - 1;
     for (std::uint32_t s = 0; s < count; ++s) {
-      index.pieces.push_back({f, s});
       const Box2 box = is_area(form) ? box_of(form.axis) : box_of_segment(form.axis[s], form.axis[s + 1]);
-      boxes.push_back(box.widened(form_reach_m(form)));
+      index.pieces.push_back({f, s, box.widened(form_reach_m(form))});
+      boxes.push_back(index.pieces.back().reach);
     }
   }
   index.grid = grid_of(boxes, kFormBucket_m);

@@ -24,11 +24,12 @@ struct LandformIndex {
   /// A segment of an axis, or a whole area.
   struct Piece {
     std::uint32_t form = 0, segment = 0;  ///< Indices into `forms`, and of the segment of its axis; 0 for areas.
+    Box2 reach;                           ///< The box, widened by the distance at which it changes the land.
   };
   std::vector<Landform> forms;
   std::vector<std::vector<double>> along_m;  ///< For each form the distance of each vertex along the whole way.
   std::vector<Piece> pieces;                 ///< In the order of forms.
-  BoxGrid grid;            ///< Boxes of `pieces`, widened by the distance at which they change the land.
+  BoxGrid grid;            ///< The reaches of `pieces`.
   bool has_level = false;  ///< True if any form is of kind kLevel.
 };
 

@@ -11,6 +11,8 @@ namespace citykiln::map {
 /// The highest node id of a point of a curve. Ids of mapped nodes are above it. Ids of places where
 /// ways are cut (map/rails_in_streets.cpp) are below all ids of curves.
 inline constexpr std::int64_t kHighestCurveNode = std::numeric_limits<std::int64_t>::min() / 4;
+/// Ids of curves are above it: the product of the ways, parts and points below.
+inline constexpr std::int64_t kBelowCurveNodes = kHighestCurveNode - (std::int64_t{1} << 60);
 
 /// Returns the node id of a point of a curve. Ids differ for parts of ways below 2^10, n below 2^16
 /// and ids of ways from 1 to 2^34; larger parts and n wrap around.
@@ -22,8 +24,9 @@ constexpr std::int64_t curve_node_id(ObjectId way, std::uint32_t n) {
   return kHighestCurveNode - piece * kPerPiece - n % kPerPiece;
 }
 
-/// True for the node id of a point of a curve. It is also true for the still lower ids of places
-/// where ways are cut, and of axes of bridge areas (map/bridge_areas.cpp).
-constexpr bool is_curve_node(std::int64_t node_id) { return node_id <= kHighestCurveNode; }
+/// True for the node id of a point of a curve.
+constexpr bool is_curve_node(std::int64_t node_id) {
+  return node_id <= kHighestCurveNode && node_id > kBelowCurveNodes;
+}
 
 }  // namespace citykiln::map
