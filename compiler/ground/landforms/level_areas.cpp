@@ -114,12 +114,13 @@ std::vector<Landform> level_areas(std::span<const map::AreaFeature> areas, const
     add_samples(*level[a], heights, samples[group]);
     most_slope[group] = std::min(most_slope[group], level_row_of(*level[a])->most_slope);
   }
+  std::vector<FittedSurface> planes(level.size());
+  for (std::uint32_t g = 0; g < level.size(); ++g)
+    if (!samples[g].empty()) planes[g] = fitted_surface(samples[g], SurfaceForm::kPlane, most_slope[g]);
   std::vector<Landform> forms;
-  for (std::uint32_t a = 0; a < level.size(); ++a) {
-    const std::uint32_t group = groups.of(a);
-    if (samples[group].empty()) continue;
-    forms.push_back(level_landform(*level[a], fitted_surface(samples[group], SurfaceForm::kPlane, most_slope[group])));
-  }
+  for (std::uint32_t a = 0; a < level.size(); ++a)
+    if (const std::uint32_t group = groups.of(a); !samples[group].empty())
+      forms.push_back(level_landform(*level[a], planes[group]));
   return forms;
 }
 

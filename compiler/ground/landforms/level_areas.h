@@ -22,7 +22,7 @@ bool is_level_area(const map::AreaFeature& area);
 /// row of the class allows. Areas of sports within 1 m of each other, such as a pitch within a
 /// running track, have one plane, with the smallest of their slopes. The result depends only on the
 /// terrain in areas that are connected this way. Samples form a square grid, 0.5 m or more apart:
-/// about 100 to 600 in each area. O(areas · samples of their group).
+/// about 100 to 600 in each area. O(n log n), n: points and samples.
 std::vector<Landform> level_areas(std::span<const map::AreaFeature> areas, const map::Heightfield& heights);
 
 }  // namespace citykiln::ground
