@@ -100,7 +100,7 @@ class FieldMaker {
       if (division.fields.size() < 2) continue;
       for (const Field& field : division.fields) add_field(land, field, made.areas);
       const auto is_free = [&](Vec2 at) { return places().is_free(at, land); };
-      for (const FieldLine& line : division.borders) add_barriers(land, line, is_free, made.barriers);
+      for (const FieldBoundary& line : division.borders) add_barriers(land, line, is_free, made.barriers);
     }
     return made;
   }
@@ -118,7 +118,7 @@ class FieldMaker {
       for (const Field& field : division.fields)
         for (const Polygon& part : open.free_parts(square, field.polygon)) add_open(land, field, part, made.areas);
       const auto is_free = [&](Vec2 at) { return is_open(square, at) && places().is_free(at, land); };
-      for (const FieldLine& line : division.borders) add_barriers(land, line, is_free, made.barriers);
+      for (const FieldBoundary& line : division.borders) add_barriers(land, line, is_free, made.barriers);
     }
     return made;
   }
@@ -185,7 +185,7 @@ class FieldMaker {
     areas.push_back(std::move(area));
   }
 
-  void add_barriers(const map::AreaFeature& land, const FieldLine& line, const IsFree& is_free,
+  void add_barriers(const map::AreaFeature& land, const FieldBoundary& line, const IsFree& is_free,
                     std::vector<map::Barrier>& barriers) const {
     const FieldRule rule = inputs_.rule_at((line.from + line.to) * 0.5);
     const RandomSequence draw(inputs_.seed, stable_id(field_id(land.id, line.number)), "field border");

@@ -85,7 +85,7 @@ class LandDivider {
 
   Division finished() {
     std::ranges::sort(made_.fields, {}, &Field::number);
-    std::ranges::sort(made_.borders, {}, &FieldLine::number);
+    std::ranges::sort(made_.borders, {}, &FieldBoundary::number);
     return std::move(made_);
   }
 

@@ -40,15 +40,15 @@ struct Field {
 
 /// A straight border between two pieces of one face, with a hash of its middle, which is unique
 /// among borders.
-struct FieldLine {
+struct FieldBoundary {
   Vec2 from, to;
   std::uint32_t number = 0;
 };
 
 /// The fields of an area, and the borders between them.
 struct Division {
-  std::vector<Field> fields;       ///< Sorted by number. They share no area.
-  std::vector<FieldLine> borders;  ///< Lines along which pieces were split; sorted by number.
+  std::vector<Field> fields;           ///< Sorted by number. They share no area.
+  std::vector<FieldBoundary> borders;  ///< Lines along which pieces were split; sorted by number.
 };
 
 /// Returns the usual fields at a point of the plane, in metres.

@@ -106,8 +106,8 @@ bool BarrierPlaces::is_on_other_land(Vec2 at, const map::AreaFeature& land) cons
   return std::ranges::any_of(boxes_about(areas_grid_, at), is_on);
 }
 
-std::vector<map::Barrier> barriers_on(const FieldLine& line, FieldBorder border, ObjectId land, const IsFree& is_free,
-                                      const RandomSequence& draw) {
+std::vector<map::Barrier> barriers_on(const FieldBoundary& line, FieldBorder border, ObjectId land,
+                                      const IsFree& is_free, const RandomSequence& draw) {
   const double whole_m = distance(line.from, line.to);
   const Vec2 along = unit(line.to - line.from);
   // an opening near the middle of lines that lead from one side to the other

@@ -44,11 +44,12 @@ using IsFree = std::function<bool(Vec2)>;
 
 /// Returns the hedges or walls on a border of fields, each over a stretch of at least
 /// kShortestBarrier_m where is_free(), with a random height. is_free() is called every 3 m or less. An
-/// opening of kGate_m for machines has its middle at 40 to 60 % of the border. Ids are those of field_id(), from line.number on. O(length of the border).
+/// opening of kGate_m for machines has its middle at 40 to 60 % of the border. Ids are those of field_id(), from
+/// line.number on. O(length of the border).
 /// @param land  The id of the area that the border divides.
 /// @param draw  A sequence of this border; draws 1 and 2 are used.
-std::vector<map::Barrier> barriers_on(const FieldLine& line, FieldBorder border, ObjectId land, const IsFree& is_free,
-                                      const RandomSequence& draw);
+std::vector<map::Barrier> barriers_on(const FieldBoundary& line, FieldBorder border, ObjectId land,
+                                      const IsFree& is_free, const RandomSequence& draw);
 
 /// The least distance in metres of a hedge beside a road from the edges of ways, and from
 /// buildings.

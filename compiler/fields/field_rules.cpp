@@ -71,7 +71,7 @@ constexpr ClimateCrops kClimateCrops[] = {
 #include "compiler/fields/crops.inc"
 };
 
-const CropShares& crop_shares(const CropPlace& place) {
+const CropShares& crop_shares(const CropConditions& place) {
   const auto by_climate = std::ranges::find(kClimateCrops, place.climate, &ClimateCrops::climate);
   if (by_climate != std::end(kClimateCrops)) return by_climate->shares;
   return std::ranges::find(kGroupCrops, place.country, &GroupCrops::group)->shares;
@@ -85,7 +85,7 @@ FieldRule field_rule_at(LonLat place) {
   return std::ranges::find(kFieldGroups, map::country_group_at(place), &FieldGroup::group)->rule;
 }
 
-map::LandCoverClass crop_at(const CropPlace& place, double draw) {
+map::LandCoverClass crop_at(const CropConditions& place, double draw) {
   constexpr std::array<LandCoverClass, kCrops> kClasses = {
       LandCoverClass::kCereals,   LandCoverClass::kMaize,    LandCoverClass::kRape,
       LandCoverClass::kBeets,     LandCoverClass::kPotatoes, LandCoverClass::kSunflowers,

@@ -27,7 +27,7 @@ struct FieldRule {
 FieldRule field_rule_at(LonLat place);
 
 /// The country group and climate that decide which crops grow at a place.
-struct CropPlace {
+struct CropConditions {
   map::CountryGroup country{};
   climate::ClimateClass climate{};
 };
@@ -35,6 +35,6 @@ struct CropPlace {
 /// Returns the crop of a field of farmland. Its probability is the crop's share in crops.inc, in
 /// the row of the climate if there is one, else in that of the country group.
 /// @param draw  A uniform random number, from 0 to less than 1.
-map::LandCoverClass crop_at(const CropPlace& place, double draw);
+map::LandCoverClass crop_at(const CropConditions& place, double draw);
 
 }  // namespace citykiln::fields

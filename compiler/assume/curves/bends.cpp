@@ -31,10 +31,10 @@ struct Pair {
   ChordEnd a, b;
 };
 
-std::vector<ChordEnd> ends_of_chords(std::span<const Line> lines) {
+std::vector<ChordEnd> ends_of_chords(std::span<const CurvableLine> lines) {
   std::vector<ChordEnd> ends;
   for (std::uint32_t l = 0; l < lines.size(); ++l) {
-    const Line& line = lines[l];
+    const CurvableLine& line = lines[l];
     for (std::uint32_t p = 0; p < line.axis.size(); ++p) {
       if (p > 0) ends.push_back({line.network, line.nodes[p], l, p, -1});
       if (p + 1 < line.axis.size()) ends.push_back({line.network, line.nodes[p], l, p, 1});
@@ -48,7 +48,7 @@ std::uint32_t chord_of(const ChordEnd& end) { return end.step > 0 ? end.point : 
 
 // Turns and slopes at nodes.
 struct Nodes {
-  std::span<const Line> lines;
+  std::span<const CurvableLine> lines;
 
   Vec2 beyond(const ChordEnd& e) const { return lines[e.line].axis[chord_of(e) + (e.step > 0 ? 1 : 0)]; }
   Vec2 at(const ChordEnd& e) const { return lines[e.line].axis[e.point]; }
@@ -67,7 +67,7 @@ struct Nodes {
   }
 
   bool is_corner(const ChordEnd& e) const {
-    const Line& line = lines[e.line];
+    const CurvableLine& line = lines[e.line];
     return !line.is_corner.empty() && line.is_corner[e.point];
   }
 
@@ -158,9 +158,9 @@ void set_slope(std::vector<std::vector<Slopes>>& slopes, const ChordEnd& end, do
 
 }  // namespace
 
-std::vector<std::vector<Slopes>> slopes_of(std::span<const Line> lines) {
+std::vector<std::vector<Slopes>> slopes_of(std::span<const CurvableLine> lines) {
   std::vector<std::vector<Slopes>> slopes;
-  for (const Line& line : lines) slopes.emplace_back(line.axis.size() - 1);
+  for (const CurvableLine& line : lines) slopes.emplace_back(line.axis.size() - 1);
   const Nodes nodes{lines};
   const std::vector<ChordEnd> ends = ends_of_chords(lines);
   for (std::size_t from = 0, to = 0; from < ends.size(); from = to) {

@@ -32,7 +32,7 @@ struct ChordLimits {
 };
 
 /// A line whose axis may be curved. It refers to data that must outlive it.
-struct Line {
+struct CurvableLine {
   std::span<const Vec2> axis;           ///< At least two points, no repeated neighbours.
   std::span<const std::int64_t> nodes;  ///< An id of each point; lines meet where ids are equal.
   int network = 0;                      ///< Lines of different networks do not meet.
@@ -63,6 +63,6 @@ struct Slopes {
 /// A chord takes no more of a turn than a curve with a radius of 6 m allows within most_m, so a
 /// part of a corner may remain. Slopes are even numbers. The slopes at a node depend only on the
 /// chords that meet there. O(n log n), n: points of all lines.
-std::vector<std::vector<Slopes>> slopes_of(std::span<const Line> lines);
+std::vector<std::vector<Slopes>> slopes_of(std::span<const CurvableLine> lines);
 
 }  // namespace citykiln::assume

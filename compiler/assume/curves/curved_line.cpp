@@ -44,7 +44,7 @@ std::size_t crossings_of(const Polyline& axis) {
   return crossings;
 }
 
-CurvedLine as_mapped(const Line& line) {
+CurvedLine as_mapped(const CurvableLine& line) {
   CurvedLine same{.axis = {line.axis.begin(), line.axis.end()}, .mapped = {}};
   for (std::uint32_t p = 0; p < line.axis.size(); ++p) same.mapped.push_back(p);
   return same;
@@ -52,11 +52,11 @@ CurvedLine as_mapped(const Line& line) {
 
 }  // namespace
 
-std::vector<CurvedLine> curved_lines(std::span<const Line> lines, const HasRoom& has_room) {
+std::vector<CurvedLine> curved_lines(std::span<const CurvableLine> lines, const HasRoom& has_room) {
   const std::vector<std::vector<Slopes>> slopes = slopes_of(lines);
   std::vector<CurvedLine> curved;
   for (std::size_t l = 0; l < lines.size(); ++l) {
-    const Line& line = lines[l];
+    const CurvableLine& line = lines[l];
     CurvedLine whole{.axis = {line.axis[0]}, .mapped = {0}};
     for (std::size_t c = 0; c + 1 < line.axis.size(); ++c) {
       const Vec2 a = line.axis[c], b = line.axis[c + 1];

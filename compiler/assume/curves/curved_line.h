@@ -33,6 +33,6 @@ using HasRoom = std::function<bool(std::size_t, std::size_t, const Polyline&)>;
 /// - A reversed line has the same points, reversed, if has_room() does not depend on the direction.
 ///
 /// O(n log n), n: points of all lines, and the calls of has_room() for curves with points.
-std::vector<CurvedLine> curved_lines(std::span<const Line> lines, const HasRoom& has_room);
+std::vector<CurvedLine> curved_lines(std::span<const CurvableLine> lines, const HasRoom& has_room);
 
 }  // namespace citykiln::assume

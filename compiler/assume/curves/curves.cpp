@@ -37,13 +37,13 @@ ChordLimits limits_of(ChordLimits limits, Vec2 a, Vec2 b) {
   return limits;
 }
 
-ChordLimits limits_of_road(const Track& track, const Walls& walls, Vec2 a, Vec2 b) {
+ChordLimits limits_of_road(const Track& track, const BuildingOutlines& walls, Vec2 a, Vec2 b) {
   if (is_in_town(walls, a, b)) return limits_of({kMostOfRoads_m, kReachInTown_m, kErrorOfRoads_m}, a, b);
   const double most_m = std::clamp(kMostInTheOpen * distance(a, b), kMostOfRoads_m, kMostInTheOpen_m);
   return limits_of({most_m, kReachInTheOpen_m, kErrorOfRoads_m}, a, b);
 }
 
-std::vector<ChordLimits> chords_of(const Track& track, const Walls& walls) {
+std::vector<ChordLimits> chords_of(const Track& track, const BuildingOutlines& walls) {
   std::vector<ChordLimits> chords(track.axis.size() - 1);
   for (std::size_t c = 0; c < chords.size() && !keeps_axis(track); ++c)
     chords[c] = limits_of_road(track, walls, track.axis[c], track.axis[c + 1]);
@@ -60,7 +60,7 @@ std::vector<bool> corners_of(const Track& track) {
   return corners;
 }
 
-Line line_of(const Track& track, const Walls& walls) {
+CurvableLine line_of(const Track& track, const BuildingOutlines& walls) {
   return {.axis = track.axis,
           .nodes = track.node_ids,
           .network = static_cast<int>(map::family_of(track.surface)),
@@ -144,14 +144,14 @@ bool is_always_free(std::size_t, std::size_t, const Polyline&) { return true; }
 }  // namespace
 
 std::vector<Track> curved_tracks(const map::FeatureView& features, Report& report) {
-  const Walls walls = walls_of(features.footprints);
-  std::vector<Line> lines;
+  const BuildingOutlines walls = building_outlines(features.footprints);
+  std::vector<CurvableLine> lines;
   for (const Track& track : features.tracks) lines.push_back(line_of(track, walls));
   const WayPieces ways = pieces_of_ways(features.tracks);
   const auto has_room = [&](std::size_t l, std::size_t, const Polyline& curve) {
     const Track& track = features.tracks[l];
     return track.passage != map::Passage::kGround ||
-           (has_room_between(walls, curve, room_m(track)) && keeps_pavements(ways, track, curve));
+           (has_room_between(walls, curve, room_m(track)) && keeps_off_other_ways(ways, track, curve));
   };
   std::vector<CurvedLine> curved = curved_lines(lines, has_room);
   std::vector<Track> tracks;
@@ -168,7 +168,7 @@ std::vector<Track> curved_tracks(const map::FeatureView& features, Report& repor
 
 std::vector<map::Waterway> curved_waterways(std::span<const map::Waterway> waterways) {
   const std::vector<std::vector<std::int64_t>> ids = ids_of_places(axes_of(waterways));
-  std::vector<Line> lines;
+  std::vector<CurvableLine> lines;
   for (std::size_t w = 0; w < waterways.size(); ++w) {
     const map::Waterway& way = waterways[w];
     const double most_m = way.passage == map::Passage::kGround ? kMostOfWater_m : 0;
@@ -188,7 +188,7 @@ std::vector<map::Waterway> curved_waterways(std::span<const map::Waterway> water
 std::vector<map::Barrier> curved_barriers(std::span<const map::Barrier> barriers) {
   using map::BarrierKind;
   const std::vector<std::vector<std::int64_t>> ids = ids_of_places(axes_of(barriers));
-  std::vector<Line> lines;
+  std::vector<CurvableLine> lines;
   for (std::size_t b = 0; b < barriers.size(); ++b) {
     const map::Barrier& barrier = barriers[b];
     const bool may_curve = barrier.kind != BarrierKind::kRetainingWall && barrier.kind != BarrierKind::kCityWall;

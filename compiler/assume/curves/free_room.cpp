@@ -40,8 +40,8 @@ constexpr double kSameStrip_m = 0.05;
 
 }  // namespace
 
-Walls walls_of(std::span<const map::Footprint> footprints) {
-  Walls walls;
+BuildingOutlines building_outlines(std::span<const map::Footprint> footprints) {
+  BuildingOutlines walls;
   std::vector<Box2> boxes;
   for (const map::Footprint& footprint : footprints)
     if (!footprint.is_part && !footprint.polygon.outer.empty())
@@ -50,13 +50,13 @@ Walls walls_of(std::span<const map::Footprint> footprints) {
   return walls;
 }
 
-bool is_in_town(const Walls& walls, Vec2 a, Vec2 b) {
+bool is_in_town(const BuildingOutlines& walls, Vec2 a, Vec2 b) {
   const Box2 near = box_of_segment(a, b).widened(kInTown_m);
   return any_about(walls.grid, near,
                    [&](std::uint32_t i) { return box_of(walls.footprints[i]->polygon.outer).touches(near); });
 }
 
-bool has_room_between(const Walls& walls, const Polyline& curve, double half_m) {
+bool has_room_between(const BuildingOutlines& walls, const Polyline& curve, double half_m) {
   const Polyline chord = {curve.front(), curve.back()};
   return std::ranges::all_of(boxes_about(walls.grid, box_of(curve).widened(half_m)), [&](std::uint32_t i) {
     const Ring& ring = walls.footprints[i]->polygon.outer;
@@ -80,7 +80,7 @@ WayPieces pieces_of_ways(std::span<const map::Track> tracks) {
   return ways;
 }
 
-bool keeps_pavements(const WayPieces& ways, const map::Track& track, const Polyline& curve) {
+bool keeps_off_other_ways(const WayPieces& ways, const map::Track& track, const Polyline& curve) {
   const double own_m = edge_m(track);
   const Polyline chord = {curve.front(), curve.back()};
   return !any_about(ways.grid, box_of(curve).widened(own_m + ways.widest_m), [&](std::uint32_t i) {

@@ -29,8 +29,8 @@ struct LandformIndex {
   std::vector<Landform> forms;
   std::vector<std::vector<double>> along_m;  ///< For each form the distance of each vertex along the whole way.
   std::vector<Piece> pieces;                 ///< In the order of forms.
-  BoxGrid grid;            ///< The reaches of `pieces`.
-  bool has_level = false;  ///< True if any form is of kind kLevel.
+  BoxGrid grid;                              ///< The reaches of `pieces`.
+  bool has_level = false;                    ///< True if any form is of kind kLevel.
 };
 
 /// Indexes landforms, which must be sorted by id. Landforms without a profile change nothing. O(n).

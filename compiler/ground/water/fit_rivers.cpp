@@ -60,7 +60,7 @@ class RiverFit {
       fitted_.heights = find_river_heights(network_, seas_, left_out_);
       const std::vector<Offender> offenders = find_offenders();
       if (offenders.empty()) return std::move(fitted_);
-      for (const Offender& offender : round < kMaxFits ? most_blamed(network_, offenders) : offenders)
+      for (const Offender& offender : round < kCarefulRounds ? most_blamed(network_, offenders) : offenders)
         leave_out(offender);
     }
   }

@@ -40,7 +40,7 @@ struct FittedRivers {
 /// Method: each round calls find_river_heights() for the streams that are left, and finds the
 /// offenders: streams that are farther off than allowed. An offender that is so even alone has more
 /// blame than others, then one that is farther off. A round leaves out each offender that shares no
-/// node with one of more blame. Round kMaxFits and later ones leave out all offenders. Rounds end
+/// node with one of more blame. Round kCarefulRounds and later ones leave out all offenders. Rounds end
 /// when there is none.
 ///
 /// Guarantees: streams with heights are within max_off_m. O(rounds · n log² n); a round is needed
@@ -49,7 +49,7 @@ FittedRivers fit_rivers(const RiverNetwork& network, const std::vector<bool>& se
                         double run_m);
 
 /// The first round that leaves out all streams that are too far off at once.
-inline constexpr int kMaxFits = 32;
+inline constexpr int kCarefulRounds = 32;
 
 /// Returns the heights of the stops of a line, in their order, in metres.
 std::vector<double> heights_of_stops(const RiverLine& line, const RiverHeights& heights);

@@ -5,7 +5,7 @@
 namespace citykiln::fields {
 namespace {
 
-constexpr FieldLine kBorder{{0, 0}, {200, 0}, 7};
+constexpr FieldBoundary kBorder{{0, 0}, {200, 0}, 7};
 constexpr ObjectId kLand{{OsmType::kWay, 1}, 0};
 
 std::vector<map::Barrier> hedges_where(const IsFree& is_free) {
