@@ -83,6 +83,14 @@ class JoinedNumbers {
   std::vector<std::size_t> parents_;
 };
 
+bool are_in_one_square(const AreaFeature& a, const AreaFeature& b) {
+  const auto square_of = [](const AreaFeature& field) {
+    const Vec2 at = box_of(field.polygon.outer).centre();
+    return std::pair(std::floor(at.x / kLandSquare_m), std::floor(at.y / kLandSquare_m));
+  };
+  return square_of(a) == square_of(b);
+}
+
 /// The fields of one class in sets of neighbours, each sorted.
 std::vector<std::vector<const AreaFeature*>> neighbourhoods(const std::vector<const AreaFeature*>& fields) {
   std::vector<const Polygon*> polygons;
@@ -95,7 +103,8 @@ std::vector<std::vector<const AreaFeature*>> neighbourhoods(const std::vector<co
                         });
   JoinedNumbers joined(fields.size());
   for (const auto& [pair, length_m] : shared_m)
-    if (length_m >= kLeastShared_m) joined.join(pair.first, pair.second);
+    if (length_m >= kLeastShared_m && are_in_one_square(*fields[pair.first], *fields[pair.second]))
+      joined.join(pair.first, pair.second);
   std::vector<std::vector<const AreaFeature*>> sets(fields.size());
   for (std::size_t i = 0; i < fields.size(); ++i) sets[joined.lowest(i)].push_back(fields[i]);
   std::erase_if(sets, [](const auto& set) { return set.size() < 2; });

@@ -37,8 +37,12 @@ struct Land {
 };
 
 /// Returns the lands of a map, sorted by id: farmland and meadows whose tags name no plants, whole within the extent.
-/// Neighbours share at least 16 m of border. Refers to the areas of the map, which must outlive it.
+/// Neighbours share at least 16 m of border, and have their middles in one square of kLandSquare_m: land is not as
+/// large as a country. Refers to the areas of the map, which must outlive it.
 std::vector<Land> lands_of(const map::Features& features);
+
+/// The side of the squares in which fields are joined, in metres.
+inline constexpr double kLandSquare_m = 2048;
 
 /// Replaces the fields of each land by the land, and leaves out barriers and rows of trees: these stand on borders.
 void join_fields(map::Features& features);
