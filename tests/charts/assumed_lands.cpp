@@ -188,11 +188,14 @@ DividingWays dividing_ways(const map::Features& features) {
 }
 
 std::vector<Polygon> parts_between(const Polygon& field, const DividingWays& ways) {
+  const Box2 box = box_of(field.outer);
   std::vector<Polygon> strips;
   if (!ways.pieces.empty())
-    for (const std::uint32_t i : boxes_about(ways.grid, box_of(field.outer)))
-      for (Ring& strip : fields::strip_about({ways.pieces[i].first, ways.pieces[i].second}, fields::kLineGap_m / 2))
-        strips.push_back({std::move(strip), {}});
+    for (const std::uint32_t i : boxes_about(ways.grid, box)) {
+      const auto& [a, b] = ways.pieces[i];
+      if (!box_of_segment(a, b).touches(box)) continue;
+      for (Ring& strip : fields::strip_about({a, b}, fields::kLineGap_m / 2)) strips.push_back({std::move(strip), {}});
+    }
   std::vector<Polygon> parts = strips.empty() ? std::vector{field} : difference(field, strips);
   const double least_m2 = std::max(kLeastField_m2, area_m2(field) * kLeastPart);
   std::erase_if(parts, [&](const Polygon& part) { return area_m2(part) < least_m2; });

@@ -42,7 +42,7 @@ struct Land {
 std::vector<Land> lands_of(const map::Features& features);
 
 /// The side of the squares in which fields are joined, in metres.
-inline constexpr double kLandSquare_m = 2048;
+inline constexpr double kLandSquare_m = 4096;
 
 /// Replaces the fields of each land by the land, and leaves out barriers and rows of trees: these stand on borders.
 void join_fields(map::Features& features);

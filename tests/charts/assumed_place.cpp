@@ -122,6 +122,13 @@ map::Heightfield heights_of(const Place& place, std::span<const source::Raster> 
   return heights ? std::move(*heights) : *map::resample({}, plane, place.mapped.extent, ignored);
 }
 
+// Leaves out other areas: they lie on fields and do not divide them, but cost much where a coast is large.
+void keep_farmed_areas(map::Features& features) {
+  std::erase_if(features.areas, [](const map::AreaFeature& area) {
+    return area.surface != map::LandCoverClass::kFarmland && area.surface != map::LandCoverClass::kMeadow;
+  });
+}
+
 // Adds fields, and hedges beside roads.
 void add_fields(const Place& place, Assumptions on, map::Features& features) {
   Report ignored;
@@ -172,6 +179,7 @@ map::Features guessed(const Place& place, LeftOut kind, const IsOut& is_out, Ass
   if (kind == LeftOut::kFields) join_fields(features);
   assume::Assumed assumed = assume::assume(features, {.on = on, .seed = 0, .lonlat_of = lonlat_of}, ignored);
   features.tracks = std::move(assumed.tracks), features.footprints = std::move(assumed.footprints);
+  if (kind == LeftOut::kFields) keep_farmed_areas(features);
   if (kind == LeftOut::kFields || kind == LeftOut::kHedges) add_fields(place, on, features);
   return features;
 }
