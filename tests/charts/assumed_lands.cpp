@@ -20,7 +20,7 @@ using map::LandCoverClass;
 /// Borders are looked at this often, and neighbours share at least this much.
 constexpr double kLookAlong_m = 8, kLeastShared_m = 16;
 constexpr double kLandBucket_m = 128;
-/// As pieces of divided land, which are in no field if they are smaller (fields/divide_land.h).
+/// Smaller pieces of divided land are in no field (fields/divide_land.h).
 constexpr double kLeastPart = 1.0 / 12;
 
 bool is_whole_field(const AreaFeature& area, const Box2& extent) {
@@ -111,7 +111,7 @@ std::vector<std::vector<const AreaFeature*>> neighbourhoods(const std::vector<co
   return sets;
 }
 
-Land land_of(std::vector<const AreaFeature*> fields) {
+Land joined_land(std::vector<const AreaFeature*> fields) {
   Land land{.id = fields.front()->id, .surface = fields.front()->surface, .fields = {}, .outlines = {}, .borders = {}};
   std::vector<const Polygon*> polygons;
   std::vector<OwnedSegment> segments;
@@ -149,7 +149,7 @@ std::vector<Land> lands_of(const map::Features& features) {
     std::vector<const AreaFeature*> fields;
     for (const AreaFeature& area : features.areas)
       if (area.surface == surface && is_whole_field(area, features.extent)) fields.push_back(&area);
-    for (std::vector<const AreaFeature*>& set : neighbourhoods(fields)) lands.push_back(land_of(std::move(set)));
+    for (std::vector<const AreaFeature*>& set : neighbourhoods(fields)) lands.push_back(joined_land(std::move(set)));
   }
   std::ranges::sort(lands, {}, &Land::id);
   return lands;

@@ -33,7 +33,7 @@ struct Land {
   map::LandCoverClass surface{};
   std::vector<const map::AreaFeature*> fields;  ///< At least two.
   std::vector<Polygon> outlines;                ///< The land, mostly one polygon.
-  std::vector<BorderPiece> borders;             ///< Those that its fields share.
+  std::vector<BorderPiece> borders;             ///< The borders that its fields share.
 };
 
 /// Returns the lands of a map, sorted by id: farmland and meadows whose tags name no plants, whole within the extent.

@@ -16,7 +16,7 @@
 
 namespace citykiln::charts {
 
-/// What is left out of a map.
+/// The kind of tags or elements that is left out of a map.
 enum class LeftOut : std::uint8_t {
   kPavements,  ///< sidewalk=*, with all its sides.
   kLamps,      ///< lit=* and street lamps.

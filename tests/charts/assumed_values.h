@@ -69,7 +69,7 @@ Values built_field_borders(const map::Features& features);
 
 /// Rows of trees, and hedges, along half of a side of a road or more. The roads are primary to unclassified ones that
 /// have farmland or no land use on both sides and houses along less than a tenth, within 256 m of a mapped tree or
-/// hedge: elsewhere nobody has mapped any.
+/// hedge: elsewhere the map has none.
 std::vector<Sample> tagged_avenues(const Place& place);
 Values built_avenues(const map::Features& features);
 std::vector<Sample> tagged_lane_hedges(const Place& place);

@@ -130,8 +130,8 @@ std::string cell_of(const Subject& subject, std::span<const Sample> samples, dou
   return fmt::format(" {:.2f}, {:.2f} |", score.half, score.tenths);
 }
 
-/// What is tagged and what is assumed: medians; of values of yes and no the share of yes, and the shares of the tagged
-/// yes and no that are assumed to be yes.
+/// The levels of tagged and assumed values: medians; of values of yes and no the share of yes, and the shares of the
+/// tagged yes and no that are assumed to be yes.
 std::string levels_of(const Subject& subject, std::span<const Sample> samples) {
   if (!subject.is_yes_or_no)
     return fmt::format(" {:.2f} | {:.2f} |", median_of(samples, &Sample::tagged), median_of(samples, &Sample::assumed));
