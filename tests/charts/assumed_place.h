@@ -3,22 +3,28 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 
 #include "compiler/contract/findings/assumption.h"
 #include "compiler/contract/result.h"
 #include "compiler/map/features.h"
+#include "compiler/map/plane/heightfield.h"
 #include "compiler/map/plane/plane.h"
 #include "compiler/source/osm_data.h"
+#include "compiler/source/raster.h"
 
 namespace citykiln::charts {
 
-/// A kind of tags that is left out.
+/// The kind of tags or elements that is left out of a map.
 enum class LeftOut : std::uint8_t {
   kPavements,  ///< sidewalk=*, with all its sides.
   kLamps,      ///< lit=* and street lamps.
   kWidths,     ///< width=*, est_width=*, width:lanes=*.
-  kHeights     ///< Heights and storeys of buildings and of their roofs.
+  kHeights,    ///< Heights and storeys of buildings and of their roofs.
+  kFields,     ///< Borders between neighbouring fields (assumed_lands.h), in all of the map.
+  kTrees,      ///< Trees, rows of trees and tree_lined=*.
+  kHedges      ///< Hedges.
 };
 
 /// True for elements whose tags are left out.
@@ -31,13 +37,14 @@ struct Place {
   source::LonLatBox box;
   LonLat origin;
   map::Features mapped;  ///< The features by their tags, without assumptions.
+  map::Heightfield heights;
 };
 
-/// Reads a map. Errors: those of source::read_osm().
-Result<Place> read_place(const std::string& path, int threads);
+/// Reads a map. Its land is level where none of the heightmaps covers it. Errors: those of source::read_osm().
+Result<Place> read_place(const std::string& path, std::span<const source::Raster> heightmaps, int threads);
 
-/// Returns the features of a place without the tags of a kind, with assumptions, and with widths fitted as in a
-/// compile.
+/// Returns the features of a place without what is left out, with assumptions, and with widths fitted as in a compile.
+/// Fields, and hedges beside roads, are assumed only where borders of fields or hedges are left out.
 /// @param on  The assumptions; none: what is built where nothing is assumed.
 map::Features guessed(const Place& place, LeftOut kind, const IsOut& is_out, Assumptions on);
 

@@ -86,6 +86,21 @@ void set_means(std::span<Sample> samples) {
   for (Sample& sample : samples) sample.mean = mean_of_nearest(samples, sample);
 }
 
+double median_of(std::span<const Sample> samples, double Sample::*value) {
+  std::vector<double> values;
+  for (const Sample& sample : samples) values.push_back(sample.*value);
+  return quantile(values, 0.5);
+}
+
+YesShares yes_shares_of(std::span<const Sample> samples, double Sample::*guess) {
+  double yes[2] = {0, 0}, all[2] = {0, 0};
+  for (const Sample& sample : samples) {
+    const int is_yes = sample.tagged >= 0.5 ? 1 : 0;
+    all[is_yes] += 1, yes[is_yes] += sample.*guess >= 0.5 ? 1 : 0;
+  }
+  return {all[1] > 0 ? yes[1] / all[1] : 0, all[0] > 0 ? yes[0] / all[0] : 0};
+}
+
 Score score_of(std::span<const Sample> samples, double Sample::*guess, bool is_yes_or_no) {
   if (is_yes_or_no) return balanced_accuracy(samples, guess);
   std::vector<double> errors;

@@ -18,6 +18,19 @@ using ValueKey = std::pair<OsmId, int>;
 /// The values that are built of elements. Values of yes and no are 1 and 0.
 using Values = std::map<ValueKey, double>;
 
+/// Means of values by way, weighted by the lengths of its tracks.
+struct MeansByWay {
+  Values sums, lengths_m;
+
+  void add(ValueKey key, double value, double length_m) { sums[key] += value * length_m, lengths_m[key] += length_m; }
+
+  Values means() const {
+    Values all;
+    for (const auto& [key, sum] : sums) all[key] = sum / lengths_m.at(key);
+    return all;
+  }
+};
+
 /// A value that tags state.
 struct Sample {
   ValueKey key;
@@ -54,5 +67,14 @@ struct Score {
 /// yes and the tagged no that are guessed; 0.5 for always the same guess. Where all tags say the same, it is the share
 /// that is guessed.
 Score score_of(std::span<const Sample> samples, double Sample::*guess, bool is_yes_or_no);
+
+/// The median of one value of samples; 0 for none.
+double median_of(std::span<const Sample> samples, double Sample::*value);
+
+/// The shares of the tagged yes and of the tagged no that are guessed to be yes; 0 for none.
+struct YesShares {
+  double of_yes = 0, of_no = 0;
+};
+YesShares yes_shares_of(std::span<const Sample> samples, double Sample::*guess);
 
 }  // namespace citykiln::charts

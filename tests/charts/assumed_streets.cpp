@@ -132,19 +132,6 @@ double length_of_m(const Polyline& axis) {
   return length_m;
 }
 
-/// Means of values by way, weighted by the lengths of its tracks.
-struct MeansByWay {
-  Values sums, lengths_m;
-
-  void add(ValueKey key, double value, double length_m) { sums[key] += value * length_m, lengths_m[key] += length_m; }
-
-  Values means() const {
-    Values all;
-    for (const auto& [key, sum] : sums) all[key] = sum / lengths_m.at(key);
-    return all;
-  }
-};
-
 }  // namespace
 
 std::vector<Sample> tagged_pavements(const Place& place) {

@@ -30,7 +30,7 @@ constexpr OsmId way(std::int64_t id) { return {OsmType::kWay, id}; }
 Place streets() {
   const ScratchFolder folder;
   folder.write("streets.osm", kStreets);
-  Result<Place> place = read_place(folder.at("streets.osm"), 1);
+  Result<Place> place = read_place(folder.at("streets.osm"), {}, 1);
   EXPECT_TRUE(place) << to_string(place.error());
   return std::move(*place);
 }

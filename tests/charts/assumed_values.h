@@ -52,4 +52,27 @@ Values built_heights(const map::Features& features);
 std::vector<Sample> tagged_storeys(const Place& place);
 Values built_storeys(const map::Features& features);
 
+/// Areas of fields and of meadows that are mapped one by one (assumed_lands.h), beside the median of those into which
+/// their land is divided, and fields a km² of such farmland. A mapped field that ways and watercourses divide counts as
+/// several. There is a value for each of them.
+std::vector<Sample> tagged_field_sizes(const Place& place);
+std::vector<Sample> tagged_meadow_sizes(const Place& place);
+Values built_field_sizes(const map::Features& features);
+std::vector<Sample> tagged_fields_per_km2(const Place& place);
+Values built_fields_per_km2(const map::Features& features);
+
+/// Borders between fields: whether one is within 15 m, at places of a grid of 16 m on such land that are farther than
+/// that from ways and watercourses. Each land has as many places at borders as elsewhere, spread evenly: borders at
+/// random places have a balanced accuracy of 0.5.
+std::vector<Sample> tagged_field_borders(const Place& place);
+Values built_field_borders(const map::Features& features);
+
+/// Rows of trees, and hedges, along half of a side of a road or more. The roads are primary to unclassified ones that
+/// have farmland or no land use on both sides and houses along less than a tenth, within 256 m of a mapped tree or
+/// hedge: elsewhere the map has none.
+std::vector<Sample> tagged_avenues(const Place& place);
+Values built_avenues(const map::Features& features);
+std::vector<Sample> tagged_lane_hedges(const Place& place);
+Values built_lane_hedges(const map::Features& features);
+
 }  // namespace citykiln::charts

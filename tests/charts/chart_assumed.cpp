@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "compiler/source/read_raster.h"
 #include "tests/charts/assumed_values.h"
 #include "tests/charts/chart.h"
 
@@ -21,7 +22,19 @@ constexpr std::array kSubjects = {
     Subject{"lamp_sides", "", LeftOut::kLamps, true, tagged_lamp_sides, built_lamp_sides},
     Subject{"widths", "m", LeftOut::kWidths, false, tagged_widths, built_widths},
     Subject{"heights", "m", LeftOut::kHeights, false, tagged_heights, built_heights},
-    Subject{"storeys", "storeys", LeftOut::kHeights, false, tagged_storeys, built_storeys}};
+    Subject{"storeys", "storeys", LeftOut::kHeights, false, tagged_storeys, built_storeys},
+    Subject{"field_sizes", "ha", LeftOut::kFields, false, tagged_field_sizes, built_field_sizes},
+    Subject{"meadow_sizes", "ha", LeftOut::kFields, false, tagged_meadow_sizes, built_field_sizes},
+    Subject{"fields", "fields/km²", LeftOut::kFields, false, tagged_fields_per_km2, built_fields_per_km2},
+    Subject{"field_borders", "", LeftOut::kFields, true, tagged_field_borders, built_field_borders},
+    Subject{"avenues", "", LeftOut::kTrees, true, tagged_avenues, built_avenues},
+    Subject{"lane_hedges", "", LeftOut::kHedges, true, tagged_lane_hedges, built_lane_hedges}};
+
+constexpr std::array kAllKinds = {LeftOut::kPavements, LeftOut::kLamps, LeftOut::kWidths, LeftOut::kHeights,
+                                  LeftOut::kFields,    LeftOut::kTrees, LeftOut::kHedges};
+
+/// True for kinds of which an assumption looks at tagged neighbours, so that blocks within a place differ from a place.
+bool looks_at_neighbours(LeftOut kind) { return kind < LeftOut::kFields; }
 
 /// Places with fewer values are left out: their scores are chance.
 constexpr std::size_t kFewestSamples = 20;
@@ -59,7 +72,9 @@ Guesses guesses_of(const Place& place, LeftOut kind) {
   const auto is_anywhere = [](OsmId) { return true; };
   Guesses guesses{
       guessed(place, kind, is_anywhere, kAllAssumptions), guessed(place, kind, is_anywhere, kNoAssumptions), {}};
+  if (!looks_at_neighbours(kind)) guesses.blocks = {guesses.assumed, guesses.assumed};
   for (const int colour : {0, 1}) {
+    if (!looks_at_neighbours(kind)) break;
     const std::set<OsmId> inside = elements_in_blocks(place.mapped, colour);
     guesses.blocks[static_cast<std::size_t>(colour)] = guessed(
         place, kind, [&](OsmId id) { return inside.contains(id); }, kAllAssumptions);
@@ -94,7 +109,7 @@ using SamplesOfPlaces = std::vector<std::vector<Sample>>;
 /// Returns the samples of each subject. The features of a place are assumed once for each kind of tags.
 std::vector<SamplesOfPlaces> all_samples(const std::vector<Place>& places) {
   std::vector<SamplesOfPlaces> all(kSubjects.size(), SamplesOfPlaces(places.size()));
-  for (const LeftOut kind : {LeftOut::kPavements, LeftOut::kLamps, LeftOut::kWidths, LeftOut::kHeights})
+  for (const LeftOut kind : kAllKinds)
     for (std::size_t p = 0; p < places.size(); ++p) {
       std::optional<Guesses> guesses;
       for (std::size_t s = 0; s < kSubjects.size(); ++s) {
@@ -115,15 +130,26 @@ std::string cell_of(const Subject& subject, std::span<const Sample> samples, dou
   return fmt::format(" {:.2f}, {:.2f} |", score.half, score.tenths);
 }
 
-/// A row of the table: a place, the number of its values, and the scores of all guesses.
+/// The levels of tagged and assumed values: medians; of values of yes and no the share of yes, and the shares of the
+/// tagged yes and no that are assumed to be yes.
+std::string levels_of(const Subject& subject, std::span<const Sample> samples) {
+  if (!subject.is_yes_or_no)
+    return fmt::format(" {:.2f} | {:.2f} |", median_of(samples, &Sample::tagged), median_of(samples, &Sample::assumed));
+  const YesShares shares = yes_shares_of(samples, &Sample::assumed);
+  return fmt::format(" {:.3f} | {:.3f}, {:.3f} |", score_of(samples, &Sample::assumed, true).tenths, shares.of_yes,
+                     shares.of_no);
+}
+
+/// A row of the table: a place, the number of its values, their levels, and the scores of all guesses.
 std::string row_of(const Subject& subject, const std::string& name, std::span<const Sample> samples) {
-  std::string row = fmt::format("| {} | {} |", name, samples.size());
+  std::string row = fmt::format("| {} | {} |", name, samples.size()) + levels_of(subject, samples);
   for (const Guess& guess : kGuesses) row += cell_of(subject, samples, guess.value);
   return row;
 }
 
 std::vector<std::string> table_head(const Subject& subject) {
-  std::string head = fmt::format("| {} | values |", subject.name), line = "|---|---|";
+  std::string head = fmt::format("| {} | values |", subject.name), line = "|---|---|---|---|";
+  head += subject.is_yes_or_no ? " yes | assumed of yes, of no |" : " median | assumed |";
   for (const Guess& guess : kGuesses) head += fmt::format(" {} |", guess.name), line += "---|";
   return {head, line};
 }
@@ -180,9 +206,12 @@ Chart subject_chart(const Subject& subject, SamplesOfPlaces& places, const std::
 
 Result<std::vector<Chart>> chart_assumed(const ChartRequest& request) {
   if (request.maps.empty()) return Error{"chart assumed", "needs maps (--map FILE)"};
+  Report ignored;
+  const Result<std::vector<source::Raster>> heightmaps = source::read_heightmaps(request.rasters, nullptr, ignored);
+  if (!heightmaps) return heightmaps.error();
   std::vector<Place> places;
   for (const std::string& path : request.maps) {
-    Result<Place> place = read_place(path, request.threads);
+    Result<Place> place = read_place(path, *heightmaps, request.threads);
     if (!place) return place.error();
     places.push_back(std::move(*place));
   }

@@ -64,7 +64,8 @@ void declare(CLI::App& app, ChartRequest& request, Texts& texts) {
                  "maps for all charts except plane, terrain, smooth, canopy, plant, lsystem, lights, sky, linelights "
                  "and cloud")
       ->type_name("FILE...");
-  app.add_option("--dem", texts.rasters, "heightmap for terrain, smooth, ground, view, profile, facade and lod")
+  app.add_option("--dem", texts.rasters,
+                 "heightmap for terrain, smooth, ground, view, profile, facade, lod and assumed")
       ->type_name("FILE[,key=value...]");
   app.add_option("--bbox", texts.bbox, "terrain: part of the heightmap in degrees (default: all of it)")
       ->type_name("W,S,E,N");

@@ -18,4 +18,9 @@ const ground::LandCoverPolygon* taken_land_at(const ground::LandCoverIndex& land
   }
 }
 
+OsmId taken_element_at(const ground::LandCoverIndex& land_cover, Vec2 p) {
+  const ground::LandCoverPolygon* land = taken_land_at(land_cover, p);
+  return land != nullptr ? land->id.osm : OsmId{};
+}
+
 }  // namespace citykiln::verify

@@ -9,4 +9,7 @@ namespace citykiln::verify {
 /// streets are allowed: trees, lamps and things stand on them. O(1) expected.
 const ground::LandCoverPolygon* taken_land_at(const ground::LandCoverIndex& land_cover, Vec2 p);
 
+/// Returns the element of taken_land_at(); OsmType::kNone if the place is free.
+OsmId taken_element_at(const ground::LandCoverIndex& land_cover, Vec2 p);
+
 }  // namespace citykiln::verify

@@ -1,4 +1,4 @@
-#include "compiler/verify/standing/measure_assumed.h"
+#include "compiler/verify/assumed/measure_assumed.h"
 
 #include <gtest/gtest.h>
 
