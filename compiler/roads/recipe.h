@@ -62,7 +62,7 @@ struct Road {
   /// Marked nodes such as crossings, sorted; TrackPoint::vertex is an index into this axis.
   std::vector<map::TrackPoint> points;
   WidthLimits width_limits;
-  Profile profile{};           ///< Heights along the axis. Empty in a RoadPlan, and for roads that lie on the terrain.
+  Profile profile{};  ///< Heights along the axis. Empty in a RoadPlan, and for roads that lie on the terrain.
   std::vector<Cutting> cuttings{};  ///< Sorted, disjoint; mostly none. Set with the profile.
   double riser_m = 0;          ///< The height of a step of stairs with a tagged number of steps; a multiple of 2^-10.
   std::uint8_t handrails = 0;  ///< map::Handrail bits of stairs.

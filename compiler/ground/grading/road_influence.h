@@ -64,8 +64,8 @@ struct RoadInfluenceIndex {
   std::vector<SegmentLine> lines;       ///< One per segment.
   std::vector<Profile> profiles;        ///< One per road with segments; empty: the road follows the terrain.
   std::vector<std::vector<roads::Cutting>> cuttings;  ///< One list per road with segments.
-  std::vector<Box2> influence_boxes;    ///< Per segment the box in which it influences heights.
-  BoxGrid grid;                         ///< Grid of these boxes.
+  std::vector<Box2> influence_boxes;                  ///< Per segment the box in which it influences heights.
+  BoxGrid grid;                                       ///< Grid of these boxes.
   BoxGrid near;  ///< Finer grid of these boxes. A bucket (square of the grid) lists only segments whose edges are
                  ///< within kGrading_m of the bucket.
 };

@@ -1,7 +1,7 @@
 // Plans the heights along every road and rail, once, when the map is compiled.
 //
-// One graph of all roads, rails, bridges and tunnels (profile_graph.h) goes through seven steps. Each step is a function
-// of heights by node with a finite influence radius:
+// One graph of all roads, rails, bridges and tunnels (profile_graph.h) goes through seven steps. Each step is a
+// function of heights by node with a finite influence radius:
 //
 //     initial_heights      the filtered terrain; on bridges and in tunnels the line between their ends
 //     smooth_heights       smooth enough for the class (smooth_profile.h)

@@ -59,7 +59,8 @@ bool is_mouth(const ProfileGraph& graph, std::uint32_t node) {
 }
 
 // The land's height inside a tunnel, kPortalLength_m from one of its ends, or at the middle of a shorter one.
-double land_behind_m(const ProfileGraph& graph, const GraphWay& tunnel, bool is_first, const map::Heightfield& heights) {
+double land_behind_m(const ProfileGraph& graph, const GraphWay& tunnel, bool is_first,
+                     const map::Heightfield& heights) {
   const std::span<const Station> stations = graph.stations_of(tunnel);
   const double long_m = stations.back().at_m, inside_m = std::min(kPortalLength_m, long_m / 2);
   const double at_m = is_first ? inside_m : long_m - inside_m;

@@ -45,11 +45,9 @@ GradedTerrain graded_by(const map::Features& features, const Profiles& profiles,
     path.profile = profiles.off_ground[off++];
     if (!has_profile(t.surface) && !enters_from_above(path, heights)) bores.push_back(std::move(path));
   }
-  return grade_terrain(heights, {.roads = profiles.roads,
-                                 .streams = {},
-                                 .surfaces = {},
-                                 .box = {{-900, -900}, {900, 900}},
-                                 .bores = bores});
+  return grade_terrain(
+      heights,
+      {.roads = profiles.roads, .streams = {}, .surfaces = {}, .box = {{-900, -900}, {900, 900}}, .bores = bores});
 }
 
 // The highest land above the terrain within 15 m of a place.
@@ -61,8 +59,8 @@ double highest_rise_m(const GradedTerrain& graded, Vec2 mouth) {
   return most_m;
 }
 
-constexpr LandCoverClass kClasses[] = {LandCoverClass::kPrimaryRoad,  LandCoverClass::kResidentialRoad,
-                                       LandCoverClass::kServiceRoad,  LandCoverClass::kRailway,
+constexpr LandCoverClass kClasses[] = {LandCoverClass::kPrimaryRoad,   LandCoverClass::kResidentialRoad,
+                                       LandCoverClass::kServiceRoad,   LandCoverClass::kRailway,
                                        LandCoverClass::kPavedFootPath, LandCoverClass::kSteps};
 
 TEST(Mouths, NoGroundRisesAboveFlatLand) {
