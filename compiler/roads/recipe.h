@@ -43,6 +43,13 @@ struct WidthLimits {
   bool operator==(const WidthLimits&) const = default;
 };
 
+/// A part of a road that leads down to a tunnel between retaining walls: the land beside it is not cut to slopes.
+struct Cutting {
+  double from_m = 0;  ///< Distance along the whole way; a multiple of 1/4 m. 0: it begins before the way does.
+  double to_m = 0;    ///< A multiple of 1/4 m, > from_m; beyond the way's end if it goes on there.
+  bool operator==(const Cutting&) const = default;
+};
+
 /// A road, path or railway on the ground.
 struct Road {
   ObjectId id;
@@ -55,7 +62,8 @@ struct Road {
   /// Marked nodes such as crossings, sorted; TrackPoint::vertex is an index into this axis.
   std::vector<map::TrackPoint> points;
   WidthLimits width_limits;
-  Profile profile{};           ///< Heights along the axis. Empty in a RoadPlan, and for roads that lie on the terrain.
+  Profile profile{};  ///< Heights along the axis. Empty in a RoadPlan, and for roads that lie on the terrain.
+  std::vector<Cutting> cuttings{};  ///< Sorted, disjoint; mostly none. Set with the profile.
   double riser_m = 0;          ///< The height of a step of stairs with a tagged number of steps; a multiple of 2^-10.
   std::uint8_t handrails = 0;  ///< map::Handrail bits of stairs.
   map::CountryGroup country{};

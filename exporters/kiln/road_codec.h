@@ -218,12 +218,41 @@ void stepped(Io& io, std::vector<roads::Road>& roads) {
   });
 }
 
-/// The roads of a chunk, then their width limits, then risers and handrails of stairs.
+// Cuttings. Beginnings and ends are written as distances from the number before, in quarters of a metre.
+void cuttings(auto& io, std::vector<roads::Cutting>& all) {
+  double last_m = 0;
+  list(io, "cuttings", all, 1, [&](roads::Cutting& cutting) {
+    for (double* at_m : {&cutting.from_m, &cutting.to_m}) {
+      auto steps = static_cast<std::uint64_t>((*at_m - last_m) * 4);
+      io.number("cutting step", steps);
+      last_m = *at_m = last_m + static_cast<double>(steps) / 4;
+    }
+    if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+      if (cutting.to_m <= cutting.from_m || cutting.to_m > kMaxCoordinate_m) io.fail("cutting step");
+  });
+}
+
+// Writes only roads in cuttings.
+template <typename Io>
+void walled(Io& io, std::vector<roads::Road>& roads) {
+  std::vector<std::uint64_t> numbers = numbers_of(roads, [](const auto& r) { return !r.cuttings.empty(); });
+  std::uint64_t next = 0;
+  list(io, "walled roads", numbers, 0, [&](std::uint64_t& road) {
+    const auto code = [&](std::uint64_t& skipped) { io.number("walled road", skipped); };
+    const bool is_road = road_number<Io>(road, next, roads.size(), code);
+    if constexpr (Io::kReads)
+      if (!is_road) return io.fail("walled road");
+    cuttings(io, roads[road].cuttings);
+  });
+}
+
+/// The roads of a chunk, then their width limits, then risers and handrails of stairs, then cuttings.
 template <typename Io>
 void roads_of(Io& io, std::vector<roads::Road>& roads, KindsOfChunk& kinds) {
   list(io, "roads", roads, 0, [&](roads::Road& r) { kinds.road(io, r); });
   narrowings(io, roads);
   stepped(io, roads);
+  walled(io, roads);
 }
 
 // The unit of Strip::influence_radius_m.

@@ -250,7 +250,7 @@ class SceneMaker {
     s.layer = static_cast<std::int8_t>(static_cast<int>(below(21)) - 10);
     s.deck = pick(structures::DeckForm::kCount);
     for (auto i = below(2); i > 0; --i) s.plates.push_back(plate());
-    s.width_limits = {}, s.riser_m = 0, s.handrails = 0;
+    s.width_limits = {}, s.riser_m = 0, s.handrails = 0, s.cuttings = {};
     double at_m = 0;
     for (auto i = below(4); i > 0; --i)
       s.piers.push_back({at_m += (1 + below(999)) / 4.0, (static_cast<double>(below(9000)) - 400) / 4});
@@ -286,11 +286,22 @@ class SceneMaker {
     r.profile = profile();
     if (below(4) == 0) r.riser_m = metres(1), r.handrails = static_cast<std::uint8_t>(below(8));
     if (below(3) == 0) r.width_limits = {width_limits(), width_limits()};
+    if (below(4) == 0) r.cuttings = cuttings();
     for (map::TrackPoint& p : r.points) {
       p.facing = static_cast<std::int8_t>(p.facing - 1);
       if (p.kind == map::TrackPointKind::kLevelCrossing) p.reach_quarters = static_cast<std::uint8_t>(below(256));
     }
     return r;
+  }
+  std::vector<roads::Cutting> cuttings() {
+    std::vector<roads::Cutting> cuttings;
+    double at_m = 0;
+    for (auto i = 1 + below(2); i > 0; --i) {
+      const double from_m = at_m + below(999) / 4.0;
+      at_m = from_m + (1 + below(999)) / 4.0;
+      cuttings.push_back({from_m, at_m});
+    }
+    return cuttings;
   }
   std::vector<roads::WidthLimit> width_limits() {
     std::vector<roads::WidthLimit> width_limits;

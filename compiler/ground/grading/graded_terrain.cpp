@@ -94,9 +94,10 @@ void bound_by_roads(Bounds& bounds, std::span<const RoadInfluence> influences, d
     Bounds here;
     bound_by_slopes(here, road_m + (s.z_m - road_m) * std::min(1.0, away_m / kBlend_m), away_m, terrain_m,
                     room_across(step, away_m));
+    const double room_m = std::max(higher_m(over, s.z_m), s.wall_m);
     bounds.least_m = std::max(bounds.least_m, here.least_m);
-    bounds.most_m = std::min(bounds.most_m, here.most_m + higher_m(over, s.z_m));
-    bounds.wall_m = std::min(bounds.wall_m, here.wall_m + higher_m(over, s.z_m));
+    bounds.most_m = std::min(bounds.most_m, here.most_m + room_m);
+    bounds.wall_m = std::min(bounds.wall_m, here.wall_m + room_m);
   }
 }
 

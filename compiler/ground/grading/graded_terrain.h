@@ -14,6 +14,7 @@
 // - A bank that carries a higher road, and that ends at a lower road or water, may also be steeper: up to 1.5 up for 1
 //   along. If even that is too flat, the rest of the difference is a vertical step at the edge of the higher
 //   road: a wall.
+// - Cuttings that lead down to tunnels (roads::Cutting) have walls at the edges of their roads.
 // - Below the deck of a bridge the land leaves the clearance free. Over a bored tunnel it covers the roof
 //   (span_influence.h).
 // - Retaining walls, cliffs and dykes change the terrain before that (landforms). Across a step in the land, the slopes

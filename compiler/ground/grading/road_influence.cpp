@@ -48,6 +48,7 @@ void add_segments(const roads::Road& road, double kerb_m, RoadInfluenceIndex& in
                               .kerb_m = kerb_m,
                               .road = number});
   index.profiles.push_back(road.profile);
+  index.cuttings.push_back(road.cuttings);
 }
 
 double segment_reach_m(const GradedSegment& s) { return std::max(s.left_m, s.right_m) + kGrading_m; }
@@ -108,6 +109,16 @@ struct SegmentBatch {
   }
 };
 
+// The height of a cutting's walls at a distance along the whole way.
+double wall_at_m(std::span<const roads::Cutting> cuttings, double at_m) {
+  double most_m = 0;
+  for (const roads::Cutting& c : cuttings) {
+    const double from_end_m = std::min(c.from_m > 0 ? at_m - c.from_m : kCuttingEnd_m, c.to_m - at_m);
+    most_m = std::max(most_m, kCuttingWall_m * std::min(1.0, from_end_m / kCuttingEnd_m));
+  }
+  return most_m;
+}
+
 // Fills a result in place: copying would wait for what was just written.
 void fill(RoadInfluence& influence, const RoadInfluenceIndex& index, const SegmentBatch& batch, std::size_t i,
           double terrain_m) {
@@ -118,6 +129,8 @@ void fill(RoadInfluence& influence, const RoadInfluenceIndex& index, const Segme
   if (!influence.is_graded) return void(influence.z_m = terrain_m);
   const Knot knot = knot_on(index, number, batch.share[i]);
   influence.z_m = knot.z_m + knot.tilt * std::clamp(batch.aside_m[i], -s.right_m, s.left_m);
+  if (const std::vector<roads::Cutting>& cuttings = index.cuttings[s.road]; !cuttings.empty())
+    influence.wall_m = wall_at_m(cuttings, s.from_m + (s.to_m - s.from_m) * batch.share[i]);
 }
 
 void take_batch(std::pmr::vector<RoadInfluence>& influences, const RoadInfluenceIndex& index, SegmentBatch& batch,

@@ -38,6 +38,10 @@ inline constexpr double kBlend_m = 1.5;
 /// from the higher road's edge.
 inline constexpr double kWallTop_m = 0.125, kWallFoot_m = 0.375;
 
+/// In a cutting the slopes beside a road start this much higher, so that its sides are walls. At an end of the cutting
+/// that no other way continues, this height grows from 0 along kCuttingEnd_m.
+inline constexpr double kCuttingWall_m = 12, kCuttingEnd_m = 4;
+
 /// A straight piece of a road that has a profile, kerbs, or both.
 struct GradedSegment {
   Vec2 from, to;                   ///< Ends on the axis, plane metres.
@@ -59,8 +63,9 @@ struct RoadInfluenceIndex {
   std::vector<GradedSegment> segments;  ///< In the order of roads.
   std::vector<SegmentLine> lines;       ///< One per segment.
   std::vector<Profile> profiles;        ///< One per road with segments; empty: the road follows the terrain.
-  std::vector<Box2> influence_boxes;    ///< Per segment the box in which it influences heights.
-  BoxGrid grid;                         ///< Grid of these boxes.
+  std::vector<std::vector<roads::Cutting>> cuttings;  ///< One list per road with segments.
+  std::vector<Box2> influence_boxes;                  ///< Per segment the box in which it influences heights.
+  BoxGrid grid;                                       ///< Grid of these boxes.
   BoxGrid near;  ///< Finer grid of these boxes. A bucket (square of the grid) lists only segments whose edges are
                  ///< within kGrading_m of the bucket.
 };
@@ -81,6 +86,7 @@ struct RoadInfluence {
   double kerb_m = 0;       ///< Depth of the carriageway below z_m.
   double weight = 0;       ///< Largest on the axis (1.128), below 0.001 from kBlend_m beyond the edge on.
   double beyond_m = 0;     ///< Distance from the road's edge; 0 on the road.
+  double wall_m = 0;       ///< In a cutting: height above z_m from which slopes start, up to kCuttingWall_m.
   bool is_graded = false;  ///< False if the road follows the terrain.
 
   bool operator==(const RoadInfluence&) const = default;

@@ -49,10 +49,10 @@ std::optional<SpanView> view_of(const SpanInfluenceIndex& spans, std::uint32_t n
 
 }  // namespace
 
-double bore_height_m(const roads::Road& road) {
-  const map::LandCoverGroup group = map::values_of(road.surface).group;
+double bore_height_m(map::LandCoverClass surface) {
+  const map::LandCoverGroup group = map::values_of(surface).group;
   if (group == map::LandCoverGroup::kRail) return kRailBore_m;
-  if (road.surface == map::LandCoverClass::kServiceRoad) return kServiceBore_m;
+  if (surface == map::LandCoverClass::kServiceRoad) return kServiceBore_m;
   return group == map::LandCoverGroup::kPath ? kPathBore_m : kRoadBore_m;
 }
 

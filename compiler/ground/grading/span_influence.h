@@ -23,7 +23,8 @@ inline constexpr double kBoreCover_m = 0.5;
 inline constexpr double kPortalWall_m = 12, kPortalWallSlope = 1.5, kPortalWallSideSlope = 2;
 
 /// Returns the height of a bore from its road to its ceiling, which depends on the class of the road or rail.
-double bore_height_m(const roads::Road& road);
+double bore_height_m(map::LandCoverClass surface);
+inline double bore_height_m(const roads::Road& road) { return bore_height_m(road.surface); }
 
 /// An index of decks, or of bores (bored tunnels).
 struct SpanInfluenceIndex {

@@ -12,6 +12,8 @@
 #include "compiler/ground/profiles/crossings/clearances.h"
 #include "compiler/ground/profiles/crossings/crossings.h"
 #include "compiler/ground/profiles/crossings/enforce_clearances.h"
+#include "compiler/ground/profiles/crossings/lower_mouths.h"
+#include "compiler/ground/profiles/cuttings.h"
 #include "compiler/ground/profiles/diagnose_profiles.h"
 #include "compiler/ground/profiles/graph/approach_paths.h"
 #include "compiler/ground/profiles/graph/grade_rules.h"
@@ -219,12 +221,14 @@ Profiles plan_paths(const map::FeatureView& features, Profiles profiles, const T
   const BelowBridges below{terrain.streams, terrain.waters, [&](Vec2 p) { return land_m(graded, p); }};
   const std::vector<Crossing> crossings = seen_by(paths, all, find_crossings(all, features, below), profiles);
   const std::vector<double> lines_m = node_heights_of(paths, all, profiles, graded);
-  const std::vector<double> cleared_m = clear_crossings(paths, crossings, &terrain.heights, lines_m);
+  const std::vector<double> mouths_m = lower_mouths(paths, features, terrain.heights, lines_m);
+  const std::vector<double> cleared_m = clear_crossings(paths, crossings, &terrain.heights, mouths_m);
   std::vector<double> z_m = enforce_clearances(paths, crossings, lines_m, limit_grades(paths, cleared_m));
   const std::vector<bool> is_below = pass_below(paths, crossings);
   straighten_decks(paths, is_below, z_m);
   diagnose_profiles(paths, lines_m, z_m, report);
   const JunctionPlanes planes{std::move(z_m), std::vector<Vec2>(paths.nodes.size())};
+  std::vector<std::vector<roads::Cutting>> cuttings = cuttings_of(paths, lines_m, planes.z_m);
   for (std::size_t w = 0; w < paths.ways.size(); ++w) {
     const GraphWay& way = paths.ways[w];
     if (way.road == kNone) {
@@ -232,6 +236,7 @@ Profiles plan_paths(const map::FeatureView& features, Profiles profiles, const T
     } else if (is_below[w] || is_moved(paths, way, lines_m, cleared_m, kKnotError_m) ||
                is_moved(paths, way, lines_m, planes.z_m, kStep_m)) {
       profiles.roads[way.road].profile = knots_of(paths, way, planes);
+      profiles.roads[way.road].cuttings = std::move(cuttings[w]);
     }
   }
   const ProfileGraph written = graph_of(features, profiles.roads, {}, Lines::kAll);

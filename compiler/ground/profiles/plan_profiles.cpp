@@ -9,6 +9,8 @@
 #include "compiler/ground/profiles/crossings/clearances.h"
 #include "compiler/ground/profiles/crossings/enforce_clearances.h"
 #include "compiler/ground/profiles/crossings/ground_crossings.h"
+#include "compiler/ground/profiles/crossings/lower_mouths.h"
+#include "compiler/ground/profiles/cuttings.h"
 #include "compiler/ground/profiles/diagnose_profiles.h"
 #include "compiler/ground/profiles/known_lines.h"
 #include "compiler/ground/profiles/plan_paths.h"
@@ -81,11 +83,12 @@ struct SolvedHeights {
   JunctionPlanes planes;
 };
 
-SolvedHeights solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights,
-                    std::span<const double> lines_m) {
+SolvedHeights solve(const ProfileGraph& graph, const map::FeatureView& features, std::span<const Crossing> crossings,
+                    const map::Heightfield& heights, std::span<const double> lines_m) {
   JunctionPlanes planes = fit_junction_planes(graph, smooth_heights(graph, lines_m, heights.longer_sample_step_m()));
   std::vector<double> ground_m = limit_grades(graph, planes.z_m);
-  planes = fit_junction_planes(graph, clear_crossings(graph, crossings, &heights, ground_m));
+  const std::vector<double> mouths_m = lower_mouths(graph, features, heights, ground_m);
+  planes = fit_junction_planes(graph, clear_crossings(graph, crossings, &heights, mouths_m));
   planes.z_m = limit_grades(graph, planes.z_m);
   planes.z_m = enforce_clearances(graph, crossings, ground_m, planes.z_m);
   return {std::move(ground_m), std::move(planes)};
@@ -100,16 +103,19 @@ LineProfiles profiles_on(const ProfileGraph& graph, const map::FeatureView& feat
   const std::vector<Crossing> crossings = find_crossings(
       graph, features, {terrain.streams, terrain.waters, [&](Vec2 p) { return height_m_at(heights, p); }});
   const std::vector<double> lines_m = initial_heights(graph, heights, landforms);
-  const auto [ground_m, planes] = solve(graph, crossings, heights, lines_m);
+  const auto [ground_m, planes] = solve(graph, features, crossings, heights, lines_m);
 
   Profiles profiles{{roads.begin(), roads.end()}, {}, {}};
   profiles.off_ground.resize(static_cast<std::size_t>(std::ranges::count_if(features.tracks, leaves_ground)));
   const LevelWays level(graph, planes, heights);
-  for (const GraphWay& way : graph.ways) {
+  std::vector<std::vector<roads::Cutting>> cuttings = cuttings_of(graph, ground_m, planes.z_m);
+  for (std::size_t w = 0; w < graph.ways.size(); ++w) {
+    const GraphWay& way = graph.ways[w];
     if (way.road == kNone) {
       profiles.off_ground[way.off_ground] = knots_of(graph, way, planes);
     } else if (!level.contains(way)) {
       profiles.roads[way.road].profile = knots_of(graph, way, planes);
+      profiles.roads[way.road].cuttings = std::move(cuttings[w]);
     }
   }
   diagnose_profiles(graph, lines_m, planes.z_m, report);

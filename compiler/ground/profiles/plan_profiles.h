@@ -1,12 +1,13 @@
 // Plans the heights along every road and rail, once, when the map is compiled.
 //
-// One graph of all roads, rails, bridges and tunnels (profile_graph.h) goes through six steps. Each step is a function
-// of heights by node with a finite influence radius:
+// One graph of all roads, rails, bridges and tunnels (profile_graph.h) goes through seven steps. Each step is a
+// function of heights by node with a finite influence radius:
 //
 //     initial_heights      the filtered terrain; on bridges and in tunnels the line between their ends
 //     smooth_heights       smooth enough for the class (smooth_profile.h)
 //     fit_junction_planes  flat junctions (junction_planes.h)
 //     limit_grades         no steeper than the class allows (grade_limits.h, grade_rules.inc)
+//     lower_mouths         lines go down to tunnels in flat land (lower_mouths.h)
 //     clear_crossings      bridges rise, tunnels fall (clearances.h)
 //     enforce_clearances   restores clearances that planes and limits have reduced
 //

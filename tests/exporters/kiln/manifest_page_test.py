@@ -140,6 +140,7 @@ class Chunk:
         self.roads = self.all("roads", self.road)
         self.narrowed = self.all("narrowed roads", self.narrowed_road)
         self.stairs = self.all("stepped roads", lambda: self.several("stepped road", 1) + [self.plain("riser") / 1024, self.plain("handrails")])
+        self.walled = self.all("walled roads", self.walled_road)
         self.junctions = self.all("junctions", self.junction)
         self.waters = self.all("watercourses", self.water)
         self.bridges = self.all("bridges", self.span)
@@ -322,6 +323,9 @@ class Chunk:
 
     def narrowed_road(self):
         return self.plain("narrowed road"), *(self.all("width limits", self.width_limit) for side in ("left", "right"))
+
+    def walled_road(self):
+        return self.plain("walled road"), self.all("cuttings", lambda: self.several("cutting step", 2))
 
     def width_limit(self):
         return divmod(self.plain("width limit steps"), 2), self.streams["width limit half"].step() / 32

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "compiler/ground/profiles/crossings/lower_mouths.h"
 #include "compiler/ground/profiles/graph/grade_rules.h"
 #include "compiler/ground/profiles/graph/graph_rules.h"
 #include "compiler/ground/profiles/graph/graph_walk.h"
@@ -82,9 +83,8 @@ std::vector<double> Clearer::covers(const map::Heightfield& heights) const {
   std::vector<double> cover_m(graph.nodes.size(), kFar_m);
   for (const GraphWay& way : graph.ways) {
     const map::Track& track = *way.track;
+    if (track.passage != Passage::kTunnel || !needs_cover(track)) continue;
     const bool is_path = map::values_of(track.surface).group == map::LandCoverGroup::kPath;
-    // a tunnel tagged to lie above the ground needs no cover
-    if (track.passage != Passage::kTunnel || (is_path ? track.layer >= 0 : track.layer > 0)) continue;
     for (const Station& station : graph.stations_of(way)) {
       const double ground_m = filtered_height_m(heights, graph.nodes[station.node].at);
       cover_m[station.node] =

@@ -146,14 +146,15 @@ TEST(Profiles, ATunnelThatIsLoweredIsReported) {
   EXPECT_EQ(bridge.report.counts().count(Code::kTunnelLowered), 0u);
 }
 
-TEST(Profiles, ALongTunnelGoesDownBetweenItsMouthsAlone) {
+TEST(Profiles, ALongTunnelGoesDownFromItsMouths) {
   map::Features f = crossing(Passage::kTunnel, -1);
   f.tracks[0] = track(1, {{-800, 0}, {-300, 0}});
   f.tracks[1] = track(2, {{-300, 0}, {300, 0}}, kStreet, Passage::kTunnel, -1);
   f.tracks[2] = track(3, {{300, 0}, {800, 0}});
   const Planned p = planned(f, field_from([](double, double) { return 40; }));
   EXPECT_NEAR(height_m(p.profiles.off_ground[0], 300), 33, 0.5);
-  EXPECT_NEAR(height_m(p.profiles.roads[0].profile, 490), 40, 0.1);
+  EXPECT_NEAR(height_m(p.profiles.roads[0].profile, 500), 34.5, 0.2);
+  EXPECT_NEAR(height_m(p.profiles.roads[0].profile, 400), 40, 0.1);
 }
 
 TEST(Profiles, ABridgeThatCrossesNothingIsNoHump) {
@@ -166,8 +167,8 @@ TEST(Profiles, ABridgeThatCrossesNothingIsNoHump) {
   }
 }
 
-TEST(Profiles, AShortTunnelInFlatLandIsNoPit) {
-  map::Features f = crossing(Passage::kTunnel, -1);
+TEST(Profiles, AShortTunnelWithoutALayerIsNoPit) {
+  map::Features f = crossing(Passage::kTunnel, 0);
   f.tracks.pop_back();
   const Planned p = planned(f, field_from([](double, double) { return 40; }));
   EXPECT_GT(height_m(p.profiles.off_ground[0], 30), 40 - kTunnelCover_m);
