@@ -69,7 +69,7 @@ GroundRange ground_along(Vec2 from, Vec2 to, const ground::GradedTerrain& ground
   GroundRange range;
   const double steps = std::max(1.0, std::ceil(distance(from, to) / kSampleSpacing_m));
   for (double i = 0; i <= steps; ++i) {
-    const double z_m = land_m(ground, from + (to - from) * (i / steps));
+    const double z_m = wall_ground_m(ground, from + (to - from) * (i / steps));
     range.grow({z_m, z_m});
   }
   return range;

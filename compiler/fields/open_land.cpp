@@ -96,6 +96,15 @@ Polygon coarse_outline(const map::AreaFeature& area, const Box2& within) {
   return outline;
 }
 
+// Closes the cell of a building and those about it.
+void close_about(Vec2 building, OpenSquare& square) {
+  const Vec2 cell = (building - square.low) * (1 / kOpenCell_m);
+  const int column = static_cast<int>(std::floor(cell.x)), row = static_cast<int>(std::floor(cell.y));
+  const std::uint64_t bits = bits_from(std::max(column - 1, 0)) & ~bits_from(std::clamp(column + 2, 0, kCells));
+  for (int r = std::max(row - 1, 0); r <= std::min(row + 1, kCells - 1); ++r)
+    square.cells[static_cast<std::size_t>(r)] &= ~bits;
+}
+
 void close_steep(const std::function<bool(Vec2)>& is_steep, OpenSquare& square) {
   constexpr std::uint64_t kBlock = (std::uint64_t{1} << kSteepCells) - 1;
   for (int row = 0; row < kCells; row += kSteepCells)
@@ -183,6 +192,8 @@ OpenSquare OpenLand::square_at(Vec2 low, const std::function<bool(Vec2)>& is_ste
       if (Polygon outline = coarse_outline(area, box); !outline.outer.empty())
         square.below.push_back(std::move(outline));
     }
+  if (!buildings_.empty())
+    for (const std::uint32_t i : boxes_about(buildings_grid_, box)) close_about(buildings_[i], square);
   close_steep(is_steep, square);
   return square;
 }

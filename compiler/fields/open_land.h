@@ -54,8 +54,8 @@ class OpenLand {
   explicit OpenLand(const map::FeatureView& features);
 
   /// Returns the square of kOpenSquare_m with the south-western corner `low`. A cell is open if its
-  /// centre is in no mapped area of any class and its block of kSteepCells by kSteepCells cells is
-  /// not steep. O(points of the areas near).
+  /// centre is in no mapped area of any class, no building has its middle in it or in a cell beside
+  /// it, and its block of kSteepCells by kSteepCells cells is not steep. O(points of the areas near).
   /// @param is_steep  True for a place in plane metres that is too steep for fields. It is called
   ///                  for the centres of blocks, at most 256 times.
   OpenSquare square_at(Vec2 low, const std::function<bool(Vec2)>& is_steep) const;

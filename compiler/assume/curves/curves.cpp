@@ -22,11 +22,14 @@ constexpr double kErrorOfRoads_m = 0.1, kErrorOfWater_m = 0.2, kErrorOfBarriers_
 /// The largest reach of a bulge (geometry/curved_chord.h): a straight street stays straight beyond.
 constexpr double kReachInTown_m = 40, kReachInTheOpen_m = 96;
 
-// Paths are narrow, so that their corners are hardly seen, and have as many as roads.
+// Paths and tracks are narrow, so that their corners are hardly seen, and have more than all roads.
+bool is_narrow(const Track& track) {
+  return map::family_of(track.surface) == map::Family::kPath || track.surface == LandCoverClass::kFarmTrack;
+}
+
 bool keeps_axis(const Track& track) {
-  return map::family_of(track.surface) == map::Family::kPath || track.is_through_building || track.is_covered ||
-         track.is_arcade || track.is_indoor || track.surface == LandCoverClass::kRunway ||
-         track.section.axis_drift != 0;
+  return is_narrow(track) || track.is_through_building || track.is_covered || track.is_arcade || track.is_indoor ||
+         track.surface == LandCoverClass::kRunway || track.section.axis_drift != 0;
 }
 
 // The limits of a chord for which these hold, whatever its length.
@@ -171,7 +174,8 @@ std::vector<map::Waterway> curved_waterways(std::span<const map::Waterway> water
   std::vector<CurvableLine> lines;
   for (std::size_t w = 0; w < waterways.size(); ++w) {
     const map::Waterway& way = waterways[w];
-    const double most_m = way.passage == map::Passage::kGround ? kMostOfWater_m : 0;
+    const bool is_wide = way.width_m >= kWideWater_m;
+    const double most_m = way.passage == map::Passage::kGround && is_wide ? kMostOfWater_m : 0;
     lines.push_back({.axis = way.axis,
                      .nodes = ids[w],
                      .network = 0,

@@ -20,6 +20,8 @@ inline constexpr double kMostOfRoads_m = 1;
 inline constexpr double kMostInTheOpen = 0.02, kMostInTheOpen_m = 3;
 /// The largest distances in metres of curves of watercourses, and of walls, fences and hedges.
 inline constexpr double kMostOfWater_m = 1.5, kMostOfBarriers_m = 0.25;
+/// The least width in metres of a watercourse that is curved: streams have as many points as roads.
+inline constexpr double kWideWater_m = 4;
 /// The largest distance of any curve, as a share of the chord's length.
 inline constexpr double kMostOfChord = 0.12;
 /// The longest chord in metres that is curved.
@@ -33,14 +35,15 @@ inline constexpr double kCurveRadius_m = 2 * kLongestChord_m + kInTown_m;
 /// where they are; slopes_of() (bends.h) selects those that are rounded. Points of curves have the
 /// node ids of curve_node_id(); the indices of TrackPoints refer to the new axes.
 ///
-/// These axes stay as mapped: paths, stairs, runways, ways through buildings, covered or indoors, and axes
+/// These axes stay as mapped: paths, tracks, runways, ways through buildings, covered or indoors, and axes
 /// that drift (placement=transition). Turning circles and mini-roundabouts keep their corners.
 /// Curves on the ground keep their distance from buildings and from pavements of other ways
 /// (free_room.h). Each way with a curve is counted once as Assumption::kCurves. The result does not
 /// depend on the order of the features. O(n log n), n: points.
 std::vector<map::Track> curved_tracks(const map::FeatureView& features, Report& report);
 
-/// Returns all waterways, in order; those on the ground have curved axes. The result depends on no
+/// Returns all waterways, in order; those on the ground of at least kWideWater_m have
+/// curved axes. The result depends on no
 /// other features. O(n log n), n: points.
 std::vector<map::Waterway> curved_waterways(std::span<const map::Waterway> waterways);
 

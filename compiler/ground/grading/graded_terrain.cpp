@@ -218,6 +218,15 @@ Heights heights_at(const GradedTerrain& graded, Vec2 p) { return sample_heights(
 
 double land_m(const GradedTerrain& graded, Vec2 p) { return layer_height_m(heights_at(graded, p), HeightLayer::kLand); }
 
+double wall_ground_m(const GradedTerrain& graded, Vec2 p) {
+  constexpr double kLeastStep_m = 0.25, kOnRoad_m = 0.125;
+  const Heights heights = heights_at(graded, p);
+  const double land_m = layer_height_m(heights, HeightLayer::kLand);
+  const double road_m = layer_height_m(heights, HeightLayer::kCarriageway);
+  const bool is_lower = road_m < land_m - kLeastStep_m && graded.paved_index.box.contains(p);
+  return is_lower && clearance_m(graded.paved_index, p, 0, 1) <= kOnRoad_m ? road_m : land_m;
+}
+
 std::array<Vec3, kHeightLayers> normals_at(const GradedTerrain& graded, Vec2 p) {
   std::array<Vec3, kHeightLayers> normals;
   normals.fill(map::normal_at(graded.terrain, p));

@@ -112,6 +112,9 @@ HeightSample sample_heights(const GradedTerrain& graded, Vec2 p);
 /// tops.
 double land_m(const GradedTerrain& graded, Vec2 p);
 
+/// Returns the height of the ground below a wall at p: that of a road in a cutting if p is on it, and else land_m().
+double wall_ground_m(const GradedTerrain& graded, Vec2 p);
+
 /// Returns one normal per layer, of unit length. A normal of a layer that differs from the terrain comes from heights
 /// 1 m to each side of p. The others are normals of the terrain, smoothed over its grid squares.
 std::array<Vec3, kHeightLayers> normals_at(const GradedTerrain& graded, Vec2 p);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/segment.h"
@@ -85,6 +86,14 @@ void add_samples(const map::AreaFeature& area, const map::Heightfield& heights, 
       if (winding_number(ring, {x, y}) != 0) samples.push_back({x, y, map::height_m_at(heights, {x, y})});
 }
 
+// True where the terrain is the plane: nothing has to be levelled.
+bool is_level_already(const FittedSurface& plane, std::span<const Vec3> samples) {
+  constexpr double kAlike_m = 1.0 / 64;
+  return std::ranges::all_of(samples, [&](const Vec3& s) {
+    return std::abs(s.z - plane.height_m({s.x, s.y})) <= kAlike_m;
+  });
+}
+
 Landform level_landform(const map::AreaFeature& area, const FittedSurface& plane) {
   Landform form;
   form.id = area.id, form.axis = area.polygon.outer;
@@ -114,13 +123,14 @@ std::vector<Landform> level_areas(std::span<const map::AreaFeature> areas, const
     add_samples(*level[a], heights, samples[group]);
     most_slope[group] = std::min(most_slope[group], level_row_of(*level[a])->most_slope);
   }
-  std::vector<FittedSurface> planes(level.size());
-  for (std::uint32_t g = 0; g < level.size(); ++g)
-    if (!samples[g].empty()) planes[g] = fitted_surface(samples[g], SurfaceForm::kPlane, most_slope[g]);
+  std::vector<std::optional<FittedSurface>> planes(level.size());
+  for (std::uint32_t g = 0; g < level.size(); ++g) {
+    const FittedSurface plane = fitted_surface(samples[g], SurfaceForm::kPlane, most_slope[g]);
+    if (!is_level_already(plane, samples[g])) planes[g] = plane;
+  }
   std::vector<Landform> forms;
   for (std::uint32_t a = 0; a < level.size(); ++a)
-    if (const std::uint32_t group = groups.of(a); !samples[group].empty())
-      forms.push_back(level_landform(*level[a], planes[group]));
+    if (const auto& plane = planes[groups.of(a)]) forms.push_back(level_landform(*level[a], *plane));
   return forms;
 }
 

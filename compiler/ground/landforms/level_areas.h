@@ -2,7 +2,6 @@
 // large car parks, wide squares.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,7 +15,7 @@ namespace citykiln::ground {
 bool is_level_area(const map::AreaFeature& area);
 
 /// Returns a landform of LandformKind::kLevel for each area of is_level_area(), in their order.
-/// Areas that contain none of their samples are skipped.
+/// Areas that contain none of their samples, or whose terrain is level already, are skipped.
 ///
 /// The plane is that of fitted_surface() for the terrain inside the outline, no steeper than the
 /// row of the class allows. Areas of sports within 1 m of each other, such as a pitch within a
