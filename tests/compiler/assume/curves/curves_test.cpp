@@ -244,16 +244,19 @@ TEST(CurvedBarriers, CornersOfLotsStay) {
   EXPECT_EQ(curved_barriers(mapped), mapped);
 }
 
-TEST(CurvedWaterways, StreamsAreCurvedAndCulvertsAreNot) {
-  map::Waterway stream, culvert;
-  stream.id = {{OsmType::kWay, 1}, 0}, culvert.id = {{OsmType::kWay, 2}, 0};
-  for (const Vec2 p : arc(6, 25)) stream.axis.push_back(snapped_to(map::kMapStep_m, p));
-  culvert.axis = stream.axis;
+TEST(CurvedWaterways, RiversAreCurvedAndCulvertsAndNarrowStreamsAreNot) {
+  map::Waterway river, culvert, stream;
+  river.id = {{OsmType::kWay, 1}, 0}, culvert.id = {{OsmType::kWay, 2}, 0}, stream.id = {{OsmType::kWay, 3}, 0};
+  for (const Vec2 p : arc(6, 25)) river.axis.push_back(snapped_to(map::kMapStep_m, p));
+  culvert.axis = stream.axis = river.axis;
   for (Vec2& p : culvert.axis) p.y += 1000;
+  for (Vec2& p : stream.axis) p.y += 2000;
   culvert.passage = map::Passage::kTunnel;
-  const std::vector<map::Waterway> mapped = {stream, culvert}, made = curved_waterways(mapped);
+  river.width_m = culvert.width_m = kWideWater_m, stream.width_m = kWideWater_m / 2;
+  const std::vector<map::Waterway> mapped = {river, culvert, stream}, made = curved_waterways(mapped);
   EXPECT_LT(most_turn_deg(made[0].axis), 12);
   EXPECT_EQ(made[1].axis, culvert.axis);
+  EXPECT_EQ(made[2].axis, stream.axis);
 }
 
 }  // namespace
