@@ -71,8 +71,9 @@ struct Frontage {
   double ahead_m = 0;
   double both = 0, either = 0;  // shares of the stations that have walls on both sides, and on one
   double near = 0;              // share of the first four stations that have a wall
+  double even = 0;              // share of the stations on streets beside which the ground is as high
   std::size_t buildings = 0;
-  int walls = 0, sunlit_left = 0, sunlit_right = 0;
+  int on_street = 0, walls = 0, sunlit_left = 0, sunlit_right = 0;
   double width_m = 2 * kFarSide_m, left_m = kFarSide_m, right_m = kFarSide_m;  // the least
 
   int sunlit() const { return sunlit_left + sunlit_right; }
@@ -85,6 +86,21 @@ bool is_on_street(const ViewScene& scene, Vec3 from) {
   return hit && (is_street(hit->material) || hit->material == Material::kConcrete || hit->material == Material::kPaint);
 }
 
+// True if the ground at both sides of a place on a street is as high as below it: no bank of a road on a slope.
+bool is_even_across(const ViewScene& scene, Vec3 from, Vec3 direction) {
+  constexpr double kAside_m = 4, kEven_m = 0.75;
+  const World& world = scene.look.world;
+  const auto below_m = [&](Vec3 p) {
+    const auto hit = world.first_hit(p + Vec3{0, 0, 8} - world.origin(), {0, 0, -1});
+    return hit ? hit->distance_m : 0;
+  };
+  const double here_m = below_m(from), aside_m = below_m(from + left_of(direction) * kAside_m),
+               other_m = below_m(from - left_of(direction) * kAside_m);
+  // what is much nearer is a wall, a tree or a car
+  const auto is_bank = [&](double m) { return std::abs(m - here_m) > kEven_m && m > here_m - 6; };
+  return !is_bank(aside_m) && !is_bank(other_m);
+}
+
 Frontage frontage_along(const ViewScene& scene, Vec3 eye, Vec3 direction, double ahead_m) {
   Frontage found{.ahead_m = ahead_m};
   std::set<OsmId> buildings;
@@ -92,6 +108,7 @@ Frontage frontage_along(const ViewScene& scene, Vec3 eye, Vec3 direction, double
     if (station_m > ahead_m - 1) break;
     const Vec3 from = eye + direction * station_m;
     if (!is_on_street(scene, from)) continue;
+    found.even += is_even_across(scene, from, direction) ? 1 : 0, found.on_street += 1;
     const auto left = wall_at(scene, from, left_of(direction)), right = wall_at(scene, from, left_of(direction) * -1);
     found.both += left && right ? 1.0 / kStations_m.size() : 0;
     found.either += left || right ? 1.0 / kStations_m.size() : 0;
@@ -102,6 +119,7 @@ Frontage frontage_along(const ViewScene& scene, Vec3 eye, Vec3 direction, double
     if (left && right) found.width_m = std::min(found.width_m, left->far_m + right->far_m);
   }
   found.buildings = buildings.size();
+  found.even = found.on_street == 0 ? 0 : found.even / found.on_street;
   return found;
 }
 
@@ -133,8 +151,8 @@ double worth_of(const ViewScene& scene, const Frontage& found, Vec3 direction) {
   const double many = 0.4 + 0.6 * std::min(static_cast<double>(found.buildings) / 8, 1.0);
   const double length = std::sqrt(std::min(found.ahead_m / kLongEnough_m, 1.0));
   // walls near the eye fill most of the picture
-  const double near = 0.3 + 0.7 * found.near;
-  return (found.both + 0.2 * found.either + 0.02) * near * width * many * length *
+  const double near = 0.3 + 0.7 * found.near, even = 0.2 + 0.8 * found.even;
+  return (found.both + 0.2 * found.either + 0.02) * near * even * width * many * length *
          worth_of_light(scene, found, direction);
 }
 
