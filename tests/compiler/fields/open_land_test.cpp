@@ -57,6 +57,16 @@ TEST(OpenLand, FieldsKeepToLevelLand) {
   EXPECT_TRUE(open.free_parts(square, {block({500, 100}, {900, 400}), {}}).empty());
 }
 
+TEST(OpenLand, CellsAboutABuildingAreClosed) {
+  map::Features map;
+  map.extent = {{0, 0}, {1024, 1024}};
+  map.footprints = {house(2, {19, 507})};
+  const OpenSquare square = OpenLand(map).square_at({0, 0}, [](Vec2) { return false; });
+  EXPECT_EQ(open_m2(square), kOpenSquare_m * kOpenSquare_m - 9 * kOpenCell_m * kOpenCell_m);
+  EXPECT_FALSE(is_open(square, {8, 500})) << "beside the cell of its middle";
+  EXPECT_TRUE(is_open(square, {56, 512}));
+}
+
 TEST(OpenLand, CellsOfLandWithHolesAreThoseOutsideOfIt) {
   map::Features map;
   map.extent = {{0, 0}, {1024, 1024}};

@@ -38,6 +38,11 @@ TEST(LevelAreas, APitchIsAPlaneOfOnePercentOnAHillside) {
     for (double y = 0; y <= 64; y += 8) EXPECT_NEAR(land_at(index, field, {x, y}), corner_m + x * 0.01, 0.08);
 }
 
+TEST(LevelAreas, AreNotMadeWhereTheTerrainIsLevelAlready) {
+  const map::Heightfield field = field_from([](double, double) { return 300; }, 512, 16);
+  EXPECT_TRUE(level_areas(std::vector{made_area(1, LandCoverClass::kPitch, {{0, 0}, {100, 64}})}, field).empty());
+}
+
 TEST(LevelAreas, MeetTheLandWithoutACliff) {
   const map::Heightfield field = hillside(0.1);
   const std::vector<map::AreaFeature> areas{made_area(1, LandCoverClass::kPitch, {{0, 0}, {100, 64}})};

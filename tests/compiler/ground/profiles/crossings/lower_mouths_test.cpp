@@ -101,6 +101,18 @@ TEST(Mouths, WallsStandBesideTheCutting) {
   EXPECT_NEAR(layer_height_m(heights_at(graded, {-65, 0}), HeightLayer::kRoad), deep_m, 0.05);
 }
 
+TEST(Mouths, AWallOnTheRoadReachesDownToIt) {
+  const map::Features f = under_flat_land(kStreet, 400);
+  const Planned p = planned(f, flat());
+  const std::vector<LandCoverPolygon> paved{
+      {.id = {}, .surface = kStreet, .area_m2 = 1, .rings = {{{-450, -3}, {-50, -3}, {-50, 3}, {-450, 3}}}}};
+  const GradedTerrain graded = grade_terrain(
+      flat(), {.roads = p.profiles.roads, .streams = {}, .surfaces = paved, .box = {{-900, -900}, {900, 900}}});
+  const double deep_m = height_m(p.profiles.roads[0].profile, 385);
+  EXPECT_NEAR(wall_ground_m(graded, {-65, 3}), deep_m, 0.25) << "at the edge of the road";
+  EXPECT_NEAR(wall_ground_m(graded, {-65, 3.5}), kLand_m, 0.05) << "beside it";
+}
+
 TEST(Mouths, JunctionsAndCrossedPlacesStay) {
   for (const LandCoverClass beside : {kStreet, LandCoverClass::kPavedFootPath}) {
     map::Features f = under_flat_land(kStreet, 400);
