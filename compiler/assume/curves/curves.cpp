@@ -40,7 +40,7 @@ ChordLimits limits_of(ChordLimits limits, Vec2 a, Vec2 b) {
   return limits;
 }
 
-ChordLimits limits_of_road(const Track& track, const BuildingOutlines& walls, Vec2 a, Vec2 b) {
+ChordLimits limits_of_road(const BuildingOutlines& walls, Vec2 a, Vec2 b) {
   if (is_in_town(walls, a, b)) return limits_of({kMostOfRoads_m, kReachInTown_m, kErrorOfRoads_m}, a, b);
   const double most_m = std::clamp(kMostInTheOpen * distance(a, b), kMostOfRoads_m, kMostInTheOpen_m);
   return limits_of({most_m, kReachInTheOpen_m, kErrorOfRoads_m}, a, b);
@@ -49,7 +49,7 @@ ChordLimits limits_of_road(const Track& track, const BuildingOutlines& walls, Ve
 std::vector<ChordLimits> chords_of(const Track& track, const BuildingOutlines& walls) {
   std::vector<ChordLimits> chords(track.axis.size() - 1);
   for (std::size_t c = 0; c < chords.size() && !keeps_axis(track); ++c)
-    chords[c] = limits_of_road(track, walls, track.axis[c], track.axis[c + 1]);
+    chords[c] = limits_of_road(walls, track.axis[c], track.axis[c + 1]);
   return chords;
 }
 

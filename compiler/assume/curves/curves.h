@@ -35,16 +35,15 @@ inline constexpr double kCurveRadius_m = 2 * kLongestChord_m + kInTown_m;
 /// where they are; slopes_of() (bends.h) selects those that are rounded. Points of curves have the
 /// node ids of curve_node_id(); the indices of TrackPoints refer to the new axes.
 ///
-/// These axes stay as mapped: paths, tracks, runways, ways through buildings, covered or indoors, and axes
-/// that drift (placement=transition). Turning circles and mini-roundabouts keep their corners.
+/// These axes stay as mapped: paths, tracks, runways, ways through buildings, covered or indoors,
+/// and axes that drift (placement=transition). Turning circles and mini-roundabouts keep their corners.
 /// Curves on the ground keep their distance from buildings and from pavements of other ways
 /// (free_room.h). Each way with a curve is counted once as Assumption::kCurves. The result does not
 /// depend on the order of the features. O(n log n), n: points.
 std::vector<map::Track> curved_tracks(const map::FeatureView& features, Report& report);
 
-/// Returns all waterways, in order; those on the ground of at least kWideWater_m have
-/// curved axes. The result depends on no
-/// other features. O(n log n), n: points.
+/// Returns all waterways, in order; those on the ground of at least kWideWater_m have curved axes.
+/// The result depends on no other features. O(n log n), n: points.
 std::vector<map::Waterway> curved_waterways(std::span<const map::Waterway> waterways);
 
 /// Returns all barriers, in order. An axis is curved where it turns at three nodes in a row to the

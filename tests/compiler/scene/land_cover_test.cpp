@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "compiler/ground/cover/land_cover_index.h"
 #include "tests/compiler/roads/made_road.h"
 
 namespace citykiln::scene {
@@ -43,6 +44,53 @@ TEST(LandCover, JunctionsAreGradedWithAnyOfTheirArms) {
   EXPECT_FALSE(junction_surface(junction, roads, arms).is_graded);
   roads[2].profile = {{0, 5, 0}, {80, 1, 0}};
   EXPECT_TRUE(junction_surface(junction, roads, arms).is_graded);
+}
+
+ground::LandCoverPolygon square_water(std::int64_t id, map::LandCoverClass surface, double from_m, double side_m) {
+  const double to_m = from_m + side_m;
+  return {.id = {{OsmType::kWay, id}, 0},
+          .surface = surface,
+          .area_m2 = static_cast<std::uint32_t>(side_m * side_m),
+          .rings = {{{from_m, from_m}, {to_m, from_m}, {to_m, to_m}, {from_m, to_m}}}};
+}
+
+roads::Strip watercourse(std::int64_t id, map::LandCoverClass surface, double y_m) {
+  roads::Strip stream;
+  stream.id = {{OsmType::kWay, id}, 0};
+  stream.surface = surface;
+  stream.axis = {{0, y_m}, {100, y_m}};
+  stream.left_m = stream.right_m = 3;
+  return stream;
+}
+
+// The class on top at a place where a river, a stream and standing water are mapped.
+map::LandCoverClass on_top(const std::vector<ground::LandCoverPolygon>& surfaces, Vec2 at) {
+  const ground::LandCoverIndex index = ground::index_land_cover(surfaces, {{0, 0}, {100, 100}});
+  const std::uint32_t top = ground::land_cover_at(index, at);
+  return top == ground::kNoLandCover ? map::LandCoverClass::kUnknown : surfaces[top].surface;
+}
+
+// Rivers are mapped through lakes and streams through rivers, so that they connect.
+TEST(LandCover, AWatercourseInMappedWaterHasTheLooksOfThatWater) {
+  using enum map::LandCoverClass;
+  for (const map::LandCoverClass standing : {kLake, kReservoir, kBasin, kPond, kDock, kPool})
+    for (const map::LandCoverClass running : {kRiver, kStream}) {
+      Chunk chunk;
+      chunk.surfaces = {square_water(1, standing, 20, 60)};
+      chunk.watercourses = {watercourse(2, running, 50)};
+      const auto surfaces = coarse_land_cover(chunk);
+      EXPECT_EQ(on_top(surfaces, {10, 50}), running);
+      EXPECT_EQ(on_top(surfaces, {50, 50}), standing);
+    }
+}
+
+TEST(LandCover, AStreamInARiverHasTheLooksOfTheRiver) {
+  using enum map::LandCoverClass;
+  Chunk chunk;
+  chunk.surfaces = {square_water(1, kRiver, 20, 60)};
+  chunk.watercourses = {watercourse(2, kStream, 50)};
+  EXPECT_EQ(on_top(coarse_land_cover(chunk), {50, 50}), kRiver);
+  EXPECT_EQ(on_top(coarse_land_cover(chunk), {10, 50}), kStream);
 }
 
 }  // namespace
