@@ -159,7 +159,8 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
                        .snow_line_m = spec.snow_line_m,
                        .around = std::move(*around),
                        .climate = climate_of(plane, extent),
-                       .has_wild_slopes = has(spec.assume, Assumption::kSurfaces)};
+                       .has_wild_slopes = has(spec.assume, Assumption::kSurfaces),
+                       .cars = car_share_of(spec)};
   if (!header.snow_line_m && climate::is_under_snow(header.climate.origin_class, scene::local_month_of(header)))
     header.snow_line_m = kBelowAllLand_m;
   for (const source::RasterSpec& raster : spec.rasters) header.sources.push_back(file_name_of(raster.path));
@@ -236,7 +237,7 @@ Result<things::Catalogue> read_things(const CompileSpec& spec) {
     for (source::TextFile& file : *files) own.push_back({std::move(file.name), std::move(file.text)});
   }
   Result<things::Catalogue> catalogue = things::read_catalogue(own, spec.things_folder);
-  if (catalogue && !spec.cars)
+  if (catalogue && !cars::has_cars(car_share_of(spec)))
     std::erase_if(catalogue->table, [](const auto& row) { return map::role_of(row.name) == map::ThingRole::kCar; });
   return catalogue;
 }

@@ -10,6 +10,7 @@
 #include "compiler/contract/findings/assumption_names.h"
 #include "compiler/contract/findings/code_names.h"
 #include "compiler/contract/texts/parse.h"
+#include "compiler/geometry/snap.h"
 #include "compiler/parse_values.h"
 #include "compiler/sky/clouds/read_clouds.h"
 #include "compiler/sky/moment.h"
@@ -294,6 +295,15 @@ Result<Done> set_fill(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
+Result<Done> set_cars(CompileSpec& spec, std::string_view text) {
+  if (text == "usual" || text == "true") return spec.cars = cars::kUsualCars, Done{};
+  if (text == "none" || text == "false") return spec.cars = cars::kNoCars, Done{};
+  const auto share = number_in<double>(text);
+  if (!share || !(*share >= 0 && *share <= 1)) return expected("usual, none, or a share from 0 to 1, such as 0.7", text);
+  spec.cars = cars::CarShare{.share = snapped_to(cars::kShareStep, *share)};
+  return Done{};
+}
+
 Result<Done> set_strict(CompileSpec& spec, std::string_view text) {
   spec.strict = {.is_on = text != "false", .codes = {}};
   if (text == "true" || text == "false") return Done{};
@@ -418,8 +428,10 @@ constexpr Setting kSettings[] = {
      false, set_materials},
     {"textures", "usual|fine", "textures of materials with up to 512 texels a side, or 1024 (default: usual)", false,
      set_textures},
-    {"cars", "", "parked cars in parking lanes, on car parks and in parking spaces, drawn by the seed", false,
-     [](CompileSpec& spec, std::string_view text) { return put(parse_switch(text), spec.cars); }},
+    {"cars", "[usual|none|SHARE]",
+     "the share of parking places with a parked car, from 0 to 1; usual: by country, kind of place and hour (default: "
+     "usual where parking is assumed, else none)",
+     false, set_cars},
     {"tags", "", "keep all tags of the map's elements, in the manifest and as a property of each feature in .glb files",
      false, [](CompileSpec& spec, std::string_view text) { return put(parse_switch(text), spec.map.keeps_tags); }},
     {"threads", "N", "number of threads; 0 uses all processors (default: {})", false,

@@ -150,6 +150,10 @@ Result<Done> check_world(const CompileSpec& spec) {
   return Done{};
 }
 
+cars::CarShare car_share_of(const CompileSpec& spec) {
+  return spec.cars.value_or(has(spec.assume, Assumption::kParking) ? cars::kUsualCars : cars::kNoCars);
+}
+
 Compression compression_of(const Outputs& outputs, Target target) {
   return outputs.compress.value_or(values_of(target).reads_quantised ? Compression::kLean : Compression::kNone);
 }

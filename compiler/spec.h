@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/cars/recipe.h"
 #include "compiler/contract/findings/assumption.h"
 #include "compiler/contract/findings/report.h"
 #include "compiler/contract/layout.h"
@@ -97,7 +98,7 @@ struct CompileSpec {
   std::string things_folder;        ///< A folder with a table of things and rule files; "" for none.
   std::string species_folder;       ///< A folder of user-defined species; "" for none.
   bool fill_lots = false;           ///< Houses on residential land without buildings (lots/fill_lots.h).
-  bool cars = false;                ///< Parked cars (things/parked_cars.h).
+  std::optional<cars::CarShare> cars;  ///< Parked cars (cars/parked_cars.h). Empty: car_share_of() decides.
   World world = World::kByOutput;   ///< 3D Tiles need the ellipsoid or a cylinder, others the plane or a cylinder.
   map::Cylinder cylinder{};         ///< For World::kCylinder.
   std::optional<sky::Moment> time;  ///< The time of the sky; see sky::plan().
@@ -108,6 +109,10 @@ struct CompileSpec {
   Strictness strict;
   Outputs outputs;
 };
+
+/// Returns the share of parking places with a car: that of the spec, else the usual one if any rows of parked cars are
+/// assumed (Assumption::kParking), else none.
+cars::CarShare car_share_of(const CompileSpec& spec);
 
 /// Reads spec.json: an object whose keys are names of settings and whose values are strings, numbers, booleans, or
 /// arrays of these. Paths are relative to the working directory. Errors: a missing file, malformed JSON (with line and

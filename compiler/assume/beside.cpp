@@ -33,6 +33,7 @@ LandUse land_use_of(LandCoverClass surface) {
     case LandCoverClass::kRailwayLand:
       return LandUse::kRailway;
     case LandCoverClass::kParking:
+    case LandCoverClass::kServiceArea:
       return LandUse::kParking;
     case LandCoverClass::kMeadow:
     case LandCoverClass::kGrassland:

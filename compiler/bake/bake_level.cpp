@@ -75,27 +75,35 @@ std::string name_of_form(const PlacedThing& thing) {
   return thing.number == 1 ? thing.form.kind : fmt::format("{}_{}", thing.form.kind, thing.number);
 }
 
-void count_things(const std::vector<const PlacedThing*>& things, const BakedThing& baked, Account& account,
+// Accounts of things: of recipes, and of parked cars, which are not diagnosed when they are dropped.
+struct ThingAccounts {
+  Account things, cars;
+};
+
+void count_things(const std::vector<const PlacedThing*>& things, const BakedThing& baked, ThingAccounts& accounts,
                   Report& report) {
   for (const PlacedThing* thing : things) {
+    Account& account = thing->is_parked ? accounts.cars : accounts.things;
     ++account.in;
-    if (baked.primitives.empty())
-      report.drop(account, Code::kBelowTolerance, thing->placement.feature, baked.error_m);
-    else
+    if (!baked.primitives.empty())
       ++account.out;
+    else if (thing->is_parked)
+      ++account.dropped[Code::kBelowTolerance];
+    else
+      report.drop(account, Code::kBelowTolerance, thing->placement.feature, baked.error_m);
   }
 }
 
-// Adds things as instances. Account "bake/thing". Rules that ask for something impossible are diagnosed,
+// Adds things as instances. Accounts "bake/thing" and "bake/parked car". Rules that ask for something impossible are diagnosed,
 // kThingRuleErrors, once for each form and tile.
 void bake_things(Baking& baking, const std::vector<PlacedThing>& things, const PrototypeCache& prototypes,
                  Report& report) {
   std::map<things::Form, std::vector<const PlacedThing*>> by_form;
   for (const PlacedThing& thing : things) by_form[thing.form].push_back(&thing);
-  Account account;
+  ThingAccounts accounts;
   for (const auto& [form, all] : by_form) {
     const BakedThing& baked = prototypes.thing(form, baking.tolerance_m);
-    count_things(all, baked, account, report);
+    count_things(all, baked, accounts, report);
     for (const grammars::RuleFault& fault : baked.rule_faults)
       report.add({.code = Code::kThingRuleErrors,
                   .object = all.front()->placement.feature,
@@ -106,10 +114,12 @@ void bake_things(Baking& baking, const std::vector<PlacedThing>& things, const P
     std::vector<Placement> placements;
     for (const PlacedThing* thing : all) placements.push_back(thing->placement);
     InstancedMesh instanced = instances_of(baking, name_of_form(*all.front()), placements, 1);
+    for (std::size_t i = 0; i < all.size(); ++i) tilt(instanced, i, all[i]->up);
     instanced.primitives = baked.primitives;
     baking.tile.instanced.push_back(std::move(instanced));
   }
-  report.account("bake", "thing") = account;
+  report.account("bake", "thing") = accounts.things;
+  report.account("bake", "parked car") = accounts.cars;
 }
 
 // The mean area of a mesh's triangles.

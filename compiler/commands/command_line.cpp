@@ -192,11 +192,20 @@ Error without_value(const std::string& text) {
   return {text.substr(0, colon), fmt::format("expected {} after it, found nothing", text.substr(from, end - from))};
 }
 
+/// True if a word is one of the values in "[none]" or "[usual|none|SHARE]", where capitals stand for a number.
+bool fits(std::string_view value, std::string_view word) {
+  if (!value.starts_with("[") || value.starts_with("[=")) return false;
+  for (const std::string_view one : split(value.substr(1, value.size() - 2), '|')) {
+    const bool is_number = std::ranges::all_of(one, [](char c) { return c >= 'A' && c <= 'Z'; });
+    if (one == word || (is_number && number_in<double>(word))) return true;
+  }
+  return false;
+}
+
 /// True if an option's value may be left out, and a word is it: the none of "--surroundings none".
 bool is_optional_value(std::span<const Verb> verbs, std::string_view flag, std::string_view word) {
-  const std::string value = fmt::format("[{}]", word);
   return std::ranges::any_of(verbs, [&](const Verb& verb) {
-    return std::ranges::any_of(verb.options, [&](const Option& o) { return o.flags == flag && o.value == value; });
+    return std::ranges::any_of(verb.options, [&](const Option& o) { return o.flags == flag && fits(o.value, word); });
   });
 }
 

@@ -130,7 +130,7 @@ void draw_thing(const map::ThingRow& row, const things::Kind& kind, int number, 
 Result<Done> draw_things_sheet(const ThingsSheet& asked, const Console& console) {
   CompileSpec spec;
   spec.things_folder = asked.folder;
-  spec.cars = true;
+  spec.cars = cars::kUsualCars;
   const Result<things::Catalogue> catalogue = read_things(spec);
   if (!catalogue) return catalogue.error();
   const Result<things::Kinds> kinds = things::kinds_of(*catalogue);

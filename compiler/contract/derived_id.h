@@ -3,7 +3,7 @@
 //     part          objects
 //     from 0        polygons of a multipolygon, pieces of a way
 //     from 0x1000   rims of pools
-//     from 0x4000   derived objects: goals of pitches, parked cars, yards, railings, axes of bridge areas, rails of
+//     from 0x4000   derived objects: goals of pitches, yards, railings, axes of bridge areas, rails of
 //                   roads, masts and wires along tracks
 //     n · 2^16      pieces and treads of footprints
 //     from 2^28     fields of farmland, and the hedges and walls between them

@@ -173,7 +173,8 @@ MappedThings mapped_things(const map::FeatureView& features, std::span<const Roa
   for (const map::PowerLine& line : features.power_lines)
     add_line(line.axis, line.corridor_m / 2 + kClearOfWires_m, wires);
   for (const map::AreaFeature& area : features.areas) {
-    if (area.surface == map::LandCoverClass::kParking) add_outline(area.polygon.outer, 0, parking);
+    if (area.surface == map::LandCoverClass::kParking || area.surface == map::LandCoverClass::kServiceArea)
+      add_outline(area.polygon.outer, 0, parking);
     if (area.surface == map::LandCoverClass::kPool) pools.push_back(&area.polygon);
   }
   const ArmsOfJunctions arms = roads::arms_of(junctions, roads);

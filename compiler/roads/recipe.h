@@ -69,6 +69,7 @@ struct Road {
   map::CountryGroup country{};
   Assumptions assumed = kNoAssumptions;  ///< The assumptions made of it.
   std::uint8_t assumed_sides = 0;        ///< Sides on which a pavement or verge is assumed: bits of map::RoadSide.
+  std::uint8_t kerb_parking = 0;         ///< Sides at whose kerbs cars may park (kerb_parking_of()): bits of RoadSide.
   bool operator==(const Road&) const = default;
 };
 

@@ -8,6 +8,7 @@
 
 #include "compiler/contract/equal_span.h"
 #include "compiler/contract/erase_repeated.h"
+#include "compiler/roads/kerb_parking.h"
 
 namespace citykiln::roads {
 
@@ -24,7 +25,8 @@ Road road_of(const map::Track& track) {
           .width_limits = {},
           .country = track.country,
           .assumed = track.assumed,
-          .assumed_sides = track.assumed_sides};
+          .assumed_sides = track.assumed_sides,
+          .kerb_parking = kerb_parking_of(track)};
 }
 
 namespace {

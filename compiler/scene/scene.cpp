@@ -21,14 +21,17 @@ climate::LocalMonth local_month_of(const Header& header) {
   return plants::local_month_of(date.month(), header.origin.lat_deg);
 }
 
-std::optional<buildings::WeekTime> night_of(const Header& header) {
-  if (!sky::is_night(header.sky)) return std::nullopt;
-  // without a date, a Wednesday evening
-  constexpr double kEvening_h = 2 * 24 + 20, kWeek_h = 168;
-  if (!header.sky.time) return buildings::WeekTime{kEvening_h};
+buildings::WeekTime week_time_of(const Header& header) {
+  constexpr double kWednesday_h = 2 * 24, kEvening_h = 20, kNoon_h = 12, kWeek_h = 168;
+  if (!header.sky.time) return {kWednesday_h + (sky::is_night(header.sky) ? kEvening_h : kNoon_h)};
   // 2000-01-03, a Monday, began 1.5 days after J2000.0
   const double hours = (sky::days_of(*header.sky.time) - 1.5) * 24 + header.origin.lon_deg / 15;
-  return buildings::WeekTime{hours - kWeek_h * std::floor(hours / kWeek_h)};
+  return {hours - kWeek_h * std::floor(hours / kWeek_h)};
+}
+
+std::optional<buildings::WeekTime> night_of(const Header& header) {
+  if (!sky::is_night(header.sky)) return std::nullopt;
+  return week_time_of(header);
 }
 
 std::optional<map::Cylinder> cylinder_of(const Header& header) {

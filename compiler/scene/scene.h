@@ -10,6 +10,7 @@
 #include "compiler/buildings/lit_windows.h"
 #include "compiler/buildings/recipe.h"
 #include "compiler/buildings/styles/rulebook.h"
+#include "compiler/cars/recipe.h"
 #include "compiler/climate/climate_field.h"
 #include "compiler/ground/landforms/recipe.h"
 #include "compiler/ground/recipe.h"
@@ -64,6 +65,7 @@ struct Header {
   surroundings::Surroundings around{};  ///< The land and sea beyond the extent; may be empty.
   climate::ClimateField climate = climate::uniform_climate(climate::ClimateClass::kCfb);
   bool has_wild_slopes = true;  ///< Steep land that is not mapped is taken to be scrub and rock (--assume surfaces).
+  cars::CarShare cars = cars::kNoCars;  ///< How many parking places have a car.
   bool operator==(const Header&) const = default;
 };
 
@@ -103,6 +105,10 @@ plants::Month month_of(const Header& header);
 
 /// Returns the same month without the climate, which decides how much grass is straw.
 climate::LocalMonth local_month_of(const Header& header);
+
+/// Returns the time of the week of the sky, in mean solar time. Without a date it is a Wednesday: noon, or 20:00 where it
+/// is dark.
+buildings::WeekTime week_time_of(const Header& header);
 
 /// Returns the time of the week if it is dark, which decides which windows are lit; empty by day.
 std::optional<buildings::WeekTime> night_of(const Header& header);

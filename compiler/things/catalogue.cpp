@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "compiler/contract/texts/parse.h"
+#include "compiler/map/things/thing_role.h"
 #include "grammars/language/builtin.h"
 #include "grammars/language/read_rules.h"
 
@@ -188,7 +189,7 @@ std::vector<RuleText> texts_for(const Catalogue& catalogue, const Kinds& kinds, 
   for (const Thing& thing : things) used.insert(thing.form.kind);
   std::vector<RuleText> texts;
   for (const auto& [name, kind] : kinds) {
-    if (!used.contains(name)) continue;
+    if (!used.contains(name) && map::role_of(name) != map::ThingRole::kCar) continue;
     texts.push_back({name, kind.row.line});
     files.insert(kind.rules.files.begin(), kind.rules.files.end());
   }

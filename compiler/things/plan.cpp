@@ -17,7 +17,6 @@
 #include "compiler/things/guard_rails.h"
 #include "compiler/things/junction_signals.h"
 #include "compiler/things/on_roofs.h"
-#include "compiler/things/parked_cars.h"
 
 namespace citykiln::things {
 namespace {
@@ -63,7 +62,9 @@ std::optional<FootOnRoof> foot_of(const map::ThingFeature& thing, map::Stand sta
 
 bool reads(const Kind& kind, std::string_view attribute) { return kind.used.attributes.contains(attribute); }
 
+// Mapped parking spaces have a kind alone: their cars are drawn when a tile is baked (cars/parked_cars.h).
 Form form_of(const map::ThingFeature& thing, const Kind& kind, std::uint64_t seed) {
+  if (map::role_of(thing.kind) == map::ThingRole::kCar) return {.kind = thing.kind};
   Form form{.kind = thing.kind, .width_m = thing.width_m, .depth_m = thing.depth_m, .height_m = thing.height_m};
   if (reads(kind, "kind")) form.value = thing.value;
   if (reads(kind, "material")) form.material = thing.material;
@@ -99,22 +100,15 @@ struct Network {
   std::span<const roads::Junction> junctions;
 };
 
-// The things, with those of Facing::kArms for each arm of their junctions, and with parked cars if there is such a
-// kind.
+// The things, with those of Facing::kArms for each arm of their junctions.
 std::vector<map::ThingFeature> with_derived(const map::FeatureView& features, const Network& network,
-                                            const Kinds& kinds, FreePlaces& places, std::uint64_t seed) {
-  std::vector<map::ThingFeature> things, spaces;
+                                            const Kinds& kinds) {
+  std::vector<map::ThingFeature> things;
   std::map<std::string, std::vector<map::ThingFeature>> on_arms;
-  for (const map::ThingFeature& thing : features.things) {
-    const bool is_car = map::role_of(thing.kind) == map::ThingRole::kCar;
-    (is_car ? spaces : is_for_arms(thing, kinds) ? on_arms[thing.kind] : things).push_back(thing);
-  }
-  const auto append = [&](std::vector<map::ThingFeature>&& more) {
-    std::ranges::move(more, std::back_inserter(things));
-  };
-  for (auto& [kind, mapped] : on_arms) append(with_one_for_each_arm(mapped, network.roads, network.junctions));
-  if (kinds.contains(map::name_of(map::ThingRole::kCar)))
-    append(parked_cars(spaces, features, network.roads, places, seed));
+  for (const map::ThingFeature& thing : features.things)
+    (is_for_arms(thing, kinds) ? on_arms[thing.kind] : things).push_back(thing);
+  for (auto& [kind, mapped] : on_arms)
+    std::ranges::move(with_one_for_each_arm(mapped, network.roads, network.junctions), std::back_inserter(things));
   return things;
 }
 
@@ -150,7 +144,7 @@ std::vector<Thing> plan_mapped(const map::FeatureView& features, std::span<const
   const Roofs roofs(buildings);
   std::vector<Thing> things;
   Account account;
-  const std::vector<map::ThingFeature> all = with_derived(features, {roads, junctions}, kinds, places, seed);
+  const std::vector<map::ThingFeature> all = with_derived(features, {roads, junctions}, kinds);
   count_derived(features, all, report, account);
   for (map::ThingFeature thing : all) {
     const Kind& kind = kinds.find(thing.kind)->second;

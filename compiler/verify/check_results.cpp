@@ -54,7 +54,7 @@ constexpr Check CheckResults::*kChecks[] = {&CheckResults::files,          &Chec
                                             &CheckResults::assumed_lamps,  &CheckResults::assumed_railings,
                                             &CheckResults::assumed_masts,  &CheckResults::assumed_yards,
                                             &CheckResults::assumed_hedges, &CheckResults::assumed_houses,
-                                            &CheckResults::assumed_fronts, &CheckResults::tileset,
+                                            &CheckResults::assumed_fronts, &CheckResults::parked_cars, &CheckResults::tileset,
                                             &CheckResults::tileset_boxes,  &CheckResults::tileset_errors,
                                             &CheckResults::tileset_seams};
 // Printed if something was tested.

@@ -152,6 +152,19 @@ flatbuffers::Offset<fbs::Climate> climate_of(flatbuffers::FlatBufferBuilder& bui
                                   field.first_row, field.columns, &classes, &shares);
 }
 
+// 0: no cars; 1 to 1,024: their share in 1,024ths; kUsual: the usual share.
+constexpr std::uint16_t kUsualShare = 0xffff, kFullShare = 1024;
+
+std::uint16_t number_of(const cars::CarShare& wish) {
+  return wish.is_usual ? kUsualShare : static_cast<std::uint16_t>(wish.share / cars::kShareStep);
+}
+
+std::optional<cars::CarShare> car_share(std::uint16_t number) {
+  if (number == kUsualShare) return cars::kUsualCars;
+  if (number > kFullShare) return std::nullopt;
+  return cars::CarShare{.share = number * cars::kShareStep};
+}
+
 RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, const RawBytes& dictionary) {
   flatbuffers::FlatBufferBuilder builder;
   const scene::Header& h = scene.header;
@@ -172,7 +185,7 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
   builder.Finish(fbs::CreateHeaderDirect(
       builder, kVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg, &extent, h.tile_m, h.seed,
       h.resampling_error_m, sky, &sources, &attributions, kLicence, index, dictionary.empty() ? nullptr : &dictionary,
-      snow_line_m, &rules, &species, around, things.empty() ? nullptr : &things, climate, h.has_wild_slopes));
+      snow_line_m, &rules, &species, around, things.empty() ? nullptr : &things, climate, h.has_wild_slopes, number_of(h.cars)));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -390,6 +403,9 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   if (!climate) return damaged;
   header.climate = std::move(*climate);
   header.has_wild_slopes = h.has_wild_slopes();
+  const std::optional<cars::CarShare> cars = car_share(h.cars());
+  if (!cars) return damaged;
+  header.cars = *cars;
   if (h.around() == nullptr) return header;
   std::optional<surroundings::Surroundings> around = plain(*h.around());
   if (!around) return damaged;

@@ -40,12 +40,14 @@ void axis_drift(auto& io, double& drift) {
 
 /// A road kind: properties that many roads share (road_kinds.h).
 void serialise(auto& io, RoadKind& k) {
+  // above all assumptions, of which there may be more one day
+  constexpr std::uint64_t kKerbParking = std::uint64_t{1} << 40;
   enumerator(io, "road surface", k.surface, map::LandCoverClass::kCount);
   const bool drives_left = k.side == map::DrivingSide::kLeft;
   const bool drifts = k.section.axis_drift != 0;
   auto traits =
       static_cast<std::uint64_t>(drives_left | k.is_lit << 1 | k.is_link << 2 | k.is_roundabout << 3 | drifts << 4);
-  traits += 32 * std::uint64_t{k.assumed_sides} + 128 * std::uint64_t{k.assumed};
+  traits += 32 * std::uint64_t{k.assumed_sides} + 128 * std::uint64_t{k.assumed} + kKerbParking * k.kerb_parking;
   io.number("road traits", traits);
   enumerator(io, "road country", k.country, map::CountryGroup::kCount);
   k.side = (traits & 1) != 0 ? map::DrivingSide::kLeft : map::DrivingSide::kRight;
@@ -54,9 +56,11 @@ void serialise(auto& io, RoadKind& k) {
   if ((traits & 16) != 0) axis_drift(io, k.section.axis_drift);
   list(io, "lanes", k.section.lanes, 1, [&](map::Lane& l) { serialise(io, l); });
   if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
-    if (traits / 128 > kAllAssumptions) io.fail("road traits");
+    const std::uint64_t assumed = traits % kKerbParking / 128, kerbs = traits / kKerbParking;
+    if (assumed > kAllAssumptions || kerbs > map::kBothSides) io.fail("road traits");
     k.assumed_sides = static_cast<std::uint8_t>(traits / 32 % 4);
-    k.assumed = static_cast<Assumptions>(traits / 128);
+    k.assumed = static_cast<Assumptions>(assumed);
+    k.kerb_parking = static_cast<std::uint8_t>(kerbs & map::kBothSides);
     if (!is_sound(k.section)) io.fail("lanes");
   }
 }

@@ -19,7 +19,7 @@ struct KindOrder {
   bool operator()(const RoadKind& a, const RoadKind& b) const {
     const auto plain = [](const RoadKind& k) {
       return std::tuple(k.surface, k.side, k.is_lit, k.is_link, k.is_roundabout, k.section.axis_offset_m,
-                        k.section.axis_drift, k.country, k.assumed, k.assumed_sides);
+                        k.section.axis_drift, k.country, k.assumed, k.assumed_sides, k.kerb_parking);
     };
     if (plain(a) != plain(b)) return plain(a) < plain(b);
     return std::ranges::lexicographical_compare(a.section.lanes, b.section.lanes, LaneOrder());
@@ -30,13 +30,14 @@ struct KindOrder {
 
 RoadKind kind_of(const roads::Road& road) {
   return {road.surface,       road.section, road.side,    road.is_lit,       road.is_link,
-          road.is_roundabout, road.country, road.assumed, road.assumed_sides};
+          road.is_roundabout, road.country, road.assumed, road.assumed_sides, road.kerb_parking};
 }
 
 void set_kind(const RoadKind& kind, roads::Road& road) {
   road.surface = kind.surface, road.section = kind.section, road.side = kind.side;
   road.is_lit = kind.is_lit, road.is_link = kind.is_link, road.is_roundabout = kind.is_roundabout;
   road.country = kind.country, road.assumed = kind.assumed, road.assumed_sides = kind.assumed_sides;
+  road.kerb_parking = kind.kerb_parking;
 }
 
 RoadKinds kinds_of(std::span<const roads::Road> roads) {

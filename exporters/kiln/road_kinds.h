@@ -18,7 +18,7 @@ struct RoadKind {
   bool is_lit = false, is_link = false, is_roundabout = false;
   map::CountryGroup country{};
   Assumptions assumed = kNoAssumptions;
-  std::uint8_t assumed_sides = 0;
+  std::uint8_t assumed_sides = 0, kerb_parking = 0;
   bool operator==(const RoadKind&) const = default;
 };
 

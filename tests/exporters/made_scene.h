@@ -137,6 +137,7 @@ class SceneMaker {
                     {sky::CloudKind::kCirrus, 1, 8000, 8100, {}, 0}};
     if (h.seed % 2 == 0) h.snow_line_m = 2200.5;
     h.has_wild_slopes = h.seed % 3 != 0;
+    h.cars = h.seed % 5 == 0 ? cars::kNoCars : h.seed % 5 == 1 ? cars::CarShare{.share = 0.5} : cars::kUsualCars;
     if (h.seed % 4 < 2) h.around = surroundings();
     h.rules = {{"house.cga", "Building --> Wall."}, {"parts/door.cga", "Door --> NIL\n"}};
     if (h.seed % 3 < 2) h.things = {{"bench", "bench amenity=bench"}, {"bench.cga", "Thing --> Seat."}};
@@ -280,6 +281,7 @@ class SceneMaker {
     r.country = pick(map::CountryGroup::kCount);
     r.assumed = static_cast<Assumptions>(below(kAllAssumptions + 1));
     r.assumed_sides = static_cast<std::uint8_t>(below(4));
+    r.kerb_parking = static_cast<std::uint8_t>(below(4));
     if (below(3) == 0) r.start_along_m = metres(9000);
     for (auto i = below(3); i > 0; --i)
       r.points.push_back({below(2), pick(map::TrackPointKind::kCount), static_cast<std::int8_t>(below(3))});

@@ -26,6 +26,15 @@ InstancedMesh instances_of(const Baking& baking, const std::string& name, const 
   return instanced;
 }
 
+void tilt(InstancedMesh& instanced, std::size_t copy, Vec3 up) {
+  if (up == Vec3{0, 0, 1}) return;
+  // the shortest turn from z to `up`, after that about z
+  const double norm = std::sqrt(2 * (1 + up.z)), x = -up.y / norm, y = up.x / norm, w = (1 + up.z) / norm;
+  const double z0 = instanced.rotations[copy][2], w0 = instanced.rotations[copy][3];
+  instanced.rotations[copy] = {static_cast<float>(x * w0 + y * z0), static_cast<float>(y * w0 - x * z0),
+                               static_cast<float>(w * z0), static_cast<float>(w * w0)};
+}
+
 namespace {
 
 // "oak_3".

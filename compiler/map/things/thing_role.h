@@ -9,7 +9,7 @@ namespace citykiln::map {
 /// A kind of things that the program knows. Other kinds are only rows of the table.
 enum class ThingRole : std::uint8_t {
   kNone,
-  kCar,           ///< Without its row no cars are planned.
+  kCar,           ///< A mapped parking space; its rules are those of parked cars.
   kCatenaryMast,  ///< A mast on the map, which a contact mast replaces.
   kContactMast,
   kContactPortal,

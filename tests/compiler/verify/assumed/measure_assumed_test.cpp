@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "compiler/buildings/planning/doors.h"
 #include "compiler/contract/derived_id.h"
 #include "compiler/map/things/thing_role.h"
 
@@ -109,6 +110,51 @@ TEST(MeasureAssumed, FindsLampsOnACarriageway) {
   EXPECT_EQ(found.tested, 2u);
   EXPECT_EQ(found.conflicts, 1u);
   EXPECT_EQ(found.at, (Vec2{30, 52}));
+}
+
+// A car of 2 by 4 m that stands at a place, with its front to the south.
+bake::BakedTile tile_with_car(bake::Float3 at) {
+  bake::BakedTile tile;
+  tile.features = {{}, kMainStreet};
+  tile.instanced.resize(1);
+  tile.instanced[0].name = "car_2";
+  tile.instanced[0].translations = {at}, tile.instanced[0].rotations = {{0, 0, 0, 1}};
+  tile.instanced[0].features = {1};
+  tile.instanced[0].primitives.resize(1);
+  tile.instanced[0].primitives[0].positions = {{-1, -2, 0}, {1, -2, 0}, {1, 2, 1}};
+  return tile;
+}
+
+TEST(MeasureAssumed, FindsCarsOffThePavedGroundAndInBuildings) {
+  const scene::Chunk chunk = street_with_pavements();
+  const std::vector<ground::LandCoverPolygon> surfaces = {
+      {{kMainStreet, 0}, LandCoverClass::kResidentialRoad, 1, {{{0, 47}, {120, 47}, {120, 53}, {0, 53}}}},
+      {{kMappedWay, 0}, LandCoverClass::kBuilding, 1, {{{60, 51}, {120, 51}, {120, 80}, {60, 80}}}}};
+  const ground::LandCoverIndex cover = ground::index_land_cover(surfaces, kTile);
+  EXPECT_EQ(measure_parked_cars(tile_with_car({30, 50, 0}), chunk, cover).tested, 1u);
+  EXPECT_EQ(measure_parked_cars(tile_with_car({30, 50, 0}), chunk, cover).conflicts, 0u);
+  EXPECT_EQ(measure_parked_cars(tile_with_car({30, 54, 0}), chunk, cover).conflicts, 1u);
+  EXPECT_EQ(measure_parked_cars(tile_with_car({90, 50, 0}), chunk, cover).obstacle, kMappedWay);
+}
+
+TEST(MeasureAssumed, FindsCarsBeforeDoors) {
+  scene::Chunk chunk = street_with_pavements();
+  buildings::Building house;
+  house.id = {kMappedWay, 0};
+  house.footprint.outer = {{20, 54}, {40, 54}, {40, 64}, {20, 64}};
+  house.facade_edges.resize(4);
+  house.facade_edges[0].doors = 1;
+  chunk.buildings = {house};
+  const std::vector<ground::LandCoverPolygon> surfaces = {
+      {{kMainStreet, 0}, LandCoverClass::kResidentialRoad, 1, {{{0, 40}, {120, 40}, {120, 54}, {0, 54}}}}};
+  const ground::LandCoverIndex cover = ground::index_land_cover(surfaces, kTile);
+  const std::vector<Vec2> doors = buildings::door_positions(house);
+  ASSERT_EQ(doors.size(), 1u);
+  const auto car_before_door = [&](float gap_m) {
+    return measure_parked_cars(tile_with_car({static_cast<float>(doors[0].x), 54 - 2 - gap_m, 0}), chunk, cover);
+  };
+  EXPECT_EQ(car_before_door(0.5).conflicts, 1u);
+  EXPECT_EQ(car_before_door(2).conflicts, 0u);
 }
 
 // A house of 20 by 10 m with an assumed front on its southern wall, from 5 to 11 m.

@@ -1,0 +1,75 @@
+#include "compiler/bake/place_cars.h"
+
+#include <algorithm>
+#include <array>
+
+#include "compiler/cars/parked_cars.h"
+#include "compiler/geometry/snap.h"
+#include "compiler/ground/height_layer.h"
+#include "compiler/map/countries/country_group.h"
+#include "compiler/things/facing.h"
+
+namespace citykiln::bake {
+namespace {
+
+cars::TileRecipes recipes_of(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover) {
+  return {.roads = chunk.roads,
+          .junctions = chunk.junctions,
+          .yards = chunk.yards,
+          .pitches = chunk.pitches,
+          .trees = chunk.trees,
+          .things = chunk.things,
+          .barriers = chunk.barriers,
+          .buildings = chunk.buildings,
+          .land_cover = land_cover};
+}
+
+// The height of the ground on top.
+double ground_m(const ground::LandCoverIndex& land_cover, const ground::GradedTerrain& graded, Vec2 p) {
+  const std::uint32_t top = ground::land_cover_at(land_cover, p);
+  if (top == ground::kNoLandCover) return land_m(graded, p);
+  return ground::layer_height_m(ground::heights_at(graded, p), ground::face_height_of(land_cover.surfaces[top]));
+}
+
+// A car on its wheels: the heights below them decide its height and its slopes along and across.
+PlacedThing stand(const things::Thing& car, const ground::LandCoverIndex& land_cover,
+                  const ground::GradedTerrain& graded) {
+  constexpr double kAxle = 0.31, kWheel = 0.42;
+  const Vec2 ahead = things::unit_vector(car.direction), left = left_of(ahead);
+  const double axle_m = kAxle * car.form.depth_m, wheel_m = kWheel * car.form.width_m;
+  std::array<double, 4> z_m{};  // front left, front right, rear left, rear right
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec2 wheel = ahead * (i < 2 ? axle_m : -axle_m) + left * (i % 2 == 0 ? wheel_m : -wheel_m);
+    z_m[i] = ground_m(land_cover, graded, car.at + wheel);
+  }
+  const double along = (z_m[0] + z_m[1] - z_m[2] - z_m[3]) / (4 * axle_m),
+               across = (z_m[0] + z_m[2] - z_m[1] - z_m[3]) / (4 * wheel_m);
+  const double middle_m = (z_m[0] + z_m[1] + z_m[2] + z_m[3]) / 4;
+  const Vec2 slope = ahead * along + left * across;
+  // the mesh faces -y
+  return {.form = car.form,
+          .placement = {.at = at_height(car.at, snapped(middle_m)),
+                        .cos_yaw = left.x,
+                        .sin_yaw = left.y,
+                        .feature = car.id.osm},
+          .up = unit(Vec3{-slope.x, -slope.y, 1}),
+          .is_parked = true};
+}
+
+}  // namespace
+
+std::vector<PlacedThing> place_cars(const scene::Header& header, const scene::Chunk& chunk,
+                                    const ground::LandCoverIndex& land_cover, const ground::GradedTerrain& graded,
+                                    const Box2& box) {
+  const cars::CarWish wish{.share = header.cars,
+                           .time = scene::week_time_of(header),
+                           .country = map::country_group_at(header.origin),
+                           .seed = header.seed,
+                           .tile_m = header.tile_m};
+  std::vector<PlacedThing> placed;
+  for (const things::Thing& car : cars::parked_cars(recipes_of(chunk, land_cover), wish, box))
+    placed.push_back(stand(car, land_cover, graded));
+  return placed;
+}
+
+}  // namespace citykiln::bake

@@ -1,0 +1,102 @@
+#include "compiler/cars/car_models.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "compiler/contract/random_sequence.h"
+#include "compiler/map/things/thing_role.h"
+
+namespace citykiln::cars {
+namespace {
+
+// The regions of the weights.
+enum Market : std::uint8_t { kEurope, kAmericas, kAsia, kMarkets };
+using Weights = std::array<int, kMarkets>;
+
+struct Body {
+  std::string_view name;
+  double width_m, length_m, height_m;
+  Weights weights;
+};
+constexpr auto kBodies = std::to_array<Body>({
+#define CAR_BODY(name, width, length, height, europe, americas, asia) \
+  {name, width, length, height, {europe, americas, asia}},
+#include "compiler/cars/car_models.inc"
+#undef CAR_BODY
+});
+
+struct Colour {
+  std::uint32_t rgb;
+  Weights weights;
+};
+constexpr auto kColours = std::to_array<Colour>({
+#define CAR_COLOUR(name, rgb, europe, americas, asia) {rgb, {europe, americas, asia}},
+#include "compiler/cars/car_models.inc"
+#undef CAR_COLOUR
+});
+
+// Draws of a car.
+enum : std::uint32_t { kDrawBody, kDrawColour, kDrawIsWhite };
+
+Market market_of(map::CountryGroup country) {
+  using enum map::CountryGroup;
+  switch (country) {
+    case kNorthAmerica:
+    case kLatinAmerica:
+    case kOceania:
+      return kAmericas;
+    case kTropicalAfrica:
+    case kSouthAsia:
+    case kChina:
+    case kJapan:
+    case kSouthEastAsia:
+      return kAsia;
+    default:
+      return kEurope;
+  }
+}
+
+// The row that a number in [0, 1) picks by the weights of a market.
+template <typename Rows>
+const auto& picked(const Rows& rows, Market market, double draw) {
+  int sum = 0;
+  for (const auto& row : rows) sum += row.weights[market];
+  double left = draw * sum;
+  for (const auto& row : rows) {
+    left -= row.weights[market];
+    if (left < 0) return row;
+  }
+  return rows.back();
+}
+
+map::Srgb srgb(std::uint32_t rgb) {
+  return {static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8 & 255),
+          static_cast<std::uint8_t>(rgb & 255)};
+}
+
+// The body of a draw; that of a hatchback where the place is shorter.
+const Body& body_of(const Place& place, double draw) {
+  const Body& body = picked(kBodies, market_of(place.country), draw);
+  return body.length_m <= place.length_m ? body : kBodies[1];
+}
+
+}  // namespace
+
+things::Form form_of_car(const Place& place, std::uint64_t seed) {
+  const RandomSequence draw(seed, place.key, "car");
+  const Body& body = body_of(place, draw.unit(kDrawBody));
+  const bool is_van = body.name == "van" || body.name == "minibus";
+  const bool is_white = is_van && draw.unit(kDrawIsWhite) < 0.5;
+  const Colour& colour =
+      is_white ? kColours[0] : picked(kColours, market_of(place.country), draw.unit(kDrawColour));
+  return {.kind = std::string(map::name_of(map::ThingRole::kCar)),
+          .width_m = body.width_m,
+          .depth_m = body.length_m,
+          .height_m = body.height_m,
+          .value = std::string(body.name),
+          .colour = srgb(colour.rgb)};
+}
+
+}  // namespace citykiln::cars

@@ -1,0 +1,102 @@
+#include "compiler/cars/has_ground.h"
+
+#include <algorithm>
+
+#include "compiler/contract/derived_id.h"
+
+namespace citykiln::cars {
+namespace {
+
+using ground::LandCoverIndex;
+using map::LandCoverClass;
+using map::LandCoverGroup;
+
+// A place may reach over the border of its ground by this much, since bays are as wide as their cells.
+constexpr double kOver_m = 0.25;
+
+const ground::LandCoverPolygon* polygon_at(const LandCoverIndex& land_cover, Vec2 p) {
+  if (!land_cover.box.contains(p)) return nullptr;
+  const std::uint32_t top = ground::land_cover_at(land_cover, p);
+  return top == ground::kNoLandCover ? nullptr : &land_cover.surfaces[top];
+}
+
+LandCoverClass class_at(const LandCoverIndex& land_cover, Vec2 p) {
+  const ground::LandCoverPolygon* polygon = polygon_at(land_cover, p);
+  return polygon ? polygon->surface : LandCoverClass::kUnknown;
+}
+
+// True if is_ground() holds for the polygons below the middle and the corners.
+template <typename IsGround>
+bool lies_on(const Place& place, const LandCoverIndex& land_cover, IsGround is_ground) {
+  Place inner = place;
+  inner.length_m -= 2 * kOver_m, inner.width_m -= 2 * kOver_m;
+  if (!is_ground(polygon_at(land_cover, place.at))) return false;
+  return std::ranges::all_of(corners_of(inner), [&](Vec2 p) { return is_ground(polygon_at(land_cover, p)); });
+}
+
+bool is_junction(const ground::LandCoverPolygon& polygon) { return polygon.id == junction_id(polygon.id); }
+
+// True if a line of samples from kerb to kerb meets rails.
+bool has_rails(const Place& place, const LandCoverIndex& land_cover) {
+  constexpr double kSample_m = 0.75;
+  const double across_m = length(place.across);
+  const int samples = static_cast<int>(across_m / kSample_m) + 1;
+  for (int i = 0; i <= samples; ++i) {
+    const LandCoverClass at = class_at(land_cover, place.at + place.across * (static_cast<double>(i) / samples));
+    if (map::values_of(at).group == LandCoverGroup::kRail) return true;
+  }
+  return false;
+}
+
+bool is_built_up(const Place& place, const LandCoverIndex& land_cover) {
+  const int buildings = map::values_of(LandCoverClass::kBuilding).priority;
+  return ground::clearance_m(land_cover, place.at, buildings, kBuiltUp_m) < kBuiltUp_m;
+}
+
+bool is_before_car_park(const Place& place, const LandCoverIndex& land_cover) {
+  const Vec2 behind = place.at - unit(place.across) * (place.width_m / 2 + 1);
+  const LandCoverClass at = class_at(land_cover, behind);
+  return at == LandCoverClass::kParking || map::values_of(at).group == LandCoverGroup::kRoad;
+}
+
+bool has_carriageway(const Place& place, const LandCoverIndex& land_cover) {
+  const auto is_own = [&](const ground::LandCoverPolygon* polygon) {
+    return polygon && polygon->surface == place.surface && !is_junction(*polygon);
+  };
+  if (!lies_on(place, land_cover, is_own) || has_rails(place, land_cover)) return false;
+  if (place.kind != PlaceKind::kKerb) return true;
+  return is_built_up(place, land_cover) && !is_before_car_park(place, land_cover);
+}
+
+bool is_paved_or_yard(const ground::LandCoverPolygon* polygon) {
+  if (!polygon) return false;
+  switch (polygon->surface) {
+    case LandCoverClass::kParking:
+    case LandCoverClass::kPavedYard:
+    case LandCoverClass::kAsphaltYard:
+    case LandCoverClass::kGravelYard:
+    case LandCoverClass::kEarthYard:
+    case LandCoverClass::kDrive:
+    case LandCoverClass::kGravelDrive:
+    case LandCoverClass::kAsphaltDrive:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool is_open(const ground::LandCoverPolygon* polygon) {
+  const LandCoverGroup group = map::values_of(polygon ? polygon->surface : LandCoverClass::kUnknown).group;
+  return group != LandCoverGroup::kBuilding && group != LandCoverGroup::kWater && group != LandCoverGroup::kRail;
+}
+
+}  // namespace
+
+bool has_ground(const Place& place, const LandCoverIndex& land_cover) {
+  if (place.across != Vec2{}) return has_carriageway(place, land_cover);
+  if (place.kind == PlaceKind::kSpace) return lies_on(place, land_cover, is_open);
+  if (place.surface == LandCoverClass::kUnknown) return lies_on(place, land_cover, is_paved_or_yard);
+  return lies_on(place, land_cover, [&](const auto* polygon) { return polygon && polygon->surface == place.surface; });
+}
+
+}  // namespace citykiln::cars

@@ -1,0 +1,199 @@
+#include "compiler/cars/parked_cars.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/geometry/segment.h"
+#include "compiler/map/things/thing_role.h"
+#include "tests/compiler/cars/made_street.h"
+
+namespace citykiln::cars {
+namespace {
+
+using map::LandCoverClass;
+
+Box2 box_between(double from_x, double to_x) { return {{from_x, -128}, {to_x, 128}}; }
+
+double distance_m(const Place& place, Vec2 p) {
+  const auto corners = corners_of(place);
+  return distance_to_ring(corners, p);
+}
+
+TEST(ParkedCars, StandAtTheKerbOfAStreetBetweenHouses) {
+  const std::vector<Place> places = street_tile().places(kMadeBox);
+  EXPECT_GT(places.size(), 40u);
+  for (const Place& place : places) {
+    EXPECT_EQ(place.kind, PlaceKind::kKerb);
+    EXPECT_EQ(place.at.y, -2.5);
+    EXPECT_EQ(place.ahead, (Vec2{1, 0})) << "they look along the traffic";
+  }
+}
+
+TEST(ParkedCars, StandAtNoKerbInOpenLand) {
+  MadeTile tile = street_tile();
+  tile.cover.pop_back();
+  EXPECT_TRUE(tile.places(kMadeBox).empty());
+}
+
+TEST(ParkedCars, StandInParkingLanesInOpenLandToo) {
+  MadeTile tile = street_tile();
+  tile.cover.pop_back();
+  tile.roads[0].section.lanes[1].width_m = 1.5;
+  tile.roads[0].section.lanes.push_back({map::LaneKind::kParking, map::LaneDirection::kForward, 2});
+  tile.roads[0].kerb_parking = 0;
+  const std::vector<Place> places = tile.places(kMadeBox);
+  EXPECT_GT(places.size(), 40u);
+  for (const Place& place : places) {
+    EXPECT_EQ(place.kind, PlaceKind::kLane);
+    EXPECT_EQ(place.at.y, -2.5);
+  }
+}
+
+TEST(ParkedCars, StandInNoCarriagewayWithRails) {
+  MadeTile tile = street_tile();
+  tile.cover.push_back(made_cover(9, {{0, 1}, {125, 3}}, LandCoverClass::kTram));
+  const std::vector<Place> places = tile.places(kMadeBox);
+  EXPECT_FALSE(places.empty());
+  for (const Place& place : places) EXPECT_GT(place.at.x, 125 - 3);
+}
+
+TEST(ParkedCars, AreEachInOneTile) {
+  const MadeTile tile = street_tile();
+  const std::vector<Place> whole = tile.places(box_between(0, 256));
+  std::vector<Place> parts;
+  for (double x = 0; x < 256; x += 16)
+    for (const Place& place : tile.places(box_between(x, x + 16))) parts.push_back(place);
+  const auto keys = [](const std::vector<Place>& places) {
+    std::vector<StableId> all;
+    for (const Place& place : places) all.push_back(place.key);
+    std::ranges::sort(all);
+    return all;
+  };
+  EXPECT_EQ(keys(parts), keys(whole));
+}
+
+TEST(ParkedCars, OfAPartOfAStreetAreThoseOfTheWhole) {
+  MadeTile part = street_tile();
+  part.roads[0].axis = {{100, 0}, {250, 0}};
+  part.roads[0].start_along_m = 100;
+  const std::vector<Place> whole = street_tile().places(kMadeBox);
+  const std::vector<Place> places = part.places(kMadeBox);
+  EXPECT_GT(places.size(), 20u);
+  for (const Place& place : places)
+    EXPECT_TRUE(std::ranges::any_of(whole, [&](const Place& o) { return o.key == place.key && o.at == place.at; }));
+}
+
+TEST(ParkedCars, NoTwoOverlap) {
+  MadeTile tile = street_tile();
+  // a second street joins at a flat angle, and both are one surface
+  tile.roads.push_back(made_street(17, {{0, -20}, {250, 10}}));
+  tile.cover = {made_cover(7, {{0, -30}, {250, 30}}, LandCoverClass::kResidentialRoad),
+                made_cover(8, {{0, -45}, {250, -30}}, LandCoverClass::kBuilding)};
+  const std::vector<Place> places = tile.places(kMadeBox);
+  EXPECT_GT(places.size(), 50u);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t j = i + 1; j < places.size(); ++j) {
+      EXPECT_GT(distance(places[i].at, places[j].at), 1.8);
+      for (const Vec2 corner : corners_of(places[i])) {
+        const Vec2 d = corner - places[j].at;
+        const bool is_in = std::abs(dot(d, places[j].ahead)) < places[j].length_m / 2 - 0.1 &&
+                           std::abs(cross(d, places[j].ahead)) < places[j].width_m / 2 - 0.1;
+        EXPECT_FALSE(is_in);
+      }
+    }
+}
+
+TEST(ParkedCars, StandFiveMetresFromCrossings) {
+  MadeTile tile = street_tile();
+  tile.roads[0].axis = {{0, 0}, {120, 0}, {250, 0}};
+  tile.roads[0].points = {{.vertex = 1, .kind = map::TrackPointKind::kZebra}};
+  const std::size_t before = street_tile().places(kMadeBox).size();
+  const std::vector<Place> places = tile.places(kMadeBox);
+  EXPECT_LT(places.size(), before);
+  EXPECT_GT(places.size() + 5, before);
+  // the crossing is 4 m wide
+  for (const Place& place : places)
+    EXPECT_GE(std::abs(place.at.x - 120) - place.length_m / 2, 2 + kFromCrossing_m - 1) << place.at.x;
+}
+
+TEST(ParkedCars, StandFiveMetresFromJunctions) {
+  MadeTile tile = street_tile();
+  tile.roads[0].axis = {{0, 0}, {120, 0}, {250, 0}};
+  tile.roads.push_back(made_street(8, {{120, 0}, {120, 100}}));
+  Report report;
+  tile.junctions = roads::plan_junctions(tile.roads, report);
+  ASSERT_EQ(tile.junctions.size(), 1u);
+  const std::vector<Place> places = tile.places(kMadeBox);
+  EXPECT_GT(places.size(), 20u);
+  // the mouth of the side street is 7 m wide, and its corners are rounded
+  for (const Place& place : places)
+    if (place.feature.id == 7) {
+      EXPECT_GE(std::abs(place.at.x - 120) - place.length_m / 2, 3.5 + kFromJunction_m - 1) << place.at.x;
+    }
+}
+
+TEST(ParkedCars, StandTenMetresFromStops) {
+  MadeTile tile = street_tile();
+  tile.things = {{.id = {{OsmType::kNode, 3}, 0}, .at = {100, -5}, .form = {.kind = "bus_stop"}}};
+  const std::vector<Place> places = tile.places(kMadeBox);
+  EXPECT_FALSE(places.empty());
+  for (const Place& place : places) EXPECT_GE(distance_m(place, {100, -5}), kFromStop_m - 0.5);
+}
+
+TEST(ParkedCars, LeaveDrivesFree) {
+  MadeTile tile = street_tile();
+  lots::Yard yard;
+  yard.building = {{OsmType::kWay, 8}, 0};
+  yard.frame = lots::place_of({.origin = {80, -5}, .along = {-1, 0}, .inward = {0, -1}});
+  yard.strips = {{.is_drive = true, .from = {0, 0}, .to = {0, 7}}};
+  tile.yards = {yard};
+  tile.cover.push_back(made_cover(9, {{78, -12}, {82, -5}}, LandCoverClass::kAsphaltDrive));
+  const std::vector<Place> places = tile.places(kMadeBox);
+  EXPECT_EQ(std::ranges::count(places, PlaceKind::kDrive, &Place::kind), 1);
+  for (const Place& place : places)
+    if (place.kind == PlaceKind::kKerb) {
+      EXPECT_GT(std::abs(place.at.x - 80) - place.length_m / 2, 1.25) << place.at.x;
+    }
+}
+
+TEST(ParkedCars, StandInMappedSpacesWhichAreNoCarsThemselves) {
+  MadeTile tile = street_tile();
+  tile.things = {{.id = {{OsmType::kNode, 3}, 0},
+                  .at = {100, 20},
+                  .form = {.kind = std::string(map::name_of(map::ThingRole::kCar))}}};
+  EXPECT_EQ(std::ranges::count(tile.places(kMadeBox), PlaceKind::kSpace, &Place::kind), 1);
+}
+
+TEST(ParkedCars, AreAShareOfThePlaces) {
+  const MadeTile tile = street_tile();
+  const std::size_t places = tile.places(kMadeBox).size();
+  EXPECT_EQ(tile.cars(kMadeBox, {.share = 1}).size(), places);
+  EXPECT_TRUE(tile.cars(kMadeBox, kNoCars).empty());
+  const std::size_t half = tile.cars(kMadeBox, {.share = 0.5}).size();
+  EXPECT_GT(half, places / 4);
+  EXPECT_LT(half, places * 3 / 4);
+}
+
+TEST(ParkedCars, StandWithinTheirPlaces) {
+  const MadeTile tile = street_tile();
+  const std::vector<Place> places = tile.places(kMadeBox);
+  const std::vector<things::Thing> cars = tile.cars(kMadeBox, {.share = 1});
+  ASSERT_EQ(cars.size(), places.size());
+  for (std::size_t i = 0; i < cars.size(); ++i) {
+    const Vec2 off = cars[i].at - places[i].at;
+    EXPECT_LE(std::abs(dot(off, places[i].ahead)) + cars[i].form.depth_m / 2, places[i].length_m / 2 + 0.01);
+    EXPECT_EQ(cars[i].form.kind, "car");
+    EXPECT_FALSE(cars[i].form.value.empty());
+  }
+}
+
+TEST(ParkedCars, DependOnTheSeed) {
+  const MadeTile tile = street_tile();
+  EXPECT_EQ(tile.cars(kMadeBox, {.share = 0.5}, 1), tile.cars(kMadeBox, {.share = 0.5}, 1));
+  EXPECT_NE(tile.cars(kMadeBox, {.share = 0.5}, 1), tile.cars(kMadeBox, {.share = 0.5}, 2));
+}
+
+}  // namespace
+}  // namespace citykiln::cars
