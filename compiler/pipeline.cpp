@@ -270,8 +270,8 @@ Result<Standing> plan_standing(const CompileSpec& spec, const map::FeatureView& 
   standing.buildings =
       buildings::plan(features, land.graded, report, land.planned.passageways, land.structures.bridges);
   timer.enter("plants");
-  standing.plants =
-      plants::plan(features, land.ground.surfaces, land.roads, land.ground.heights, report, tables.species.table);
+  standing.plants = plants::plan(features, land.ground.surfaces, land.roads, land.ground.heights, report, spec.assume,
+                                 tables.species.table);
   timer.enter("props");
   standing.props = props::plan(features, report);
   timer.enter("things");

@@ -82,11 +82,19 @@ const map::PlantTags& tags_of(const map::FeatureView& features, const ground::La
 // User-defined spawners set the plants of an area, unless its tags name a species.
 bool has_spawner(const map::PlantTags& plant_tags) { return is_spawner(species_mix_for(plant_tags, {})); }
 
-std::vector<Wood> plan_woods(const map::FeatureView& features, std::span<const ground::LandCoverPolygon> surfaces) {
+// Trees in towns outside of parks and gardens.
+bool is_assumed(const WoodRow& row) {
+  const map::LandCoverGroup group = map::values_of(row.surface).group;
+  return group == map::LandCoverGroup::kTown || group == map::LandCoverGroup::kIndustry;
+}
+
+std::vector<Wood> plan_woods(const map::FeatureView& features, std::span<const ground::LandCoverPolygon> surfaces,
+                             Assumptions assumed) {
   std::vector<Wood> woods;
   for (const ground::LandCoverPolygon& surface : surfaces)
     for (const WoodRow& row : kWoods)
-      if (row.surface == surface.surface && !has_spawner(tags_of(features, surface)))
+      if (row.surface == surface.surface && !has_spawner(tags_of(features, surface)) &&
+          (has(assumed, Assumption::kYards) || !is_assumed(row)))
         woods.push_back({.surface = surface.id,
                          .species_mix = species_mix_for(tags_of(features, surface), species_mix_of(row.community)),
                          .trees_per_ha = row.trees_per_ha,
@@ -209,12 +217,12 @@ std::vector<TreeRow> plan_rows(const map::FeatureView& features, std::span<const
 }  // namespace
 
 Plants plan(const map::FeatureView& features, std::span<const ground::LandCoverPolygon> surfaces,
-            std::span<const roads::Road> roads, const map::Heightfield& terrain, Report& report,
+            std::span<const roads::Road> roads, const map::Heightfield& terrain, Report& report, Assumptions assumed,
             const SpeciesTable& table) {
   assert(std::ranges::is_sorted(features.areas, {}, &map::AreaFeature::id));
   assert(std::ranges::is_sorted(features.tracks, {}, &map::Track::id));
   Plants plants{.trees = plan_trees(features, table, report),
-                .woods = plan_woods(features, surfaces),
+                .woods = plan_woods(features, surfaces, assumed),
                 .plantings = plan_plantings(features, surfaces, terrain, table),
                 .rows = plan_rows(features, roads, table, report),
                 .corridors = {}};

@@ -26,11 +26,12 @@ struct Plants {
 /// (wood_defaults.inc) or a planting (planting_defaults.inc, crops) for each polygon whose class or tags imply one.
 ///
 /// @param features  Areas and tracks sorted by id.
+/// @param assumed   Trees on land in towns that nothing covers are there with Assumption::kYards alone.
 /// @param table     The species, and the spawners to which tags refer.
 ///
 /// Accepts any features. Ledgers "plants/tree", "plants/row". O(n log n).
 Plants plan(const map::FeatureView& features, std::span<const ground::LandCoverPolygon> surfaces,
             std::span<const roads::Road> roads, const map::Heightfield& terrain, Report& report,
-            const SpeciesTable& table = shipped_table());
+            Assumptions assumed = kAllAssumptions, const SpeciesTable& table = shipped_table());
 
 }  // namespace citykiln::plants

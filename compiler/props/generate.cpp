@@ -6,6 +6,7 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/props/drape_line.h"
+#include "compiler/props/fence_mesh.h"
 #include "compiler/props/railing_mesh.h"
 
 namespace citykiln::props {
@@ -92,6 +93,7 @@ void join_profiles(Mesh& band, bool is_closed, std::uint32_t faces) {
 GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& ground, double tolerance_m) {
   assert(tolerance_m > 0);
   if (barrier.kind == BarrierKind::kRailing) return railing_mesh(barrier, ground, tolerance_m);
+  if (is_barred(barrier, tolerance_m)) return fence_mesh(barrier, ground, tolerance_m);
   if (barrier.height_m <= tolerance_m) return {{}, barrier.height_m};
   // the top of a retaining wall is that of the land at each point
   const double bend_m =

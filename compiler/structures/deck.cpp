@@ -4,6 +4,7 @@
 
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/ground/grading/road_influence.h"
+#include "compiler/roads/markings/marking_rules.h"
 #include "compiler/roads/markings/markings.h"
 #include "compiler/roads/pieces/lane_strips.h"
 
@@ -35,8 +36,8 @@ std::vector<double> rises_of(const Span& bridge, const std::vector<LaneStrip>& s
 }
 
 roads::MarkingLayout marking_layout_of(const Span& bridge, const LaneStrip& strip) {
-  roads::MarkingLayout layout{strip.surface, strip.lanes, roads::StretchKind::kAlong, roads::Control::kNone,
-                              bridge.side};
+  roads::MarkingLayout layout{strip.surface,         strip.lanes, roads::StretchKind::kAlong,
+                              roads::Control::kNone, bridge.side, roads::practice_of(bridge.country)};
   layout.has_kerb_left = strip.has_kerb_left, layout.has_kerb_right = strip.has_kerb_right;
   return layout;
 }

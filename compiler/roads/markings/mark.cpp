@@ -20,16 +20,16 @@ Vec2 mitre_offset(Vec2 before, Vec2 after, double half_width) {
 
 Ring rectangle(Vec2 low, Vec2 high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
 
-void add_line(double u_m, double width_m, DashPattern dashes, Marks& marks) {
+void add_line(double u_m, double width_m, DashPattern dashes, Marks& marks, materials::TextureImage::Texel colour) {
   assert(0 < dashes.dash_m && dashes.dash_m <= dashes.period_m);
   const double left_m = u_m - width_m / 2, right_m = u_m + width_m / 2;
   if (dashes.dash_m == dashes.period_m) {
-    marks.push_back({rectangle({left_m, 0}, {right_m, kLayoutLength_m}), kWhite});
+    marks.push_back({rectangle({left_m, 0}, {right_m, kLayoutLength_m}), colour});
     return;
   }
   for (double period_m = 0; period_m < kLayoutLength_m; period_m += dashes.period_m) {
     const double low_m = period_m + (dashes.period_m - dashes.dash_m) / 2;
-    marks.push_back({rectangle({left_m, low_m}, {right_m, low_m + dashes.dash_m}), kWhite});
+    marks.push_back({rectangle({left_m, low_m}, {right_m, low_m + dashes.dash_m}), colour});
   }
 }
 

@@ -21,6 +21,9 @@ using Marks = std::vector<Mark>;  ///< In painting order: later marks cover earl
 /// Worn white paint, which reflects 0.65 of the light; new paint reflects 0.8.
 inline constexpr materials::TextureImage::Texel kWhite = {211, 211, 207};
 
+/// Worn yellow paint of centre lines: darker than white, within the chromaticities of MUTCD's yellow.
+inline constexpr materials::TextureImage::Texel kYellow = {205, 160, 52};
+
 /// The rectangle between two opposite corners.
 Ring rectangle(Vec2 low, Vec2 high);
 
@@ -32,7 +35,8 @@ struct DashPattern {
 inline constexpr DashPattern kSolid = {1, 1};
 
 /// Adds a line along the road, centred at u, over the whole layout.
-void add_line(double u_m, double width_m, DashPattern dashes, Marks& marks);
+void add_line(double u_m, double width_m, DashPattern dashes, Marks& marks,
+              materials::TextureImage::Texel colour = kWhite);
 
 /// Adds a broken line across the road in the rectangle from u = left_m to right_m and v = low_m to high_m. Dashes and
 /// gaps are scaled to the width so that there is a dash at each end.

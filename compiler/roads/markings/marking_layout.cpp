@@ -35,7 +35,7 @@ StretchKind turned(StretchKind stretch) {
 
 std::strong_ordering operator<=>(const MarkingLayout& a, const MarkingLayout& b) {
   const auto ranks = [](const MarkingLayout& p) {
-    return std::tuple(p.surface, p.stretch, p.control, p.side, p.has_kerb_left, p.has_kerb_right);
+    return std::tuple(p.surface, p.stretch, p.control, p.side, p.practice, p.has_kerb_left, p.has_kerb_right);
   };
   if (const auto order = ranks(a) <=> ranks(b); order != 0) return order;
   if (const auto order = std::strong_order(a.gauge_m, b.gauge_m); order != 0) return order;

@@ -36,12 +36,21 @@ enum class StretchKind : std::uint8_t {
 /// Traffic control at the junction where a stretch of kStart or kEnd lies.
 enum class Control : std::uint8_t { kNone, kGiveWay, kStop, kSignals };
 
+/// How a country paints its roads. It is not stored: practice_of() (marking_rules.h) has it by country group.
+enum class MarkingPractice : std::uint8_t {
+  kVienna,    ///< White lines, as the Vienna Convention on Road Signs and Signals has them.
+  kAmerican,  ///< Yellow lines between opposite directions, crossings between two solid lines, rows of triangles where
+              ///< traffic gives way (MUTCD).
+  kJapanese,  ///< White lines, also along narrow streets without kerbs: they set off a strip for walkers.
+};
+
 struct MarkingLayout {
   map::LandCoverClass surface{};
   std::vector<map::Lane> lanes;  ///< The strip's lanes, left to right.
   StretchKind stretch = StretchKind::kAlong;
   Control control = Control::kNone;
   map::DrivingSide side = map::DrivingSide::kRight;
+  MarkingPractice practice = MarkingPractice::kVienna;
   bool has_kerb_left = true, has_kerb_right = true;  ///< Larger roads without kerbs (out of town) get edge lines.
   double gauge_m = kStandardGauge_m;                 ///< Distance between the rails of kRail lanes.
   /// The marks and the width of a panel of a sports pitch (pitches/panels.h), which has no lanes; 0: a strip of lanes.

@@ -33,18 +33,41 @@ constexpr LineMeasures kTownLines = {.narrow_m = 0.12,
                                      .has_lane_lines = true,
                                      .has_edge_lines = false};
 
+// The least width of a road with strips for walkers: half a metre on both sides, and a car.
+constexpr double kWithWalkersStrip_m = 3.75;
+
+// The strips beside the lines of narrow streets without kerbs (roadside strips of the Road Traffic Act of Japan).
+bool has_walkers_strip(const MarkingLayout& layout) {
+  return layout.practice == MarkingPractice::kJapanese && width_m(layout) >= kWithWalkersStrip_m &&
+         (layout.surface == LandCoverClass::kTertiaryRoad || layout.surface == LandCoverClass::kResidentialRoad);
+}
+
 // Lane widths at which two bicycles or two cars pass each other, so that each direction keeps to its side.
 constexpr double kCyclesPass_m = 2.0, kCarsPass_m = 4.5;
 
 }  // namespace
+
+// Yellow centre lines: MUTCD 3A.05, the manuals of Latin America that follow it, and GB 5768.3 of China.
+MarkingPractice practice_of(map::CountryGroup country) {
+  switch (country) {
+    case map::CountryGroup::kNorthAmerica:
+    case map::CountryGroup::kLatinAmerica:
+    case map::CountryGroup::kChina:
+      return MarkingPractice::kAmerican;
+    case map::CountryGroup::kJapan:
+      return MarkingPractice::kJapanese;
+    default:
+      return MarkingPractice::kVienna;
+  }
+}
 
 LineMeasures measures_of(const MarkingLayout& layout) {
   if (layout.surface == LandCoverClass::kMotorwayRoad) return kMotorwayLines;
   const bool is_in_town = layout.has_kerb_left || layout.has_kerb_right;
   LineMeasures measures = is_in_town ? kTownLines : kCountryLines;
   measures.has_lane_lines = !is_quiet(layout);
-  measures.has_edge_lines =
-      layout.surface == LandCoverClass::kPrimaryRoad || layout.surface == LandCoverClass::kSecondaryRoad;
+  measures.has_edge_lines = layout.surface == LandCoverClass::kPrimaryRoad ||
+                            layout.surface == LandCoverClass::kSecondaryRoad || has_walkers_strip(layout);
   return measures;
 }
 

@@ -2,6 +2,7 @@
 // road.
 #pragma once
 
+#include "compiler/map/countries/country_group.h"
 #include "compiler/roads/markings/mark.h"
 #include "compiler/roads/markings/marking_layout.h"
 
@@ -14,6 +15,9 @@ struct LineMeasures {
   bool has_lane_lines;  ///< True if there are lines between lanes, also between opposite directions.
   bool has_edge_lines;
 };
+
+/// Returns the practice of a country group.
+MarkingPractice practice_of(map::CountryGroup country);
 
 /// Returns the measures for a layout's class.
 LineMeasures measures_of(const MarkingLayout& layout);

@@ -1,7 +1,9 @@
 // Marks across the road: zebras, crossings with signals, stop and give-way lines.
 // Source: StVO sign 293 and R-FGÜ: bars 0.5 m, gaps 0.5 m. RMS-1: crossings with signals between two broken narrow
 // lines, dashes 0.5 m, gaps 0.2 m; stop lines (StVO sign 294) 0.5 m wide; give-way lines (sign 341) dashes 0.5 m
-// square, gaps 0.25 m.
+// square, gaps 0.25 m. MUTCD 3B.16 and 3B.18: triangles 0.3 to 0.6 m wide and half as high again, crossings between
+// solid lines of 0.15 to 0.6 m.
+#include <algorithm>
 #include <cmath>
 
 #include "compiler/roads/markings/marking_rules.h"
@@ -12,15 +14,32 @@ namespace {
 
 constexpr double kStopLine_m = 0.5;
 constexpr DashPattern kGiveWayLine = {0.5, 0.75};
+constexpr double kYieldBase_m = 0.6, kYieldHeight_m = 0.9, kYieldPeriod_m = 0.9;
+constexpr double kCrossingLine_m = 0.3;
 
 bool stops(const map::Lane& lane) { return is_driven(lane) || lane.kind == map::LaneKind::kCycle; }
 
-void add_stop_line(LaneSpan span, Control control, Marks& marks) {
+// Triangles that point to the traffic which gives way.
+void add_yield_triangles(LaneSpan span, Marks& marks) {
+  const double count = std::max(1.0, std::floor((span.high_m - span.low_m) / kYieldPeriod_m)),
+               first_m = (span.low_m + span.high_m - count * kYieldPeriod_m) / 2;
+  for (double i = 0; i < count; ++i) {
+    const double middle_m = first_m + (i + 0.5) * kYieldPeriod_m;
+    marks.push_back({{{middle_m - kYieldBase_m / 2, kLayoutLength_m},
+                      {middle_m, kLayoutLength_m - kYieldHeight_m},
+                      {middle_m + kYieldBase_m / 2, kLayoutLength_m}},
+                     kWhite});
+  }
+}
+
+void add_stop_line(LaneSpan span, const MarkingLayout& layout, Marks& marks) {
   const double low_m = kLayoutLength_m - kStopLine_m;
-  if (control == Control::kGiveWay)
-    add_dashes_across(span.low_m, span.high_m, low_m, kLayoutLength_m, kGiveWayLine, marks);
-  else
+  if (layout.control != Control::kGiveWay)
     marks.push_back({rectangle({span.low_m, low_m}, {span.high_m, kLayoutLength_m}), kWhite});
+  else if (layout.practice == MarkingPractice::kAmerican)
+    add_yield_triangles(span, marks);
+  else
+    add_dashes_across(span.low_m, span.high_m, low_m, kLayoutLength_m, kGiveWayLine, marks);
 }
 
 }  // namespace
@@ -38,6 +57,12 @@ void add_zebra(const MarkingLayout& layout, Marks& marks) {
 
 void add_crossing(const MarkingLayout& layout, Marks& marks) {
   constexpr DashPattern kDashes = {0.5, 0.7};
+  if (layout.practice == MarkingPractice::kAmerican) {
+    const double across_m = width_m(layout);
+    marks.push_back({rectangle({0, 0}, {across_m, kCrossingLine_m}), kWhite});
+    marks.push_back({rectangle({0, kCrossingLength_m - kCrossingLine_m}, {across_m, kCrossingLength_m}), kWhite});
+    return;
+  }
   const double line_m = measures_of(layout).narrow_m;
   add_dashes_across(0, width_m(layout), 0, line_m, kDashes, marks);
   add_dashes_across(0, width_m(layout), kCrossingLength_m - line_m, kCrossingLength_m, kDashes, marks);
@@ -55,7 +80,7 @@ void add_stop_lines(const MarkingLayout& layout, Marks& marks) {
       run.high_m = span.high_m;
       continue;
     }
-    if (run.low_m < run.high_m) add_stop_line(run, layout.control, marks);
+    if (run.low_m < run.high_m) add_stop_line(run, layout, marks);
     run = span;
   }
 }

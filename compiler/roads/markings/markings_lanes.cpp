@@ -15,6 +15,7 @@ using map::LaneDirection;
 using map::LaneKind;
 
 constexpr double kEdgeLineInset_m = 0.25;  // from the edge of the asphalt to the centre of the line
+constexpr double kWalkersStrip_m = 0.5;    // the same of lines that set off a strip for walkers
 constexpr double kNarrowCycleLane_m = 1.25;
 constexpr DashPattern kCloseBroken = {1, 2};  // RMS: narrow cycle lanes that lorries may use
 constexpr DashPattern kTwoWayTrack = {1, 4};
@@ -23,6 +24,8 @@ struct Line {
   double width_m = 0;  // 0: no line
   DashPattern dashes = kSolid;
   bool is_double = false;
+  DashPattern second = kSolid;  // of double lines: the one on the right
+  materials::TextureImage::Texel colour = kWhite;
 };
 
 struct Rules {
@@ -77,9 +80,22 @@ Line same_way_line(const Lane& a, const Lane& b, const MarkingLayout& layout, co
   return {measures.narrow_m, is_sorted ? kSolid : measures.broken};
 }
 
+// MUTCD 3B.01 to 3B.03: two solid lines on streets with kerbs and of several lanes, a broken one on country roads; a
+// lane for turning from both directions lies between broken lines with solid ones outside.
+Line american_centre_line(const Lane& a, const Lane& b, const MarkingLayout& layout, const Rules& rules) {
+  Line line{rules.measures.narrow_m, kSolid, true, kSolid, kYellow};
+  if (a.kind == LaneKind::kTurn) line.dashes = rules.measures.broken;
+  if (b.kind == LaneKind::kTurn) line.second = rules.measures.broken;
+  if (is_either(LaneKind::kTurn, a, b)) return line;
+  const bool is_street = layout.has_kerb_left || layout.has_kerb_right;
+  if (rules.has_double_centre || rules.is_sorted || is_street) return line;
+  return {rules.measures.narrow_m, rules.measures.broken, false, kSolid, kYellow};
+}
+
 Line driven_line(const Lane& a, const Lane& b, const MarkingLayout& layout, const Rules& rules) {
   if (a.way == b.way) return same_way_line(a, b, layout, rules);
   if (!rules.measures.has_lane_lines) return {};
+  if (layout.practice == MarkingPractice::kAmerican) return american_centre_line(a, b, layout, rules);
   // a lane for turning from both directions is no lane to overtake on
   if (is_either(LaneKind::kTurn, a, b)) return {rules.measures.narrow_m, kSolid};
   const bool is_either_way = a.way == LaneDirection::kBoth || b.way == LaneDirection::kBoth;
@@ -107,10 +123,10 @@ Line lane_line_between(const Lane& a, const Lane& b, const MarkingLayout& layout
 
 void add(const Line& line, double u_m, Marks& marks) {
   if (line.width_m <= 0) return;
-  if (!line.is_double) return add_line(u_m, line.width_m, line.dashes, marks);
+  if (!line.is_double) return add_line(u_m, line.width_m, line.dashes, marks, line.colour);
   // the gap is as wide as the lines
-  add_line(u_m - line.width_m, line.width_m, line.dashes, marks);
-  add_line(u_m + line.width_m, line.width_m, line.dashes, marks);
+  add_line(u_m - line.width_m, line.width_m, line.dashes, marks, line.colour);
+  add_line(u_m + line.width_m, line.width_m, line.second, marks, line.colour);
 }
 
 void add_edge_lines(const MarkingLayout& layout, const LineMeasures& measures, Marks& marks) {
@@ -118,10 +134,10 @@ void add_edge_lines(const MarkingLayout& layout, const LineMeasures& measures, M
   const auto has_line = [&](const Lane& lane, bool has_kerb) {
     return measures.has_edge_lines && is_driven(lane) && (is_motorway || !has_kerb) && lane.width_m > 1;
   };
-  if (has_line(layout.lanes.front(), layout.has_kerb_left))
-    add_line(kEdgeLineInset_m, measures.narrow_m, kSolid, marks);
+  const double inset_m = is_quiet(layout) ? kWalkersStrip_m : kEdgeLineInset_m;
+  if (has_line(layout.lanes.front(), layout.has_kerb_left)) add_line(inset_m, measures.narrow_m, kSolid, marks);
   if (has_line(layout.lanes.back(), layout.has_kerb_right))
-    add_line(width_m(layout) - kEdgeLineInset_m, measures.narrow_m, kSolid, marks);
+    add_line(width_m(layout) - inset_m, measures.narrow_m, kSolid, marks);
 }
 
 // Centre lines of two-way cycle tracks, which are one lane.

@@ -15,7 +15,7 @@ void add_lane_lines(const MarkingLayout& layout, Marks& marks);
 void add_hatching(const MarkingLayout& layout, Marks& marks);
 /// Adds lines of parking bays, except within 6 m of a junction.
 void add_bays(const MarkingLayout& layout, Marks& marks);
-/// Adds a stop line or a broken give-way line across the arriving lanes.
+/// Adds a stop line across the arriving lanes, or a broken line or a row of triangles where they give way.
 void add_stop_lines(const MarkingLayout& layout, Marks& marks);
 /// Adds the arrows of turn:lanes.
 void add_arrows(const MarkingLayout& layout, Marks& marks);
@@ -23,7 +23,7 @@ void add_arrows(const MarkingLayout& layout, Marks& marks);
 void add_symbols(const MarkingLayout& layout, Marks& marks);
 /// Adds the bars of a zebra crossing.
 void add_zebra(const MarkingLayout& layout, Marks& marks);
-/// Adds the two broken lines of a signalled crossing.
+/// Adds the two lines of a signalled crossing, broken or, in American practice, solid.
 void add_crossing(const MarkingLayout& layout, Marks& marks);
 /// Adds rails and sleepers.
 void add_rails(const MarkingLayout& layout, Marks& marks);

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/roads/markings/marking_rules.h"
 #include "compiler/roads/markings/markings.h"
 #include "compiler/roads/pieces/cross_lines.h"
 #include "compiler/roads/width_limits/narrowed_section.h"
@@ -51,6 +52,7 @@ MarkingLayout marking_layout_of(const Road& road, const LaneStrip& strip, const 
           .stretch = run.stretch,
           .control = run.control,
           .side = road.side,
+          .practice = practice_of(road.country),
           .has_kerb_left = strip.has_kerb_left,
           .has_kerb_right = strip.has_kerb_right};
 }

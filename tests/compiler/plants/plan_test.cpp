@@ -28,10 +28,10 @@ map::AreaFeature area(std::int64_t id, LandCoverClass surface, const map::PlantT
 }
 
 Plants planned(const map::Features& features, Report& report, const map::Heightfield& terrain = sloping_by({}),
-               std::span<const roads::Road> roads = {}) {
+               std::span<const roads::Road> roads = {}, Assumptions assumed = kAllAssumptions) {
   std::vector<ground::LandCoverPolygon> surfaces;
   for (const map::AreaFeature& a : features.areas) surfaces.push_back({a.id, a.surface, 20000, {a.polygon.outer}});
-  return plan(features, surfaces, roads, terrain, report);
+  return plan(features, surfaces, roads, terrain, report, assumed);
 }
 
 TEST(Plan, KeepsEveryTreeWithItsTags) {
@@ -80,10 +80,20 @@ TEST(Plan, WoodsTakeTheirSpeciesFromClassAndGenus) {
                     area(3, LandCoverClass::kForest, {map::PlantKind::kPine}), area(4, LandCoverClass::kResidential)};
   Report report;
   const Plants plants = planned(features, report);
-  ASSERT_EQ(plants.woods.size(), 3u);
+  ASSERT_EQ(plants.woods.size(), 4u);
   EXPECT_EQ(plants.woods[0].species_mix, species_mix_of(PlantCommunity::kAnyWood));
   EXPECT_EQ(plants.woods[1].species_mix, species_mix_of(PlantCommunity::kNeedleWood));
   EXPECT_EQ(plants.woods[2].species_mix, species_mix_of(Species::kPine));
+  EXPECT_EQ(plants.woods[3].species_mix, species_mix_of(PlantCommunity::kGardenTrees));
+}
+
+TEST(Plan, TreesOnLandInTownsAreAssumedWithYards) {
+  map::Features features;
+  features.areas = {area(1, LandCoverClass::kPark), area(2, LandCoverClass::kResidential)};
+  Report report;
+  const Plants plants = planned(features, report, sloping_by({}), {}, kNoAssumptions);
+  ASSERT_EQ(plants.woods.size(), 1u);
+  EXPECT_EQ(plants.woods[0].surface, features.areas[0].id);
 }
 
 TEST(Plan, FieldsGrowTheirTaggedCrop) {

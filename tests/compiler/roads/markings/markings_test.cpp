@@ -11,6 +11,7 @@
 #include <set>
 
 #include "compiler/materials/coverage.h"
+#include "compiler/roads/markings/marking_rules.h"
 #include "tests/compiler/roads/markings/marking_layout_text.h"
 
 namespace citykiln::roads {
@@ -310,6 +311,7 @@ MarkingLayout random_layout(std::mt19937& random) {
   strip.stretch = static_cast<StretchKind>(below(6));
   strip.control = static_cast<Control>(below(4));
   strip.side = static_cast<map::DrivingSide>(below(2));
+  strip.practice = static_cast<MarkingPractice>(below(3));
   strip.has_kerb_left = below(2), strip.has_kerb_right = below(2);
   strip.gauge_m = below(2) ? kStandardGauge_m : 1.0;
   return strip;
@@ -477,6 +479,72 @@ TEST(MarkingLayout, IsOrderedByAllItsMembers) {
     EXPECT_NE(other < strip, strip < other);
   }
   EXPECT_EQ(strip, layout(LandCoverClass::kPrimaryRoad, "dd v^"));
+}
+
+// ---- the practice of countries
+
+MarkingLayout american(MarkingLayout layout) {
+  layout.practice = MarkingPractice::kAmerican;
+  return layout;
+}
+
+std::size_t count_of(const MarkingLayout& layout, materials::TextureImage::Texel colour) {
+  const Marks marks = marks_of(layout);
+  return static_cast<std::size_t>(std::ranges::count(marks, colour, &Mark::colour));
+}
+
+TEST(Markings, AmericanLinesBetweenDirectionsAreYellow) {
+  MarkingLayout street = layout(LandCoverClass::kTertiaryRoad, "dd v^");
+  EXPECT_EQ(count_of(street, kYellow), 0u);
+  EXPECT_EQ(count_of(american(street), kYellow), 2u);
+  EXPECT_EQ(count_of(american(street), kWhite), 0u);
+  street.has_kerb_left = street.has_kerb_right = false;
+  EXPECT_EQ(count_of(american(street), kYellow), 1u);
+  EXPECT_EQ(count_of(american(layout(LandCoverClass::kTertiaryRoad, "dd ^^")), kYellow), 0u);
+}
+
+TEST(Markings, AnAmericanTurnLaneHasSolidLinesOutside) {
+  const MarkingLayout street = american(layout(LandCoverClass::kSecondaryRoad, "dtd v-^"));
+  std::vector<double> solid_m, broken_m;
+  for (const Mark& mark : marks_of(street)) {
+    const Extent extent = extent_of(mark.ring);
+    if (mark.colour != kYellow) continue;
+    (extent.high.y - extent.low.y > 6 ? solid_m : broken_m).push_back((extent.low.x + extent.high.x) / 2);
+  }
+  EXPECT_EQ(solid_m.size(), 2u);
+  EXPECT_EQ(broken_m.size(), 2u);
+  const double middle_m = width_m(street) / 2;
+  for (const double solid : solid_m)
+    for (const double broken : broken_m) EXPECT_GT(std::abs(solid - middle_m), std::abs(broken - middle_m) - 1e-9);
+}
+
+TEST(Markings, AmericansGiveWayAtTrianglesThatPointAtThem) {
+  MarkingLayout street = american(layout(LandCoverClass::kTertiaryRoad, "dd v^"));
+  street.stretch = StretchKind::kEnd, street.control = Control::kGiveWay;
+  int triangles = 0;
+  for (const Mark& mark : marks_of(street)) {
+    if (mark.ring.size() != 3) continue;
+    ++triangles;
+    EXPECT_EQ(std::ranges::count(mark.ring, kLayoutLength_m, &Vec2::y), 2);
+    EXPECT_GT(extent_of(mark.ring).low.x, width_m(street) / 2 - 1e-9);
+  }
+  EXPECT_EQ(triangles, 3);
+}
+
+TEST(Markings, NarrowJapaneseStreetsWithoutKerbsHaveLinesForWalkers) {
+  MarkingLayout street = layout(LandCoverClass::kResidentialRoad, "dd v^");
+  street.has_kerb_left = false;
+  EXPECT_TRUE(marks_of(street).empty());
+  street.practice = MarkingPractice::kJapanese;
+  const Marks marks = marks_of(street);
+  ASSERT_EQ(marks.size(), 1u);
+  EXPECT_LT(extent_of(marks.front().ring).high.x, 0.6);
+}
+
+TEST(Markings, PracticeFollowsTheCountry) {
+  EXPECT_EQ(practice_of(map::CountryGroup::kNorthAmerica), MarkingPractice::kAmerican);
+  EXPECT_EQ(practice_of(map::CountryGroup::kCentralEurope), MarkingPractice::kVienna);
+  EXPECT_EQ(practice_of(map::CountryGroup::kOceania), MarkingPractice::kVienna);
 }
 
 }  // namespace
