@@ -8,6 +8,7 @@
 #include "compiler/bake/ground/ground_beyond.h"
 #include "compiler/bake/ground/skirt.h"
 #include "compiler/bake/place_cars.h"
+#include "compiler/bake/place_furniture.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/plants/placing/placing_steps.h"
 
@@ -29,7 +30,7 @@ std::vector<Placement> joined(const plants::PlacedPlants& placed) {
 
 // Objects that only some levels need.
 struct Wanted {
-  bool blades = false, hedge_plants = false, cars = false;
+  bool blades = false, hedge_plants = false, cars = false, furniture = false;
   std::vector<double> canopies_m{};
 };
 
@@ -41,9 +42,13 @@ SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk&
   SharedByLevels shared{
       .graded = std::make_shared<ground::GradedTerrain>(scene::graded_terrain_of(header, chunk, tolerance_m)),
       .lamps = place_lamps(chunk, map, box)};
-  std::vector<PlacedThing> cars;
-  if (wanted.cars) cars = place_cars(header, chunk, map, *shared.graded, box);
-  shared.things = place_things(chunk.things, *shared.graded, std::move(cars));
+  std::vector<PlacedThing> drawn;
+  if (wanted.cars) drawn = place_cars(header, chunk, map, *shared.graded, box);
+  if (wanted.furniture) {
+    std::vector<PlacedThing> furniture = place_furniture(header, chunk, shared.lamps, map, *shared.graded, box);
+    std::ranges::move(furniture, std::back_inserter(drawn));
+  }
+  shared.things = place_things(chunk.things, *shared.graded, std::move(drawn));
   const plants::SpeciesTable species(header.species);
   const plants::PlacingContext land{
       map,    *shared.graded, box, header.seed, header.origin.lat_deg, header.climate, scene::local_month_of(header),
@@ -72,10 +77,10 @@ struct SharedParts {
   bool is_view = false;
   std::array<std::shared_ptr<const SharedByLevels>, 2> made{};
 
-  // True if a level with or without road surfaces shows cars.
-  bool shows_cars(bool has_roads) const {
+  // True if a level with or without road surfaces shows what is as high as this.
+  bool shows(double height_m, bool has_roads) const {
     return std::ranges::any_of(tolerances_m, [&](double tolerance_m) {
-      return has_detail(Detail::kRoadSurfaces, tolerance_m) == has_roads && tolerance_m < kShowsCars_m;
+      return has_detail(Detail::kRoadSurfaces, tolerance_m) == has_roads && tolerance_m < height_m;
     });
   }
 
@@ -86,7 +91,8 @@ struct SharedParts {
     // in a view a hedge may be near and far, so all of its parts have hedge plants
     Wanted wanted{.blades = has_roads && has_detail(Detail::kGrassBlades, std::ranges::min(tolerances_m)),
                   .hedge_plants = is_view || has_detail(Detail::kHedgePlants, tolerance_m),
-                  .cars = shows_cars(has_roads)};
+                  .cars = shows(kShowsCars_m, has_roads),
+                  .furniture = shows(kShowsFurniture_m, has_roads)};
     if (!has_roads && !is_view) std::ranges::copy_if(tolerances_m, std::back_inserter(wanted.canopies_m), has_canopy);
     return shared = std::make_shared<SharedByLevels>(make_shared_part(header, chunk, tolerance_m, wanted));
   }

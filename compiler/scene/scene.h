@@ -66,6 +66,8 @@ struct Header {
   climate::ClimateField climate = climate::uniform_climate(climate::ClimateClass::kCfb);
   bool has_wild_slopes = true;  ///< Steep land that is not mapped is taken to be scrub and rock (--assume surfaces).
   cars::CarShare cars = cars::kNoCars;  ///< How many parking places have a car.
+  bool has_street_furniture =
+      false;  ///< Pavements have benches, bins and signs where none are mapped (--assume roadsides).
   bool operator==(const Header&) const = default;
 };
 
@@ -106,8 +108,8 @@ plants::Month month_of(const Header& header);
 /// Returns the same month without the climate, which decides how much grass is straw.
 climate::LocalMonth local_month_of(const Header& header);
 
-/// Returns the time of the week of the sky, in mean solar time. Without a date it is a Wednesday: noon, or 20:00 where it
-/// is dark.
+/// Returns the time of the week of the sky, in mean solar time. Without a date it is a Wednesday: noon, or 20:00 where
+/// it is dark.
 buildings::WeekTime week_time_of(const Header& header);
 
 /// Returns the time of the week if it is dark, which decides which windows are lit; empty by day.

@@ -17,6 +17,7 @@
 #include "compiler/things/guard_rails.h"
 #include "compiler/things/junction_signals.h"
 #include "compiler/things/on_roofs.h"
+#include "compiler/things/street_kinds.h"
 
 namespace citykiln::things {
 namespace {
@@ -215,6 +216,8 @@ Result<ThingPlan> plan(const map::FeatureView& features, const ThingInputs& inpu
   seen.things = plan.mapped;
   std::set<std::string> names = kind_names(seen, catalogue.table);
   for (const Thing& mast : plan.contact_lines.masts) names.insert(mast.form.kind);
+  if (has(assumed, Assumption::kRoadsides))
+    for (const StreetKind& kind : kStreetKinds) names.emplace(kind.name);
   if (!names.empty()) {
     Result<Kinds> kinds = kinds_of(catalogue, names);
     if (!kinds) return kinds.error();

@@ -1,0 +1,27 @@
+// Places the street furniture of a tile on the ground. It has no recipes: furniture/street_furniture.h draws it from
+// those of roads and buildings.
+#pragma once
+
+#include <vector>
+
+#include "compiler/bake/place_lamps.h"
+#include "compiler/bake/place_things.h"
+#include "compiler/ground/cover/land_cover_index.h"
+#include "compiler/ground/grading/graded_terrain.h"
+#include "compiler/scene/scene.h"
+
+namespace citykiln::bake {
+
+/// Furniture is shown below this tolerance, in metres: it is about as low as a bench.
+inline constexpr double kShowsFurniture_m = 1;
+
+/// Returns the furniture of a tile, of the kinds whose rules the header has; none without
+/// scene::Header::has_street_furniture.
+/// @param land_cover  With each road as one surface; of the tile and scene::kHalo_m about it.
+/// @param graded      Of the same box.
+/// @param box         The tile.
+std::vector<PlacedThing> place_furniture(const scene::Header& header, const scene::Chunk& chunk, const Lamps& lamps,
+                                         const ground::LandCoverIndex& land_cover, const ground::GradedTerrain& graded,
+                                         const Box2& box);
+
+}  // namespace citykiln::bake
