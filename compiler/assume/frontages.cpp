@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "compiler/assume/cut_way.h"
+#include "compiler/assume/footway_strips.h"
 #include "compiler/assume/pavements.h"
 #include "compiler/geometry/segment.h"
 
@@ -21,7 +22,10 @@ constexpr double kInfinite_m = std::numeric_limits<double>::infinity();
 constexpr double kFrontStep_m = 8;
 // Widths are multiples of this, so that tags can state them.
 constexpr double kStripStep_m = 0.25;
-constexpr double kLeastClosed = 0.6, kMostOpen = 0.25;
+// Cross streets open up to a quarter of a short block.
+constexpr double kLeastClosed = 0.5, kMostOpen = 0.4;
+// Houses are open where fewer samples are closed.
+constexpr double kOpenHouses = 0.25;
 // A fifth of the walls may stand farther back: before them a front yard is paved (lots/yard_rules.h).
 constexpr double kWallQuantile = 0.8;
 
@@ -148,15 +152,18 @@ struct FrontedStretch {
 
   const Frontage& front(std::uint8_t side) const { return side == map::kLeftSide ? fronts.left : fronts.right; }
 
+  // The room beyond the kerb before other ways and finely mapped areas, at most kFrontage_m.
+  double room_m(std::uint8_t side) {
+    const bool is_left = side == map::kLeftSide;
+    if (!room) room = room_over_footways(surroundings, stretch);
+    const double width_m = std::min(is_left ? room->left_m : room->right_m, kFrontage_m);
+    if (width_m < kStripStep_m) return 0;
+    return std::min(width_m, room_before_areas(surroundings, stretch, is_left, kFrontage_m));
+  }
+
   // The width of a strip from the kerb to the walls of a side; 0 unless it is closed.
   double strip_m(std::uint8_t side) {
-    const bool is_left = side == map::kLeftSide;
-    if (!is_closed(front(side))) return 0;
-    if (!room) room = room_over_footways(surroundings, stretch);
-    double width_m = std::min({front(side).wall_m, is_left ? room->left_m : room->right_m, kFrontage_m});
-    if (width_m >= kStripStep_m)
-      width_m = std::min(width_m, room_before_areas(surroundings, stretch, is_left, kFrontage_m));
-    return in_steps(width_m);
+    return is_closed(front(side)) ? in_steps(std::min(front(side).wall_m, room_m(side))) : 0;
   }
 };
 
@@ -190,7 +197,7 @@ bool widen_pavement(Track& track, std::uint8_t side, double width_m) {
   if (!has_pavement) raised.insert(raised.begin(), Lane{});
   raised.front() = map::pavement_lane(own_m);
   track.section = with_raised_lanes(std::move(track.section), side, std::move(raised));
-  track.assumed_sides |= side, track.closed_sides |= side;
+  track.assumed_sides |= side;
   return true;
 }
 
@@ -202,12 +209,33 @@ void widen_lane(Track& track, std::uint8_t side, double by_m) {
   track.closed_sides |= side;
 }
 
+// Lays the strip between the kerb and a footway beside it: a pavement that covers the footway, or a verge.
+bool lay_footway_strip(Track& stretch, std::uint8_t side, const FootwayStrip& strip, bool is_verge, double room_m) {
+  if (!is_verge) return widen_pavement(stretch, side, in_steps(std::min(strip.far_m, room_m)));
+  const double width_m = in_steps(std::min(strip.near_m, room_m));
+  if (width_m < kStripStep_m || (stretch.tagged_verges & side) != 0 || !raised_lanes(stretch.section, side).empty())
+    return false;
+  stretch.section = with_verge(std::move(stretch.section), side, width_m);
+  stretch.assumed_sides |= side;
+  return true;
+}
+
 bool pave_beside_street(const Surroundings& surroundings, Track& stretch) {
-  FrontedStretch fronted{surroundings, stretch};
+  const Track mapped = stretch;
+  FrontedStretch fronted{surroundings, mapped};
+  std::optional<BothFootwayStrips> strips;
   bool is_any = false;
-  for (const std::uint8_t side : {map::kLeftSide, map::kRightSide})
-    if ((stretch.fixed_pavements & side) == 0 && fronted.strip_m(side) >= kNarrowestPavement_m)
-      is_any |= widen_pavement(stretch, side, fronted.strip_m(side));
+  for (const std::uint8_t side : {map::kLeftSide, map::kRightSide}) {
+    if ((stretch.fixed_pavements & side) != 0) continue;
+    if (widen_pavement(stretch, side, fronted.strip_m(side))) {
+      stretch.closed_sides |= side, is_any = true;
+      continue;
+    }
+    if (!strips) strips = footway_strips(surroundings, mapped);
+    const FootwayStrip& strip = side == map::kLeftSide ? strips->left : strips->right;
+    const bool is_verge = strip.may_be_verge && fronted.front(side).closed < kOpenHouses;
+    if (strip.far_m > 0) is_any |= lay_footway_strip(stretch, side, strip, is_verge, fronted.room_m(side));
+  }
   return is_any;
 }
 
