@@ -6,6 +6,7 @@
 #include "compiler/assume/bridge_pavements.h"
 #include "compiler/assume/curves/curves.h"
 #include "compiler/assume/fit_widths.h"
+#include "compiler/assume/frontages.h"
 #include "compiler/assume/fronts.h"
 #include "compiler/assume/heights.h"
 #include "compiler/assume/lamps.h"
@@ -72,6 +73,8 @@ Assumed assume(const map::FeatureView& mapped, const Settings& settings, Report&
     made.waterways = curved_waterways(mapped.waterways);
     made.barriers = curved_barriers(mapped.barriers);
   }
+  // after curves, which keep their distance from pavements
+  if (is_on(Assumption::kPavements)) made.tracks = assume_frontages(seen(), fitted, report);
   return made;
 }
 

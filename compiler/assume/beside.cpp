@@ -7,6 +7,7 @@
 
 #include "compiler/assume/room.h"
 #include "compiler/geometry/segment.h"
+#include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::assume {
 namespace {
@@ -101,9 +102,13 @@ struct Indexer {
     all.widest_half_m = std::max(all.widest_half_m, line.half_m);
     line_boxes.push_back(box_of_segment(line.a, line.b));
   }
-  void add_ring(const Ring& ring, LineKind kind, ObjectId element) {
+  void add_ring(const Ring& ring, LineKind kind, ObjectId element, bool is_of_town = false) {
     for (std::size_t i = 0; i < ring.size(); ++i)
-      add({.a = ring[i], .b = ring[(i + 1) % ring.size()], .kind = kind, .element = element});
+      add({.a = ring[i],
+           .b = ring[(i + 1) % ring.size()],
+           .kind = kind,
+           .is_town_house = is_of_town,
+           .element = element});
   }
   void add_track(const map::Track& track) {
     const LandCoverGroup group = cover_group_of(track.surface);
@@ -285,6 +290,33 @@ struct Walk {
 
 }  // namespace
 
+bool is_town_house(const map::Footprint& footprint) {
+  using enum map::BuildingClass;
+  const auto storeys_at_least = [&](int storeys) {
+    constexpr double kStorey_m = 3;
+    return footprint.levels > 0 ? footprint.levels >= storeys : footprint.height_m >= storeys * kStorey_m;
+  };
+  switch (static_cast<map::BuildingClass>(footprint.building_class)) {
+    case kOffice:
+    case kShop:
+    case kChurch:
+    case kCivic:
+    case kTower:
+    case kCastle:
+    case kHotel:
+    case kSchool:
+    case kHospital:
+      return true;
+    case kHouse:
+      return footprint.has_shop || storeys_at_least(4);
+    case kPlain:
+    case kApartments:
+      return footprint.has_shop || storeys_at_least(3);
+    default:
+      return false;
+  }
+}
+
 Surroundings index_surroundings(const map::FeatureView& features) {
   return index_surroundings(features, features.tracks);
 }
@@ -293,7 +325,8 @@ Surroundings index_surroundings(const map::FeatureView& features, std::span<cons
   Indexer indexer;
   for (const map::Footprint& footprint : features.footprints)
     if (!footprint.is_part && !footprint.is_open && footprint.min_height_m == 0)
-      for (const Ring* ring : rings_of(footprint.polygon)) indexer.add_ring(*ring, LineKind::kBuilding, footprint.id);
+      for (const Ring* ring : rings_of(footprint.polygon))
+        indexer.add_ring(*ring, LineKind::kBuilding, footprint.id, is_town_house(footprint));
   for (const map::Track& track : tracks)
     if (track.passage == map::Passage::kGround && !track.is_indoor) indexer.add_track(track);
   for (const map::Barrier& barrier : features.barriers) indexer.add_barrier(barrier);

@@ -70,6 +70,7 @@ struct MappedLine {
   Kind kind{};
   /// From a way's axis to the farther one of its edges, pavements included; half a barrier's width; 0 for outlines.
   double half_m = 0;
+  bool is_town_house = false;  ///< Outlines of buildings: true if it is no cottage (is_town_house()).
   bool is_through = false;  ///< True for residential, tertiary, secondary and primary roads: these are cross streets.
   Vec2 heading{};           ///< The unit vector along the traffic of a one-way street; else zero.
   ObjectId element{};
@@ -90,6 +91,10 @@ struct Surroundings {
   BoxGrid line_grid, area_grid;  ///< Find the indexes of `lines` and `areas` by position.
   double widest_half_m = 0;      ///< The greatest MappedLine::half_m.
 };
+
+/// True for buildings of three storeys or more, or four for those tagged as houses, and for those with a public use or
+/// shops. They have no gardens between a street and a wall near it.
+bool is_town_house(const map::Footprint& footprint);
 
 /// Returns the index of the features on the ground, without bridges, tunnels and what is indoors. It points into
 /// `features`, which have to outlive it unchanged. O(n log n), n: points of all features.

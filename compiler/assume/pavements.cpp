@@ -152,6 +152,13 @@ bool add_pavements(const Surroundings& surroundings, Track& stretch) {
 
 }  // namespace
 
+bool has_usual_pavements(LandCoverClass surface, CountryGroup country) {
+  double score = class_score(surface).value_or(0);
+  for (const CountryScore& row : kCountryScores)
+    if (row.country == country && row.surface == surface) score += row.score;
+  return score > 0;
+}
+
 std::vector<Track> assume_pavements(const map::FeatureView& features, Report& report) {
   const Surroundings surroundings = index_surroundings(features);
   const CommonNodes common = common_nodes_of(features.tracks);

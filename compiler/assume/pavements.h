@@ -32,6 +32,9 @@ inline constexpr double kPavementRadius_m = kLongestWhole_m + kBeside_m;
 /// The least width of an assumed pavement: two people can pass each other sideways, or one can push a pram.
 inline constexpr double kNarrowestPavement_m = 1;
 
+/// True if streets of this class have pavements in towns of this country group.
+bool has_usual_pavements(map::LandCoverClass surface, map::CountryGroup country);
+
 /// Returns the tracks with assumed pavements, sorted by id. A side of a street may change if it is not in
 /// Track::tagged_pavements, and the street lies on the ground and outside of buildings. A way of more than
 /// kLongestWhole_m becomes several tracks (cut_way(), Track::is_piece).

@@ -99,6 +99,11 @@ bool covers_kerb(const MappedLine& line, const Range& range, Vec2 out, double ke
 
 bool limits_strips(const MappedLine& line) { return line.kind != LineKind::kWall && line.kind != LineKind::kCarPark; }
 
+bool limits_over_footways(const MappedLine& line) {
+  if (line.kind == LineKind::kPath) return !is_footway(*line.way);
+  return limits_strips(line) && line.kind != LineKind::kBuilding;
+}
+
 bool runs_beside(const MappedLine& line, Vec2 along) {
   return line.kind != LineKind::kPath || std::abs(dot(unit(line.b - line.a), along)) > kAlong;
 }
@@ -169,9 +174,7 @@ void limit_at_bend(Measured& measured, const MappedLine& line, Vec2 before, Vec2
 // Lines farther away are found or not, by the widest road of the map.
 double capped(double room_m) { return room_m < kWidestStrip_m ? room_m : std::numeric_limits<double>::infinity(); }
 
-}  // namespace
-
-Room room_beside(const Surroundings& surroundings, const map::Track& stretch) {
+Room room_before(const Surroundings& surroundings, const map::Track& stretch, bool (*limits)(const MappedLine&)) {
   Measured measured{surroundings, stretch};
   const Polyline& axis = stretch.axis;
   const double reach_m = std::max(left_kerb_m(stretch.section), right_kerb_m(stretch.section)) + kWidestStrip_m +
@@ -181,7 +184,7 @@ Room room_beside(const Surroundings& surroundings, const map::Track& stretch) {
     for (const std::uint32_t n :
          boxes_about(surroundings.line_grid, box_of_segment(axis[i], axis[i + 1]).widened(reach_m))) {
       const MappedLine& line = surroundings.lines[n];
-      if (!limits_strips(line) || line.element.osm == stretch.id.osm) continue;
+      if (!limits(line) || line.element.osm == stretch.id.osm) continue;
       if (i + 2 < axis.size()) limit_at_bend(measured, line, axis[i], axis[i + 1], axis[i + 2]);
       if (!runs_beside(line, along)) continue;
       // a wide line reaches beyond its axis, and over the ends of the stretch
@@ -192,6 +195,21 @@ Room room_beside(const Surroundings& surroundings, const map::Track& stretch) {
     }
   }
   return {capped(measured.room.left_m), capped(measured.room.right_m)};
+}
+
+}  // namespace
+
+Room room_beside(const Surroundings& surroundings, const map::Track& stretch) {
+  return room_before(surroundings, stretch, limits_strips);
+}
+
+Room room_over_footways(const Surroundings& surroundings, const map::Track& stretch) {
+  return room_before(surroundings, stretch, limits_over_footways);
+}
+
+bool is_footway(const map::Track& way) {
+  return way.surface == map::LandCoverClass::kPavedFootPath ||
+         (way.surface == map::LandCoverClass::kFootPath && !way.has_tagged_surface);
 }
 
 }  // namespace citykiln::assume

@@ -72,6 +72,11 @@ bool add_verges(const Surroundings& surroundings, map::Track& stretch) {
 
 }  // namespace
 
+bool has_usual_verge(const map::Track& street, double houses) {
+  const VergeRow* row = row_of(street);
+  return row != nullptr && houses <= row->most_houses;
+}
+
 std::vector<map::Track> assume_verges(const map::FeatureView& features, std::span<const map::Track> mapped,
                                       Report& report) {
   const Surroundings surroundings = index_surroundings(features, mapped);

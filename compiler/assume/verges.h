@@ -14,6 +14,9 @@
 
 namespace citykiln::assume {
 
+/// True if streets of its class and country group have verges where this share of a side has houses.
+bool has_usual_verge(const map::Track& street, double houses);
+
 /// Returns the tracks with assumed verges, sorted by id. A verge is the same lane as verge=* and verge:left:width=*
 /// give; the pavement moves outwards by its width. A side of a street may change if the street lies on the ground, the
 /// side is not in Track::tagged_verges, and all that is raised on it is a pavement, tagged or assumed.

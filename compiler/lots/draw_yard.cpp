@@ -17,8 +17,6 @@ namespace {
 
 using map::BarrierKind;
 
-// The front yard ends a little behind the front wall, below the house.
-constexpr double kBehindFront_m = 0.25;
 // Pieces of a front yard that are smaller are left out.
 constexpr double kLeastFront_m2 = 1;
 constexpr double kLongestSegment_m = 0.5;
@@ -73,8 +71,9 @@ struct Drawer {
 
   void add_surfaces() {
     add_area(rule.rear, yard.polygon);
-    if ((rule.front == rule.rear && !yard.has_bays) || yard.setback_m < kLeastSeen_m) return;
-    for (Polygon& part : part_below(yard.polygon, frame_at(yard.frame), yard.setback_m + kBehindFront_m)) {
+    if (rule.front == rule.rear && !yard.has_bays) return;
+    if (yard.setback_m < kLeastSeen_m && !rule.is_paved_front) return;
+    for (Polygon& part : part_below(yard.polygon, frame_at(yard.frame), rule.front_m)) {
       if (area_m2(part) < kLeastFront_m2) continue;
       add_area(rule.front, std::move(part));
       if (yard.has_bays) drawn.bays.push_back({drawn.areas.back().id, kBays});
@@ -143,7 +142,7 @@ std::optional<YardPlant> plant_in(std::int64_t column, std::int64_t row, const Y
 }
 
 bool is_on_soft_ground(const Yard& yard, const YardRule& rule, const Frame& frame, Vec2 p) {
-  const bool is_front = rule.front != rule.rear && frame.local(p).y <= yard.setback_m;
+  const bool is_front = rule.front != rule.rear && frame.local(p).y <= rule.front_m;
   return is_planted(is_front ? rule.front : rule.rear) && contains(yard.polygon, p) &&
          distance_to_ring(yard.polygon.outer, p) >= kPlantToBorder_m;
 }

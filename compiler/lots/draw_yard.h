@@ -15,7 +15,7 @@ namespace citykiln::lots {
 /// The width of a path for one person, of usual slabs, and of a drive, the lane of a garage (2.75 m in the German
 /// regulation GaStellV).
 inline constexpr double kYardPath_m = 1.25, kDriveWidth_m = 2.75;
-/// A front yard with a smaller setback gets no area of its own.
+/// A front yard with a smaller setback gets no area of its own, unless it is the paved one of a town.
 inline constexpr double kLeastSeen_m = 0.3125;
 /// Barriers along a street stand this far from the pavement's outer edge, on the side of the lot.
 inline constexpr double kInsidePavement_m = 0.375;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/segment.h"
@@ -76,9 +77,34 @@ Polyline mapped_axis(const Polyline& axis, std::span<const Vec2> of_curves) {
   return mapped;
 }
 
-parcels::Line line_of(const Road& road, LineKind kind) {
-  const double left_m = roads::widest_left_m(road) + roads::raised_left_m(road),
-               right_m = roads::widest_right_m(road) + roads::raised_right_m(road);
+// Sides of tracks with closed frontages, sorted by id.
+using ClosedSides = std::vector<std::pair<ObjectId, std::uint8_t>>;
+
+ClosedSides closed_sides_of(std::span<const map::Track> tracks) {
+  ClosedSides sides;
+  for (const map::Track& track : tracks)
+    if (track.closed_sides != 0) sides.emplace_back(track.id, track.closed_sides);
+  std::ranges::sort(sides);
+  return sides;
+}
+
+// The width of a road's carriageway and lanes beyond it on one side. Where houses stand in a row it ends at the nearest
+// wall, so that the recesses beside it belong to lots.
+double side_m(double kerb_m, double raised_m, double half_m, std::span<const roads::WidthLimit> limits,
+              bool is_closed) {
+  if (!is_closed) return kerb_m + raised_m;
+  for (const roads::WidthLimit& limit : limits) raised_m = std::min(raised_m, std::max(0.0, limit.half_m - half_m));
+  return kerb_m + raised_m;
+}
+
+parcels::Line line_of(const Road& road, LineKind kind, const ClosedSides& closed) {
+  const auto found = std::ranges::lower_bound(closed, road.id, {}, &ClosedSides::value_type::first);
+  const int sides = found != closed.end() && found->first == road.id ? found->second : 0;
+  const double half_m = roads::width_m(road) / 2;
+  const double left_m = side_m(roads::widest_left_m(road), roads::raised_left_m(road), half_m, road.width_limits.left,
+                               (sides & map::kLeftSide) != 0),
+               right_m = side_m(roads::widest_right_m(road), roads::raised_right_m(road), half_m,
+                                road.width_limits.right, (sides & map::kRightSide) != 0);
   return {.id = stable_id(road.id),
           .axis = road.axis,
           .left_m = left_m - kUnderPavement_m,
@@ -130,14 +156,15 @@ bool is_segment_beside(const StreetSegments& streets, Vec2 a, Vec2 b) {
 }
 
 // Adds the stretches of a path along streets as streets.
-void add_pavement_paths(const Road& path, const StreetSegments& streets, std::vector<parcels::Line>& lines) {
+void add_pavement_paths(const Road& path, const StreetSegments& streets, const ClosedSides& closed,
+                        std::vector<parcels::Line>& lines) {
   for (std::size_t i = 0; i + 1 < path.axis.size();) {
     std::size_t end = i;
     while (end + 1 < path.axis.size() && is_segment_beside(streets, path.axis[end], path.axis[end + 1])) ++end;
     const auto first = path.axis.begin() + static_cast<std::ptrdiff_t>(i);
     Polyline stretch(first, first + static_cast<std::ptrdiff_t>(end - i + 1));
     if (end > i && length_m(stretch) >= kShortestBeside_m) {
-      parcels::Line line = line_of(path, LineKind::kStreet);
+      parcels::Line line = line_of(path, LineKind::kStreet, closed);
       line.id = stable_id(line.id, "pavement", i);
       line.axis = std::move(stretch);
       lines.push_back(std::move(line));
@@ -174,11 +201,13 @@ MapLand land_of(const map::FeatureView& features, std::span<const Road> roads, s
     land.sizes.push_back(
         {.area_m2 = row.frontage_m * row.depth_m, .frontage_m = row.frontage_m, .depth_m = row.depth_m});
   const StreetSegments streets = street_segments(roads);
+  const ClosedSides closed = closed_sides_of(features.tracks);
   const std::vector<Vec2> of_curves = points_of_curves(features.tracks);
   for (const Road& road : roads) {
     if (std::ranges::binary_search(private_ways, road.id.osm)) continue;
-    if (may_be_pavement(road)) add_pavement_paths(road, streets, land.lines);
-    if (const LineKind kind = kind_of_line(road); kind != LineKind::kNone) land.lines.push_back(line_of(road, kind));
+    if (may_be_pavement(road)) add_pavement_paths(road, streets, closed, land.lines);
+    if (const LineKind kind = kind_of_line(road); kind != LineKind::kNone)
+      land.lines.push_back(line_of(road, kind, closed));
     made.roads.resize(land.lines.size(), static_cast<std::uint32_t>(&road - roads.data()));
   }
   for (parcels::Line& line : land.lines) line.axis = mapped_axis(line.axis, of_curves);

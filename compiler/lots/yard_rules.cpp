@@ -62,6 +62,29 @@ const YardRow* drawn_row(CountryGroup group, LotKind kind, std::uint32_t drawn) 
   return nullptr;
 }
 
+// The front yard ends a little behind the front wall, below the house.
+constexpr double kBehindFront_m = 0.25;
+
+bool has_paved_front(const Yard& yard) {
+  switch (yard.kind) {
+    case LotKind::kPerimeter:
+      return true;
+    case LotKind::kApartments:
+    case LotKind::kShop:
+    case LotKind::kPublic:
+      return yard.setback_m < kTownSetback_m;
+    default:
+      return false;
+  }
+}
+
+// Changes a rule where it is dry.
+void dry(YardRule& rule, const RandomSequence& draw) {
+  if (rule.front == LandCoverClass::kLawn && draw.unit(2) < 0.5) rule.front = LandCoverClass::kGravelYard;
+  if (rule.rear == LandCoverClass::kLawn && draw.unit(3) < 0.5) rule.rear = LandCoverClass::kEarthYard;
+  rule.trees /= 2, rule.shrubs /= 2;
+}
+
 }  // namespace
 
 bool is_planted(LandCoverClass surface) {
@@ -82,15 +105,15 @@ std::optional<YardRule> rule_of(const Yard& yard, std::uint64_t seed) {
                 .rear = row.rear,
                 .path = row.path,
                 .drive = row.drive,
+                .front_m = yard.setback_m + kBehindFront_m,
                 .has_drive = draw.unit(1) * 100 < row.drive_percent,
                 .street = row.street,
                 .sides = row.sides,
                 .trees = row.trees,
                 .shrubs = row.shrubs};
-  if (!yard.is_arid) return rule;
-  if (rule.front == LandCoverClass::kLawn && draw.unit(2) < 0.5) rule.front = LandCoverClass::kGravelYard;
-  if (rule.rear == LandCoverClass::kLawn && draw.unit(3) < 0.5) rule.rear = LandCoverClass::kEarthYard;
-  rule.trees /= 2, rule.shrubs /= 2;
+  if (yard.is_arid) dry(rule, draw);
+  if (!has_paved_front(yard)) return rule;
+  rule.is_paved_front = true, rule.front = LandCoverClass::kYardPath, rule.front_m = yard.setback_m + kRecess_m;
   return rule;
 }
 

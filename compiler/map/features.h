@@ -93,9 +93,11 @@ struct Track {
   bool has_tagged_lighting = false;   ///< True if lit=* is tagged, also as "no".
   bool has_tagged_surface = false;    ///< True if surface=* is tagged.
   std::uint8_t tagged_pavements = 0;  ///< Sides on which tags say whether there is a pavement: bits of RoadSide.
+  std::uint8_t fixed_pavements = 0;   ///< Sides on which tags state a pavement's width, or that there is none.
   std::uint8_t tagged_verges = 0;     ///< Sides on which tags say whether there is a verge.
   std::uint8_t tagged_parking = 0;    ///< Sides on which tags say whether cars park.
   std::uint8_t assumed_sides = 0;     ///< Sides on which a pavement or verge is assumed.
+  std::uint8_t closed_sides = 0;      ///< Sides on which houses stand in a row along the street (assume/frontages.h).
   bool is_piece = false;              ///< True for a part of a way that was cut: for assumptions, or at a street.
   DrivingSide side{};                 ///< The side on which its traffic drives.
   TreeSides trees{};                  ///< Sides with trees; left and right as seen along the axis.

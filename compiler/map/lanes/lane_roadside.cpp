@@ -146,6 +146,13 @@ bool says_pavement(const LaneTags& tags, Flow flow) {
   return !tags.beside(flow, "sidewalk").empty() || !tags("sidewalk").empty();
 }
 
+bool fixes_pavement(const LaneTags& tags, Flow flow) {
+  if (!says_pavement(tags, flow)) return false;
+  if (is_beside(tags, flow, "sidewalk")) return tags.width_beside(flow, "sidewalk").has_value();
+  const std::string_view beside = tags.beside(flow, "sidewalk");
+  return (beside.empty() ? tags("sidewalk") : beside) != "separate";
+}
+
 bool says_verge(const LaneTags& tags, Flow flow) {
   return !tags.beside(flow, "verge").empty() || !tags("verge").empty();
 }

@@ -28,6 +28,9 @@ std::vector<RoadsideLane> roadside_of(const LaneTags& tags, const LaneClass& lan
 
 /// True if tags say whether there is a pavement on the side of a flow: also none, or one mapped as a way of its own.
 bool says_pavement(const LaneTags& tags, Flow flow);
+/// True if tags state the width of the pavement on the side of a flow, or that there is none, not even as a way of its
+/// own.
+bool fixes_pavement(const LaneTags& tags, Flow flow);
 /// True if tags say whether there is a verge on the side of a flow.
 bool says_verge(const LaneTags& tags, Flow flow);
 /// True if tags say whether cars park on the side of a flow.

@@ -252,6 +252,7 @@ TaggedSection road_section(const LaneTags& tags, const LaneClass& lane_class) {
           .has_width = width_m || has_listed_widths(tags),
           .has_placement = has_placement(tags),
           .tagged_pavements = sides_where(tags, says_pavement),
+          .fixed_pavements = sides_where(tags, fixes_pavement),
           .tagged_verges = sides_where(tags, says_verge),
           // listed widths are those of the moving lanes alone
           .tagged_parking = has_listed_widths(tags) ? std::uint8_t{kBothSides} : sides_where(tags, says_parking),
@@ -270,6 +271,7 @@ TaggedSection tagged_section_of(const ReadContext& context, OsmId id, source::Ra
   return {.section = lone_lane(lane_tags, lane_class),
           .has_width = tagged_width_m(lane_tags).has_value(),
           .tagged_pavements = kBothSides,
+          .fixed_pavements = kBothSides,
           .tagged_verges = kBothSides,
           .tagged_parking = kBothSides};
 }

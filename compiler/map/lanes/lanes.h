@@ -40,6 +40,7 @@ struct TaggedSection {
   bool has_width = false;             ///< True if width=*, est_width=* or width:lanes=* states the carriageway's width.
   bool has_placement = false;         ///< True if placement=* states the place of the axis.
   std::uint8_t tagged_pavements = 0;  ///< Sides on which tags say whether there is a pavement: bits of RoadSide.
+  std::uint8_t fixed_pavements = 0;   ///< Sides on which tags state a pavement's width, or that there is none.
   std::uint8_t tagged_verges = 0;     ///< Sides on which tags say whether there is a verge.
   std::uint8_t tagged_parking = 0;    ///< Sides on which tags say whether cars park.
   bool is_transition = false;         ///< True if placement=transition leaves it to the ways before and after.

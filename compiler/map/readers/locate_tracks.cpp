@@ -158,7 +158,7 @@ Track track_of(const ReadContext& context, std::optional<DrivingSide> driving_si
   track.section = std::move(section.section);
   track.has_tagged_width = section.has_width, track.has_tagged_placement = section.has_placement;
   track.is_transition = section.is_transition;
-  track.tagged_pavements = section.tagged_pavements;
+  track.tagged_pavements = section.tagged_pavements, track.fixed_pavements = section.fixed_pavements;
   track.tagged_verges = section.tagged_verges, track.tagged_parking = section.tagged_parking;
   track.has_tagged_surface = !context.tag(way.tags, "surface").empty();
   track.layer = tagged_layer(context, id, way.tags);
@@ -193,7 +193,7 @@ Track street_rails_of(const ReadContext& context, const source::Way& way, const 
   rails.is_rail = true;
   rails.is_lit = rails.is_link = rails.is_roundabout = rails.is_transition = false;
   rails.has_tagged_width = rails.has_tagged_surface = rails.has_tagged_lighting = true;
-  rails.tagged_pavements = rails.tagged_verges = rails.tagged_parking = kBothSides;
+  rails.tagged_pavements = rails.fixed_pavements = rails.tagged_verges = rails.tagged_parking = kBothSides;
   rails.has_contact_line = has_contact_line(context.tag(way.tags, "electrified"), LandCoverClass::kTram);
   rails.trees = {}, rails.points.clear(), rails.step_count = 0, rails.handrails = 0;
   // the rails lie in the middle of the carriageway
