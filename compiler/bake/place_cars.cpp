@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 
 #include "compiler/cars/parked_cars.h"
 #include "compiler/geometry/snap.h"
@@ -31,8 +33,12 @@ double ground_m(const ground::LandCoverIndex& land_cover, const ground::GradedTe
   return ground::layer_height_m(ground::heights_at(graded, p), ground::face_height_of(land_cover.surfaces[top]));
 }
 
-// A car on its wheels: the heights below them decide its height and its slopes along and across.
-PlacedThing stand(const things::Thing& car, const ground::LandCoverIndex& land_cover,
+// The steepest ground on which cars stand, along them and across.
+constexpr double kSteepestAlong = 0.25, kSteepestAcross = 0.125;
+
+// A car on its wheels: the heights below them decide its height and its slopes along and across. None where the ground
+// is steeper.
+std::optional<PlacedThing> stand(const things::Thing& car, const ground::LandCoverIndex& land_cover,
                   const ground::GradedTerrain& graded) {
   constexpr double kAxle = 0.31, kWheel = 0.42;
   const Vec2 ahead = things::unit_vector(car.direction), left = left_of(ahead);
@@ -44,10 +50,11 @@ PlacedThing stand(const things::Thing& car, const ground::LandCoverIndex& land_c
   }
   const double along = (z_m[0] + z_m[1] - z_m[2] - z_m[3]) / (4 * axle_m),
                across = (z_m[0] + z_m[2] - z_m[1] - z_m[3]) / (4 * wheel_m);
+  if (std::abs(along) > kSteepestAlong || std::abs(across) > kSteepestAcross) return std::nullopt;
   const double middle_m = (z_m[0] + z_m[1] + z_m[2] + z_m[3]) / 4;
   const Vec2 slope = ahead * along + left * across;
   // the mesh faces -y
-  return {.form = car.form,
+  return PlacedThing{.form = car.form,
           .placement = {.at = at_height(car.at, snapped(middle_m)),
                         .cos_yaw = left.x,
                         .sin_yaw = left.y,
@@ -68,7 +75,7 @@ std::vector<PlacedThing> place_cars(const scene::Header& header, const scene::Ch
                            .tile_m = header.tile_m};
   std::vector<PlacedThing> placed;
   for (const things::Thing& car : cars::parked_cars(recipes_of(chunk, land_cover), wish, box))
-    placed.push_back(stand(car, land_cover, graded));
+    if (std::optional<PlacedThing> standing = stand(car, land_cover, graded)) placed.push_back(std::move(*standing));
   return placed;
 }
 

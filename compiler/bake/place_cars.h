@@ -14,7 +14,8 @@ namespace citykiln::bake {
 /// Cars are shown below this tolerance: none is higher.
 inline constexpr double kShowsCars_m = 2.25;
 
-/// Returns the cars of a tile by the header's wish, each on the plane through the ground below its wheels.
+/// Returns the cars of a tile by the header's wish, each on the plane through the ground below its wheels,
+/// except where that is steeper than 25 % along the car or 12.5 % across it.
 /// @param land_cover  With each road as one surface; of the tile and cars::kCarsHalo_m about it.
 /// @param graded      Of the same box.
 /// @param box         The tile.

@@ -12,6 +12,8 @@ using pitches::PitchKind;
 
 // The bays of pitches.inc.
 constexpr double kBay_m = 2.5, kBayDepth_m = 5;
+// Mapped spaces may be as narrow as a car.
+constexpr double kSpace_m = 2;
 // The shortest drive on which a car has room.
 constexpr double kLeastDrive_m = 4.75;
 
@@ -84,7 +86,7 @@ Place place_of_space(const things::Thing& space, map::CountryGroup country) {
           .at = space.at,
           .ahead = things::unit_vector(space.direction),
           .length_m = kBayDepth_m,
-          .width_m = kBay_m,
+          .width_m = kSpace_m,
           .kind = PlaceKind::kSpace,
           .use = PlaceUse::kCarPark,
           .country = country,

@@ -74,13 +74,13 @@ std::optional<OsmId> bar_of(const Ring& ring, bool is_in_space, const ground::La
 }
 
 // The doors of a tile's buildings.
-struct Doors {
+struct DoorSquares {
   std::vector<Vec2> at;
   BoxGrid grid;
 };
 
-Doors doors_of(const scene::Chunk& chunk) {
-  Doors doors;
+DoorSquares door_squares_of(const scene::Chunk& chunk) {
+  DoorSquares doors;
   std::vector<Box2> boxes;
   for (const buildings::Building& building : chunk.buildings)
     for (const Vec2 door : buildings::door_positions(building)) {
@@ -91,7 +91,7 @@ Doors doors_of(const scene::Chunk& chunk) {
   return doors;
 }
 
-bool is_before_door(const Ring& ring, const Doors& doors) {
+bool is_before_door(const Ring& ring, const DoorSquares& doors) {
   if (doors.at.empty()) return false;
   return any_about(doors.grid, box_of(ring), [&](std::uint32_t i) {
     return distance_to_ring(ring, doors.at[i]) < kBeforeDoor_m || winding_number(ring, doors.at[i]) != 0;
@@ -105,7 +105,7 @@ AssumedTests measure_parked_cars(const bake::BakedTile& tile, const scene::Chunk
   std::set<OsmId> spaces;
   for (const things::Thing& thing : chunk.things)
     if (map::role_of(thing.form.kind) == map::ThingRole::kCar) spaces.insert(thing.id.osm);
-  const Doors doors = doors_of(chunk);
+  const DoorSquares doors = door_squares_of(chunk);
   AssumedTests found;
   for (const bake::InstancedMesh& mesh : tile.instanced) {
     if (!is_car(mesh.name)) continue;

@@ -89,6 +89,11 @@ TEST(ParkedCars, NoTwoOverlap) {
   MadeTile tile = street_tile();
   // a second street joins at a flat angle, and both are one surface
   tile.roads.push_back(made_street(17, {{0, -20}, {250, 10}}));
+  for (roads::Road& road : tile.roads) {
+    road.kerb_parking = 0;
+    road.section.lanes[1].width_m = 1.5;
+    road.section.lanes.push_back({map::LaneKind::kParking, map::LaneDirection::kForward, 2});
+  }
   tile.cover = {made_cover(7, {{0, -30}, {250, 30}}, LandCoverClass::kResidentialRoad),
                 made_cover(8, {{0, -45}, {250, -30}}, LandCoverClass::kBuilding)};
   const std::vector<Place> places = tile.places(kMadeBox);
