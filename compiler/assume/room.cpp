@@ -100,8 +100,7 @@ bool covers_kerb(const MappedLine& line, const Range& range, Vec2 out, double ke
 bool limits_strips(const MappedLine& line) { return line.kind != LineKind::kWall && line.kind != LineKind::kCarPark; }
 
 bool limits_over_footways(const MappedLine& line) {
-  if (line.kind == LineKind::kPath) return !is_footway(*line.way);
-  return limits_strips(line) && line.kind != LineKind::kBuilding;
+  return limits_strips(line) && (line.kind != LineKind::kPath || !is_footway(*line.way));
 }
 
 bool runs_beside(const MappedLine& line, Vec2 along) {

@@ -34,8 +34,8 @@ struct Room {
 /// kLeastBeforeWalls_m. Barriers and car parks do not limit it, but see SideFacts::room_m. O(lines near it).
 Room room_beside(const Surroundings& surroundings, const map::Track& stretch);
 
-/// Returns the room as room_beside(), before all but buildings and footways: a pavement may cover a footway that is
-/// mapped as a way of its own.
+/// Returns the room as room_beside(), but before all except footways: a pavement may cover a footway that is mapped as
+/// a way of its own.
 Room room_over_footways(const Surroundings& surroundings, const map::Track& stretch);
 
 /// True for paved footways and other footpaths without a tagged surface: the ways that are mapped for pavements.

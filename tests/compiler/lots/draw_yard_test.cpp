@@ -66,6 +66,20 @@ TEST(DrawYard, DrawsWhatTheRecipeSays) {
   EXPECT_TRUE(drawn.plants.empty());
 }
 
+// A street of towns has no lawn before its houses, be they a step or some metres behind the pavement.
+TEST(DrawYard, FrontsOfTownHousesArePaved) {
+  Yard yard = made_yard();
+  for (const double setback_m : {0.0, 0.25, 5.0}) {
+    yard.setback_m = setback_m, yard.kind = LotKind::kApartments;
+    const DrawnYard drawn = draw_yard(yard, 1);
+    ASSERT_EQ(drawn.areas.size(), 2u);
+    EXPECT_EQ(drawn.areas.back().surface, LandCoverClass::kYardPath);
+    EXPECT_TRUE(contains(drawn.areas.back().polygon, {10, setback_m + 1}));
+  }
+  yard.setback_m = 8;
+  EXPECT_NE(draw_yard(yard, 1).areas.back().surface, LandCoverClass::kYardPath);
+}
+
 TEST(DrawYard, PlantsStandWhereTheirBitSaysSo) {
   int plants = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {

@@ -619,6 +619,21 @@ TEST(Lanes, SidesAreToldOnWhichPavementsAreTagged) {
   }
 }
 
+TEST(Lanes, SidesAreToldOnWhichTheWidthOfThePavementIsTagged) {
+  static const Plane plane(kTestOrigin);
+  const auto fixed = [](const std::string& tags) {
+    const source::OsmData osm = extract("w1 0:0 50:0 highway=residential " + tags);
+    Report report;
+    const ReadContext reading{osm, plane, Box2{}, report};
+    return int{tagged_section_of(reading, {OsmType::kWay, 1}, osm.ways[0].tags, DrivingSide::kRight).fixed_pavements};
+  };
+  for (const char* tags : {"lit=yes", "sidewalk=both", "sidewalk=separate", "sidewalk:left=separate"})
+    EXPECT_EQ(fixed(tags), 0) << tags;
+  EXPECT_EQ(fixed("sidewalk=no"), kBothSides);
+  EXPECT_EQ(fixed("sidewalk=left"), kRightSide);
+  EXPECT_EQ(fixed("sidewalk=both sidewalk:left:width=1.5"), kLeftSide);
+}
+
 TEST(Lanes, AnAddedPavementIsTheOneThatTagsGive) {
   CrossSection silent = read("highway=residential cycleway:right=track").section;
   for (const auto& [sides, tags] : {std::pair{kLeftSide, "sidewalk:left=yes sidewalk:left:width=1.25"},
