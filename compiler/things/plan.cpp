@@ -124,12 +124,21 @@ void count_derived(const map::FeatureView& features, const std::vector<map::Thin
   (after > before ? account.split : account.merged) += static_cast<std::uint64_t>(std::abs(after - before));
 }
 
+// The manifest of a map without pavements has no rules of street furniture.
+bool has_pavements(std::span<const roads::Road> roads) {
+  const auto is_pavement = [](const map::Lane& lane) { return lane.kind == map::LaneKind::kSidewalk; };
+  return std::ranges::any_of(
+      roads, [&](const roads::Road& road) { return std::ranges::any_of(road.section.lanes, is_pavement); });
+}
+
 }  // namespace
 
 std::set<std::string> kind_names(const map::FeatureView& features, const map::ThingTable& table) {
   std::set<std::string> names;
+  const bool has_streets =
+      std::ranges::any_of(features.tracks, [](const map::Track& track) { return map::is_street(track.surface); });
   for (const map::ThingRow& row : table)
-    if (map::role_of(row.name) == map::ThingRole::kCar) names.insert(row.name);
+    if (has_streets && map::role_of(row.name) == map::ThingRole::kCar) names.insert(row.name);
   for (const map::ThingFeature& thing : features.things) names.insert(thing.kind);
   for (const map::ThingFeature& thing : features.supports_beyond) names.insert(thing.kind);
   return names;
@@ -216,7 +225,7 @@ Result<ThingPlan> plan(const map::FeatureView& features, const ThingInputs& inpu
   seen.things = plan.mapped;
   std::set<std::string> names = kind_names(seen, catalogue.table);
   for (const Thing& mast : plan.contact_lines.masts) names.insert(mast.form.kind);
-  if (has(assumed, Assumption::kRoadsides))
+  if (has(assumed, Assumption::kRoadsides) && has_pavements(roads))
     for (const StreetKind& kind : kStreetKinds) names.emplace(kind.name);
   if (!names.empty()) {
     Result<Kinds> kinds = kinds_of(catalogue, names);

@@ -45,7 +45,7 @@ struct ThingInputs {
 /// Plans railings, contact lines and things, in this order. Errors: those of kinds_of().
 Result<ThingPlan> plan(const map::FeatureView& features, const ThingInputs& inputs, Report& report);
 
-/// Returns the names of the kinds of a map's things, and that of cars if the table has it.
+/// Returns the names of the kinds of a map's things, and that of cars if the map has a street and the table has it.
 std::set<std::string> kind_names(const map::FeatureView& features, const map::ThingTable& table);
 
 /// Returns the things of a map, sorted by id. A thing that may not stand where it is mapped is moved to a free place
