@@ -24,7 +24,8 @@ enum class LeftOut : std::uint8_t {
   kHeights,    ///< Heights and storeys of buildings and of their roofs.
   kFields,     ///< Borders between neighbouring fields (assumed_lands.h), in all of the map.
   kTrees,      ///< Trees, rows of trees and tree_lined=*.
-  kHedges      ///< Hedges.
+  kHedges,     ///< Hedges.
+  kFrontages   ///< Small areas of grass and paving, in all of the map: their class becomes kUnknown.
 };
 
 /// True for elements whose tags are left out.
@@ -39,6 +40,9 @@ struct Place {
   map::Features mapped;  ///< The features by their tags, without assumptions.
   map::Heightfield heights;
 };
+
+/// Makes the class of all areas of LeftOut::kFrontages unknown.
+void hide_frontages(map::Features& features);
 
 /// Reads a map. Its land is level where none of the heightmaps covers it. Errors: those of source::read_osm().
 Result<Place> read_place(const std::string& path, std::span<const source::Raster> heightmaps, int threads);

@@ -75,4 +75,10 @@ Values built_avenues(const map::Features& features);
 std::vector<Sample> tagged_lane_hedges(const Place& place);
 Values built_lane_hedges(const map::Features& features);
 
+/// Grass, gardens and flowerbeds (no), and paved squares, footway areas and platforms (yes), of 60 to 4000 m², of which
+/// at least 5 m² lie within 8 m behind the kerb of a street, before a wall at most 12 m behind it. Built is the share
+/// of these places that a pavement of the street reaches; paved fronts of yards do not count.
+std::vector<Sample> tagged_frontages(const Place& place);
+Values built_frontages(const map::Features& features);
+
 }  // namespace citykiln::charts

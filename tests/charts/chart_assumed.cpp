@@ -28,10 +28,11 @@ constexpr std::array kSubjects = {
     Subject{"fields", "fields/km²", LeftOut::kFields, false, tagged_fields_per_km2, built_fields_per_km2},
     Subject{"field_borders", "", LeftOut::kFields, true, tagged_field_borders, built_field_borders},
     Subject{"avenues", "", LeftOut::kTrees, true, tagged_avenues, built_avenues},
-    Subject{"lane_hedges", "", LeftOut::kHedges, true, tagged_lane_hedges, built_lane_hedges}};
+    Subject{"lane_hedges", "", LeftOut::kHedges, true, tagged_lane_hedges, built_lane_hedges},
+    Subject{"frontages", "", LeftOut::kFrontages, true, tagged_frontages, built_frontages}};
 
 constexpr std::array kAllKinds = {LeftOut::kPavements, LeftOut::kLamps, LeftOut::kWidths, LeftOut::kHeights,
-                                  LeftOut::kFields,    LeftOut::kTrees, LeftOut::kHedges};
+                                  LeftOut::kFields,    LeftOut::kTrees, LeftOut::kHedges, LeftOut::kFrontages};
 
 /// True for kinds of which an assumption looks at tagged neighbours, so that blocks within a place differ from a place.
 bool looks_at_neighbours(LeftOut kind) { return kind < LeftOut::kFields; }
