@@ -94,6 +94,8 @@ void add_tags_of_side(const Track& track, bool is_left, std::map<std::string, st
 std::map<std::string, std::string> tags_that_say(const Track& track) {
   std::map<std::string, std::string> tags;
   add_tags_of_side(track, true, tags), add_tags_of_side(track, false, tags);
+  const std::vector<Lane>& lanes = track.section.lanes;
+  if (has(track.assumed, Assumption::kPavements) && lanes.size() == 1) tags["width"] = std::to_string(lanes[0].width_m);
   if (has(track.assumed, Assumption::kLamps)) tags["lit"] = "yes";
   if (has(track.assumed, Assumption::kSurfaces)) tags["surface"] = "gravel";
   return tags;
