@@ -36,11 +36,11 @@ struct TileRecipes {
 /// How far beyond a tile its places depend on land cover.
 inline constexpr double kCarsHalo_m = 40;
 
-/// What decides which places have a car.
+/// The values that decide which places have a car.
 struct CarWish {
   CarShare share;
   buildings::WeekTime time;
-  map::CountryGroup country{};  ///< Of places that belong to no road or yard.
+  map::CountryGroup country{};  ///< The country of places that belong to no road or yard.
   std::uint64_t seed = 0;
   double tile_m = 0;  ///< Side of the tiles.
 };

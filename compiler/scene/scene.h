@@ -106,8 +106,8 @@ plants::Month month_of(const Header& header);
 /// Returns the same month without the climate, which decides how much grass is straw.
 climate::LocalMonth local_month_of(const Header& header);
 
-/// Returns the time of the week of the sky, in mean solar time. Without a date it is a Wednesday: noon, or 20:00 where it
-/// is dark.
+/// Returns the time of the week of the sky, in mean solar time. Without a date it is a Wednesday: noon, or 20:00 where
+/// it is dark.
 buildings::WeekTime week_time_of(const Header& header);
 
 /// Returns the time of the week if it is dark, which decides which windows are lit; empty by day.

@@ -51,8 +51,9 @@ std::set<std::string> kind_names(const map::FeatureView& features, const map::Th
 /// Returns the things of a map, sorted by id. A thing that may not stand where it is mapped is moved to a free place
 /// (free_places.h), or dropped, kNoPlaceForThing, and kOutsideBounds if the place is outside of the extent. Signals of
 /// a junction stand at its arms (junction_signals.h). Mapped parking spaces are things of the role
-/// map::ThingRole::kCar, without a form. Things that may stand on buildings stay where they are mapped on one (on_roofs.h); a thing that is tagged to be on a roof,
-/// and is on none, is dropped, kAboveGround. Ledger "things/thing". O(things · land cover and buildings near them).
+/// map::ThingRole::kCar, without a form. Things that may stand on buildings stay where they are mapped on one
+/// (on_roofs.h); a thing that is tagged to be on a roof, and is on none, is dropped, kAboveGround. Ledger
+/// "things/thing". O(things · land cover and buildings near them).
 /// @param cover  The land cover of the whole map, with buildings.
 /// @param kinds  The kinds of all things of the map; see kinds_of().
 std::vector<Thing> plan_mapped(const map::FeatureView& features, std::span<const roads::Road> roads,

@@ -182,10 +182,11 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
              things = rules_of(builder, h.things);
   const auto around = surroundings_of(builder, h.around);
   const auto climate = climate_of(builder, h.climate);
-  builder.Finish(fbs::CreateHeaderDirect(
-      builder, kVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg, &extent, h.tile_m, h.seed,
-      h.resampling_error_m, sky, &sources, &attributions, kLicence, index, dictionary.empty() ? nullptr : &dictionary,
-      snow_line_m, &rules, &species, around, things.empty() ? nullptr : &things, climate, h.has_wild_slopes, number_of(h.cars)));
+  builder.Finish(fbs::CreateHeaderDirect(builder, kVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg, &extent,
+                                         h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions, kLicence,
+                                         index, dictionary.empty() ? nullptr : &dictionary, snow_line_m, &rules,
+                                         &species, around, things.empty() ? nullptr : &things, climate,
+                                         h.has_wild_slopes, number_of(h.cars)));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
