@@ -299,7 +299,8 @@ Result<Done> set_cars(CompileSpec& spec, std::string_view text) {
   if (text == "usual" || text == "true") return spec.cars = cars::kUsualCars, Done{};
   if (text == "none" || text == "false") return spec.cars = cars::kNoCars, Done{};
   const auto share = number_in<double>(text);
-  if (!share || !(*share >= 0 && *share <= 1)) return expected("usual, none, or a share from 0 to 1, such as 0.7", text);
+  if (!share || !(*share >= 0 && *share <= 1))
+    return expected("usual, none, or a share from 0 to 1, such as 0.7", text);
   spec.cars = cars::CarShare{.share = snapped_to(cars::kShareStep, *share)};
   return Done{};
 }

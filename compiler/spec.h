@@ -94,14 +94,14 @@ struct CompileSpec {
   std::uint64_t seed = 0;
   Assumptions assume = kNamedAssumptions;  ///< The assumptions made where the map is silent.
   std::optional<double> snow_line_m;       ///< Land above it is covered by snow.
-  std::string rules_folder;         ///< A folder of rule files that replace shipped ones of the same name; "" for none.
-  std::string things_folder;        ///< A folder with a table of things and rule files; "" for none.
-  std::string species_folder;       ///< A folder of user-defined species; "" for none.
-  bool fill_lots = false;           ///< Houses on residential land without buildings (lots/fill_lots.h).
+  std::string rules_folder;    ///< A folder of rule files that replace shipped ones of the same name; "" for none.
+  std::string things_folder;   ///< A folder with a table of things and rule files; "" for none.
+  std::string species_folder;  ///< A folder of user-defined species; "" for none.
+  bool fill_lots = false;      ///< Houses on residential land without buildings (lots/fill_lots.h).
   std::optional<cars::CarShare> cars;  ///< Parked cars (cars/parked_cars.h). Empty: car_share_of() decides.
-  World world = World::kByOutput;   ///< 3D Tiles need the ellipsoid or a cylinder, others the plane or a cylinder.
-  map::Cylinder cylinder{};         ///< For World::kCylinder.
-  std::optional<sky::Moment> time;  ///< The time of the sky; see sky::plan().
+  World world = World::kByOutput;      ///< 3D Tiles need the ellipsoid or a cylinder, others the plane or a cylinder.
+  map::Cylinder cylinder{};            ///< For World::kCylinder.
+  std::optional<sky::Moment> time;     ///< The time of the sky; see sky::plan().
   sky::AirSettings air;
   /// The layers of clouds. Empty: fair weather, which previews show; outputs then have no files of clouds.
   std::optional<std::vector<sky::CloudRequest>> clouds;

@@ -94,8 +94,8 @@ void count_things(const std::vector<const PlacedThing*>& things, const BakedThin
   }
 }
 
-// Adds things as instances. Accounts "bake/thing" and "bake/parked car". Rules that ask for something impossible are diagnosed,
-// kThingRuleErrors, once for each form and tile.
+// Adds things as instances. Accounts "bake/thing" and "bake/parked car". Rules that ask for something impossible are
+// diagnosed, kThingRuleErrors, once for each form and tile.
 void bake_things(Baking& baking, const std::vector<PlacedThing>& things, const PrototypeCache& prototypes,
                  Report& report) {
   std::map<things::Form, std::vector<const PlacedThing*>> by_form;

@@ -39,7 +39,7 @@ constexpr double kSteepestAlong = 0.25, kSteepestAcross = 0.125;
 // A car on its wheels: the heights below them decide its height and its slopes along and across. None where the ground
 // is steeper.
 std::optional<PlacedThing> stand(const things::Thing& car, const ground::LandCoverIndex& land_cover,
-                  const ground::GradedTerrain& graded) {
+                                 const ground::GradedTerrain& graded) {
   constexpr double kAxle = 0.31, kWheel = 0.42;
   const Vec2 ahead = things::unit_vector(car.direction), left = left_of(ahead);
   const double axle_m = kAxle * car.form.depth_m, wheel_m = kWheel * car.form.width_m;
@@ -55,12 +55,12 @@ std::optional<PlacedThing> stand(const things::Thing& car, const ground::LandCov
   const Vec2 slope = ahead * along + left * across;
   // the mesh faces -y
   return PlacedThing{.form = car.form,
-          .placement = {.at = at_height(car.at, snapped(middle_m)),
-                        .cos_yaw = left.x,
-                        .sin_yaw = left.y,
-                        .feature = car.id.osm},
-          .up = unit(Vec3{-slope.x, -slope.y, 1}),
-          .is_parked = true};
+                     .placement = {.at = at_height(car.at, snapped(middle_m)),
+                                   .cos_yaw = left.x,
+                                   .sin_yaw = left.y,
+                                   .feature = car.id.osm},
+                     .up = unit(Vec3{-slope.x, -slope.y, 1}),
+                     .is_parked = true};
 }
 
 }  // namespace

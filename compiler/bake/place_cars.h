@@ -1,5 +1,5 @@
-// Places the parked cars of a tile on the ground. They are no recipes: cars/parked_cars.h draws them from those of roads,
-// car parks and yards.
+// Places the parked cars of a tile on the ground. They are no recipes: cars/parked_cars.h draws them from those of
+// roads, car parks and yards.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ inline constexpr double kShowsCars_m = 2.25;
 /// Returns the cars of a tile by the header's wish, each on the plane through the ground below its wheels,
 /// except where that is steeper than 25 % along the car or 12.5 % across it.
 /// @param land_cover  With each road as one surface; of the tile and cars::kCarsHalo_m about it.
-/// @param graded      It is of the same box.
+/// @param graded      The graded terrain of the same box.
 /// @param box         The tile.
 std::vector<PlacedThing> place_cars(const scene::Header& header, const scene::Chunk& chunk,
                                     const ground::LandCoverIndex& land_cover, const ground::GradedTerrain& graded,

@@ -13,9 +13,9 @@ namespace citykiln::bake {
 /// A thing where it stands. Things of one form show one mesh, as instances.
 struct PlacedThing {
   things::Form form;
-  Placement placement;  ///< The mesh's origin is the middle of the thing's base.
-  int number = 1;       ///< The number of its form among the forms of its kind in the tile, from 1, in the order of
-                        ///< Form. The name of the mesh has it.
+  Placement placement;     ///< The mesh's origin is the middle of the thing's base.
+  int number = 1;          ///< The number of its form among the forms of its kind in the tile, from 1, in the order of
+                           ///< Form. The name of the mesh has it.
   Vec3 up{0, 0, 1};        ///< The direction of the mesh's z axis, of unit length.
   bool is_parked = false;  ///< True for parked cars and street furniture, which are not recipes.
 };

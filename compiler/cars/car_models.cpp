@@ -89,8 +89,7 @@ things::Form form_of_car(const Place& place, std::uint64_t seed) {
   const Body& body = body_of(place, draw.unit(kDrawBody));
   const bool is_van = body.name == "van" || body.name == "minibus";
   const bool is_white = is_van && draw.unit(kDrawIsWhite) < 0.5;
-  const Colour& colour =
-      is_white ? kColours[0] : picked(kColours, market_of(place.country), draw.unit(kDrawColour));
+  const Colour& colour = is_white ? kColours[0] : picked(kColours, market_of(place.country), draw.unit(kDrawColour));
   return {.kind = std::string(map::name_of(map::ThingRole::kCar)),
           .width_m = body.width_m,
           .depth_m = body.length_m,

@@ -51,8 +51,8 @@ void add_junctions(std::span<const Road> roads, std::span<const Junction> juncti
   const std::vector<std::vector<Arm>> arms = roads::arms_of(junctions, roads);
   for (std::size_t j = 0; j < junctions.size(); ++j) {
     if (junctions[j].family != roads::Family::kStreet || arms[j].size() != junctions[j].cuts.size()) continue;
-    const auto streets = std::ranges::count_if(
-        arms[j], [&](const Arm& arm) { return roads::is_through_street(roads[arm.road]); });
+    const auto streets =
+        std::ranges::count_if(arms[j], [&](const Arm& arm) { return roads::is_through_street(roads[arm.road]); });
     const double radius_m = streets > 2 ? kFromJunction_m : kFromDrive_m;
     for (std::size_t a = 0; a < arms[j].size(); ++a)
       add_arm(roads[arms[j][a].road], arms[j][a], junctions[j].cuts[a], radius_m, clear);

@@ -15,9 +15,9 @@
 
 namespace citykiln::cars {
 
-/// The distances of cars at kerbs from the ends of junctions and from crossings, bus and tram stops, hydrants and gates.
-/// StVO, paragraph 12: 5 m before crossings and at junctions; paragraph 41, sign 224: 15 m at stops, 10 m here as buses
-/// in most countries need. Uniform Vehicle Code, paragraph 11-1003: 15 feet from hydrants.
+/// The distances of cars at kerbs from the ends of junctions and from crossings, bus and tram stops, hydrants and
+/// gates. StVO, paragraph 12: 5 m before crossings and at junctions; paragraph 41, sign 224: 15 m at stops, 10 m here
+/// as buses in most countries need. Uniform Vehicle Code, paragraph 11-1003: 15 feet from hydrants.
 inline constexpr double kFromJunction_m = 5, kFromCrossing_m = 5, kFromStop_m = 10, kFromHydrant_m = 4.5,
                         kFromGate_m = 3;
 /// The distance of all parked cars from doors.

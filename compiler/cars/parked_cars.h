@@ -36,7 +36,7 @@ struct TileRecipes {
 /// How far beyond a tile its places depend on land cover.
 inline constexpr double kCarsHalo_m = 40;
 
-/// The wish for cars and all that decides which places have one.
+/// The values that decide which places have a car.
 struct CarWish {
   CarShare share;
   buildings::WeekTime time;

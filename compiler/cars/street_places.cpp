@@ -181,7 +181,8 @@ void add_beside(const Road& road, bool is_left, bool is_across, Rows& rows) {
 }  // namespace
 
 std::vector<Place> places_along(const Road& road, const Box2& box) {
-  if (!map::is_street(road.surface) || !box_of(road.axis).widened(roads::max_offset_m(road) + 2 * kBayLength_m).touches(box))
+  if (!map::is_street(road.surface) ||
+      !box_of(road.axis).widened(roads::max_offset_m(road) + 2 * kBayLength_m).touches(box))
     return {};
   Rows rows(road, box);
   for (std::size_t i = 0; i < road.section.lanes.size(); ++i)

@@ -19,7 +19,8 @@ namespace citykiln::cars {
 /// The length of a place along a kerb, and its width where cars stand side by side. EAR 05: 5.7 m, and 5.2 m at the
 /// ends of a row; 2.5 m.
 inline constexpr double kKerbPlace_m = 5.75, kAcross_m = 2.5;
-/// The width that stays free between parked cars, or beside them (StVO, paragraph 12: 3.05 m with the margins of a lorry).
+/// The width that stays free between parked cars, or beside them (StVO, paragraph 12: 3.05 m with the margins of a
+/// lorry).
 inline constexpr double kFreeLane_m = 3;
 /// The width that a row of parked cars takes of a carriageway.
 inline constexpr double kRow_m = 2;

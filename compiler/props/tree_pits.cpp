@@ -39,8 +39,8 @@ Corners corners_of(const TreePit& pit, double side_m) {
 
 bool is_paving(LandCoverClass surface) {
   using enum map::LandCoverClass;
-  constexpr std::array kPaving = {kPavement,      kSquare, kPlatform,      kParking,         kParkingLane, kServiceArea,
-                                  kTrafficIsland, kIsland, kPavedFootPath, kPedestrianStreet};
+  constexpr std::array kPaving = {kPavement,    kSquare,        kPlatform, kParking,       kParkingLane,
+                                  kServiceArea, kTrafficIsland, kIsland,   kPavedFootPath, kPedestrianStreet};
   return std::ranges::find(kPaving, surface) != kPaving.end();
 }
 

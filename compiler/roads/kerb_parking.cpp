@@ -13,7 +13,8 @@ bool is_main(const map::Track& track) { return track.surface == LandCoverClass::
 
 bool may_have_rows(const map::Track& track) {
   if (track.surface != LandCoverClass::kResidentialRoad && !is_main(track)) return false;
-  if (track.passage != map::Passage::kGround || track.is_link || track.is_roundabout || track.is_transition) return false;
+  if (track.passage != map::Passage::kGround || track.is_link || track.is_roundabout || track.is_transition)
+    return false;
   return !track.is_through_building && !track.is_covered && !track.is_indoor;
 }
 
@@ -32,8 +33,8 @@ bool is_free(const map::Track& track, bool is_left) {
   if ((track.tagged_parking & (is_left ? map::kLeftSide : map::kRightSide)) != 0) return false;
   const std::vector<Lane>& lanes = track.section.lanes;
   const auto is_level = [](const Lane& lane) { return !lane.is_raised; };
-  const Lane& lane = is_left ? *std::ranges::find_if(lanes, is_level)
-                             : *std::find_if(lanes.rbegin(), lanes.rend(), is_level);
+  const Lane& lane =
+      is_left ? *std::ranges::find_if(lanes, is_level) : *std::find_if(lanes.rbegin(), lanes.rend(), is_level);
   return lane.kind == LaneKind::kDriving && lane.turns == 0;
 }
 

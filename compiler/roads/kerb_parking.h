@@ -9,7 +9,7 @@ namespace citykiln::roads {
 
 /// The widths of carriageways from which on cars park at one kerb, and at both: a row of 2 m beside 3 m or more.
 inline constexpr double kOneRow_m = 5.5, kTwoRows_m = 7.5;
-/// The widths of those with lines between lanes: rows beside two lanes of 2.75 m.
+/// These widths where lines divide the lanes: rows beside two lanes of 2.75 m.
 inline constexpr double kOneRowBesideLanes_m = 7.5, kTwoRowsBesideLanes_m = 9.5;
 
 /// Returns the sides of a street on the ground at whose kerbs cars may park, as bits of map::RoadSide: of residential,

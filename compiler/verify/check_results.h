@@ -109,7 +109,8 @@ struct CheckResults {
   Check wires{"no wire hangs lower than 4.5 m, less the tile's error, above a carriageway or railway", 0, {}};
   Check assumed_pavements{"no assumed pavement lies in water, a building, a railway or another road", 0, {}};
   Check assumed_lamps{"no assumed lamp stands on a carriageway, a railway, a building or water", 0, {}};
-  Check parked_cars{"no parked car stands before a door, in a building, a railway or water, or off the paved ground", 0, {}};
+  Check parked_cars{
+      "no parked car stands before a door, in a building, a railway or water, or off the paved ground", 0, {}};
   Check assumed_railings{
       "no assumed railing stands in a carriageway, on steps, across a way, before a door, in a building or water",
       0,

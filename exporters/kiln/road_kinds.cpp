@@ -29,7 +29,7 @@ struct KindOrder {
 }  // namespace
 
 RoadKind kind_of(const roads::Road& road) {
-  return {road.surface,       road.section, road.side,    road.is_lit,       road.is_link,
+  return {road.surface,       road.section, road.side,    road.is_lit,        road.is_link,
           road.is_roundabout, road.country, road.assumed, road.assumed_sides, road.kerb_parking};
 }
 

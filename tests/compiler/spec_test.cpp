@@ -80,7 +80,7 @@ TEST(Spec, ParsesEverySetting) {
                                                       {"rules", "r"},
                                                       {"things", "t"},
                                                       {"species", "s"},
-                                                      {"cars", "true"},
+                                                      {"cars", "0.5"},
                                                       {"drive-on", "left"},
                                                       {"seed", "18446744073709551615"},
                                                       {"threads", "2"},
@@ -103,12 +103,12 @@ TEST(Spec, ParsesEverySetting) {
 
 TEST(Spec, ErrorsSayTheExpectedValue) {
   const std::pair<const char*, const char*> rows[] = {
-      {"bbox", "1,2,3"},    {"bbox", "3,1,2,2"},     {"bbox", "1,2,x,4"},   {"origin", "1"},    {"tile", "100"},
-      {"tile", "0"},        {"only", "1-2"},         {"emit", "obj"},       {"lods", "1,1"},    {"lods", "0,1"},
-      {"lods", ""},         {"lods", "0.1,500"},     {"lods", "1e9"},       {"target", "maya"}, {"split", "road"},
-      {"drive-on", "top"},  {"seed", "-1"},          {"threads", "-1"},     {"threads", "1.5"}, {"strict", "yes"},
-      {"dem", "a,bound=1"}, {"time", "noon"},        {"snow-line", "high"}, {"world", "torus"}, {"compress", "zip"},
-      {"fill", "all"},      {"surroundings", "some"}};
+      {"bbox", "1,2,3"},    {"bbox", "3,1,2,2"},      {"bbox", "1,2,x,4"},   {"origin", "1"},    {"tile", "100"},
+      {"tile", "0"},        {"only", "1-2"},          {"emit", "obj"},       {"lods", "1,1"},    {"lods", "0,1"},
+      {"lods", ""},         {"lods", "0.1,500"},      {"lods", "1e9"},       {"target", "maya"}, {"split", "road"},
+      {"drive-on", "top"},  {"seed", "-1"},           {"threads", "-1"},     {"threads", "1.5"}, {"strict", "yes"},
+      {"dem", "a,bound=1"}, {"time", "noon"},         {"snow-line", "high"}, {"world", "torus"}, {"compress", "zip"},
+      {"fill", "all"},      {"surroundings", "some"}, {"cars", "some"},      {"cars", "2"}};
   for (const auto& [name, text] : rows) {
     EXPECT_NE(objection(name, text).find("expected "), std::string::npos)
         << name << " " << text << ": " << objection(name, text);
@@ -122,6 +122,20 @@ TEST(Spec, SurroundingsAreThereUnlessNoneAreWanted) {
        {std::pair{"true", AroundWish::kYes}, std::pair{"none", AroundWish::kNo}, std::pair{"false", AroundWish::kNo}}) {
     ASSERT_TRUE(apply(setting_named("surroundings"), text, spec)) << text;
     EXPECT_EQ(spec.outputs.surroundings, wish) << text;
+  }
+}
+
+TEST(Spec, CarsAreUsualWhereParkingIsAssumed) {
+  CompileSpec spec;
+  EXPECT_EQ(car_share_of(spec), cars::kUsualCars);
+  spec.assume = kNoAssumptions;
+  EXPECT_EQ(car_share_of(spec), cars::kNoCars);
+  // a bare --cars, as earlier versions had it, is "true"
+  for (const auto& [text, share] :
+       {std::pair{"true", cars::kUsualCars}, std::pair{"usual", cars::kUsualCars}, std::pair{"none", cars::kNoCars},
+        std::pair{"false", cars::kNoCars}, std::pair{"0.5", cars::CarShare{.share = 0.5}}}) {
+    ASSERT_TRUE(apply(setting_named("cars"), text, spec)) << text;
+    EXPECT_EQ(car_share_of(spec), share) << text;
   }
 }
 

@@ -25,7 +25,7 @@ InstancedMesh instances_of(const Baking& baking, const std::string& name, const 
                            double size_m);
 
 /// Turns a copy so that its z axis, the vertical up to now, points in a direction other than straight down.
-/// @param up  A unit vector.
+/// @param up  The direction, of unit length.
 void tilt(InstancedMesh& instanced, std::size_t copy, Vec3 up);
 
 /// Returns the plants, lamps and things that belong to the baked part. Plants of up to 2 m are left out where the

@@ -1,6 +1,6 @@
 // Finds assumed objects that conflict with mapped ones: assumed pavements, lamps, railings and masts in water,
-// buildings, railways and carriageways; parked cars off the paved ground; shop fronts on walls that are not free; yards over mapped land; and houses that
-// fill lots on roads or other buildings.
+// buildings, railways and carriageways; parked cars off the paved ground; shop fronts on walls that are not free; yards
+// over mapped land; and houses that fill lots on roads or other buildings.
 //
 // Each function tests the assumed objects of one kind in one tile. Where it takes the land cover of the tile, this must
 // cover the box; places outside of the box are not tested. Pedestrian streets are no obstacle, except for pavements.
@@ -43,8 +43,9 @@ AssumedTests measure_assumed_lamps(const bake::BakedTile& tile, const scene::Chu
                                    const ground::LandCoverIndex& land_cover);
 
 /// Tests every parked car, by the plan of its instance, less an edge of 0.3125 m. A car conflicts if a corner or its
-/// middle lies on a building, a railway or water; on ground that is neither paved nor a yard, unless the map has a parking
-/// space there; or if it is within 1.25 m of a door. Cars are recognised by the name of their mesh. O(instances).
+/// middle lies on a building, a railway or water; on ground that is neither paved nor a yard, unless the map has a
+/// parking space there; or if it is within 1.25 m of a door. Cars are recognised by the name of their mesh.
+/// O(instances).
 /// @param tile        A baked level of the chunk that shows cars.
 /// @param land_cover  Land cover of the tile.
 AssumedTests measure_parked_cars(const bake::BakedTile& tile, const scene::Chunk& chunk,

@@ -29,8 +29,7 @@ TEST(BayPlaces, OfOneRowLieAtItsEnd) {
 }
 
 TEST(BayPlaces, AreNoneOnOtherPitches) {
-  EXPECT_TRUE(
-      places_in_bays(bays(pitches::PitchKind::kRugby, 120, 70), map::CountryGroup::kCentralEurope).empty());
+  EXPECT_TRUE(places_in_bays(bays(pitches::PitchKind::kRugby, 120, 70), map::CountryGroup::kCentralEurope).empty());
 }
 
 TEST(BayPlaces, OfPitchesOfOneAreaHaveKeysOfTheirOwn) {

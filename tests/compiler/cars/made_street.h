@@ -9,10 +9,7 @@
 namespace citykiln::cars {
 
 inline ground::LandCoverPolygon made_cover(std::int64_t id, const Box2& box, map::LandCoverClass surface) {
-  return {{{OsmType::kWay, id}, 0},
-          surface,
-          0,
-          {{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}}};
+  return {{{OsmType::kWay, id}, 0}, surface, 0, {{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}}};
 }
 
 // A street of two lanes along an axis, 7 m wide, at whose right kerb cars may park.
@@ -65,7 +62,8 @@ struct MadeTile {
             .land_cover = index};
   }
   static CarWish wish(std::uint64_t seed) {
-    return {.share = kUsualCars, .time = {60}, .country = map::CountryGroup::kCentralEurope, .seed = seed, .tile_m = 256};
+    return {
+        .share = kUsualCars, .time = {60}, .country = map::CountryGroup::kCentralEurope, .seed = seed, .tile_m = 256};
   }
 };
 

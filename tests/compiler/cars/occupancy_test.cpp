@@ -24,7 +24,8 @@ TEST(Occupancy, IsFullInSouthernEuropeAndAlmostNoneAtKerbsOfJapan) {
 }
 
 TEST(Occupancy, FollowsTheHour) {
-  const Place home = place({}, PlaceKind::kKerb, PlaceUse::kHomeStreet), shop = place({}, PlaceKind::kBay, PlaceUse::kCarPark);
+  const Place home = place({}, PlaceKind::kKerb, PlaceUse::kHomeStreet),
+              shop = place({}, PlaceKind::kBay, PlaceUse::kCarPark);
   EXPECT_GT(usual_share(home, kNight), usual_share(home, kNoon));
   EXPECT_LT(usual_share(shop, kNight), usual_share(shop, kNoon) / 3);
 }
