@@ -23,7 +23,7 @@ constexpr double kFrontStep_m = 8;
 // Widths are multiples of this, so that tags can state them.
 constexpr double kStripStep_m = 0.25;
 // Cross streets open up to a quarter of a short block.
-constexpr double kLeastClosed = 0.5, kMostOpen = 0.4;
+constexpr double kLeastClosed = 0.4, kMostOpen = 0.4;
 // Houses are open where fewer samples are closed.
 constexpr double kOpenHouses = 0.25;
 // A fifth of the walls may stand farther back: before them a front yard is paved (lots/yard_rules.h).
