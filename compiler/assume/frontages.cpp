@@ -48,7 +48,7 @@ bool is_before_walls(const FrontRay& ray, const MappedLine& line) {
   return line.kind == MappedLine::Kind::kWall && std::abs(dot(unit(line.b - line.a), ray.along)) > kAlong;
 }
 
-// What samples of one side see.
+// The walls that samples of one side see.
 struct FrontSide {
   std::vector<double> walls_m;  // of the closed ones
   std::size_t samples = 0, open = 0;

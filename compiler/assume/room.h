@@ -20,7 +20,8 @@ inline constexpr double kJunctionReach_m = 24;
 /// If a wall is nearer to the kerb than this at any place, the room is 0: what roads/width_limits keeps of a pavement,
 /// and its rounding to quarter metres. In bends, between corners of the axis less than 8 m apart, it is 2 m.
 inline constexpr double kLeastBeforeWalls_m = map::kMinPavement_m + 0.25;
-/// The same before closed rows of houses: the middle of the pavement that is kept at junctions lies before the wall.
+/// kLeastBeforeWalls_m for closed rows of houses: the middle of the pavement that is kept at junctions lies before the
+/// wall.
 inline constexpr double kLeastBeforeRows_m = 0.375;
 /// The widest strip for which the room is measured. A greater room is infinite.
 inline constexpr double kWidestStrip_m = 8;
