@@ -23,7 +23,7 @@ constexpr double kFrontStep_m = 8;
 // Widths are multiples of this, so that tags can state them.
 constexpr double kStripStep_m = 0.25;
 // Cross streets open up to a quarter of a short block.
-constexpr double kLeastClosed = 0.5, kMostOpen = 0.4;
+constexpr double kLeastClosed = 0.4, kMostOpen = 0.4;
 // Houses are open where fewer samples are closed.
 constexpr double kOpenHouses = 0.25;
 // A fifth of the walls may stand farther back: before them a front yard is paved (lots/yard_rules.h).
@@ -48,7 +48,7 @@ bool is_before_walls(const FrontRay& ray, const MappedLine& line) {
   return line.kind == MappedLine::Kind::kWall && std::abs(dot(unit(line.b - line.a), ray.along)) > kAlong;
 }
 
-// The samples of one side.
+// The walls that samples of one side see.
 struct FrontSide {
   std::vector<double> walls_m;  // of the closed ones
   std::size_t samples = 0, open = 0;

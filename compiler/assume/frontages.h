@@ -1,6 +1,6 @@
 // Paves streets up to the walls where houses stand close to the kerb in a closed row, as in the middle of towns.
 //
-//     [#####][##][#######]  [#####]     1. a side is closed if most samples see a wall of a town house within
+//     [#####][##][#######]  [#####]     1. a side is closed if many samples see a wall of a town house within
 //     .....................................   kFrontage_m of the kerb, and few see no house within kOpenFrontage_m
 //     pavement                          2. its pavement becomes as wide as an upper quantile of the distances from
 //     ===============================>     kerb to wall; width limits (roads/width_limits) narrow it at each wall
@@ -32,7 +32,7 @@ struct Frontage {
   double wall_m = 0;  ///< An upper quantile of the distance from kerb to wall over the closed samples; 0 without any.
 };
 
-/// True if most samples are closed and few open.
+/// True if two fifths of the samples or more are closed, and at most two fifths open.
 bool is_closed(const Frontage& frontage);
 
 struct BothFrontages {

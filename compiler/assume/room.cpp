@@ -126,6 +126,7 @@ bool meets_at(const Surroundings& surroundings, const map::Track& way, Vec2 plac
 struct Measured {
   const Surroundings& surroundings;
   const map::Track& stretch;
+  double least_before_walls_m = kLeastBeforeWalls_m;
   std::map<const map::Track*, std::vector<Vec2>> meeting = {};  // only looked up
   Room room = {};
 
@@ -146,7 +147,7 @@ struct Measured {
       const double left_m = room_before(range, kerb_m, line.half_m);
       if (covers_kerb(line, range, side.out, kerb_m)) room_m = 0;
       const bool is_wall = line.kind == LineKind::kBuilding;
-      if (is_wall && left_m < (is_tight ? kLeastInBends_m : kLeastBeforeWalls_m)) room_m = 0;
+      if (is_wall && left_m < (is_tight ? kLeastInBends_m : least_before_walls_m)) room_m = 0;
       if (!is_wall || is_tight) room_m = std::min(room_m, left_m);
     }
   }
@@ -173,8 +174,9 @@ void limit_at_bend(Measured& measured, const MappedLine& line, Vec2 before, Vec2
 // Lines farther away are found or not, by the widest road of the map.
 double capped(double room_m) { return room_m < kWidestStrip_m ? room_m : std::numeric_limits<double>::infinity(); }
 
-Room room_before(const Surroundings& surroundings, const map::Track& stretch, bool (*limits)(const MappedLine&)) {
-  Measured measured{surroundings, stretch};
+Room room_before(const Surroundings& surroundings, const map::Track& stretch, bool (*limits)(const MappedLine&),
+                 double least_before_walls_m) {
+  Measured measured{surroundings, stretch, least_before_walls_m};
   const Polyline& axis = stretch.axis;
   const double reach_m = std::max(left_kerb_m(stretch.section), right_kerb_m(stretch.section)) + kWidestStrip_m +
                          surroundings.widest_half_m;
@@ -199,11 +201,11 @@ Room room_before(const Surroundings& surroundings, const map::Track& stretch, bo
 }  // namespace
 
 Room room_beside(const Surroundings& surroundings, const map::Track& stretch) {
-  return room_before(surroundings, stretch, limits_strips);
+  return room_before(surroundings, stretch, limits_strips, kLeastBeforeWalls_m);
 }
 
 Room room_over_footways(const Surroundings& surroundings, const map::Track& stretch) {
-  return room_before(surroundings, stretch, limits_over_footways);
+  return room_before(surroundings, stretch, limits_over_footways, kLeastBeforeRows_m);
 }
 
 bool is_footway(const map::Track& way) {

@@ -20,6 +20,9 @@ inline constexpr double kJunctionReach_m = 24;
 /// If a wall is nearer to the kerb than this at any place, the room is 0: what roads/width_limits keeps of a pavement,
 /// and its rounding to quarter metres. In bends, between corners of the axis less than 8 m apart, it is 2 m.
 inline constexpr double kLeastBeforeWalls_m = map::kMinPavement_m + 0.25;
+/// kLeastBeforeWalls_m for closed rows of houses: the middle of the pavement that is kept at junctions lies before the
+/// wall.
+inline constexpr double kLeastBeforeRows_m = 0.375;
 /// The widest strip for which the room is measured. A greater room is infinite.
 inline constexpr double kWidestStrip_m = 8;
 
@@ -34,8 +37,8 @@ struct Room {
 /// kLeastBeforeWalls_m. Barriers and car parks do not limit it, but see SideFacts::room_m. O(lines near it).
 Room room_beside(const Surroundings& surroundings, const map::Track& stretch);
 
-/// Returns the room as room_beside(), but before all except footways: a pavement may cover a footway that is mapped as
-/// a way of its own.
+/// Returns the room as room_beside(), but before all except footways, which a pavement may cover, and with
+/// kLeastBeforeRows_m in place of kLeastBeforeWalls_m.
 Room room_over_footways(const Surroundings& surroundings, const map::Track& stretch);
 
 /// True for paved footways and other footpaths without a tagged surface: the ways that are mapped for pavements.

@@ -45,6 +45,7 @@ namespace citykiln::regions {
 // | assumed pavements      | assume::kPavementRadius_m      |    576 | houses beside the other end of the way         |
 // | curved axes            | assume::kCurveRadius_m         |    544 | chords before and after, houses about them     |
 // | verges, parking        | assume::kPavementRadius_m      |    576 | the same, beside the same stretch              |
+// | closed frontages       | assume::kPavementRadius_m      |    576 | houses and footways beside the same stretch    |
 // | assumed surfaces       | assume::kPavementRadius_m      |    576 | land use along the way                         |
 // | pavements on bridges   | assume::kLongestBridge_m       |    128 | streets at the other end                       |
 // | assumed storeys        | assume::kHeightNeighbours_m    |    200 | buildings with tagged heights                  |

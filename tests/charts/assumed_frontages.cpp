@@ -123,7 +123,7 @@ struct AreaPoints {
   int all = 0, paved = 0;
 };
 
-AreaPoints points_between(const Fronts& fronts, const map::AreaFeature& area) {
+AreaPoints front_points(const Fronts& fronts, const map::AreaFeature& area) {
   AreaPoints points;
   if (area.polygon.outer.empty() || area.area_m2 < kLeastFront_m2 || area.area_m2 > kLargestFront_m2) return points;
   const Box2 box = box_of(area.polygon.outer);
@@ -143,7 +143,7 @@ std::vector<Sample> tagged_frontages(const Place& place) {
   std::vector<Sample> samples;
   for (const map::AreaFeature& area : place.mapped.areas) {
     const auto is_paved = is_paved_class(area.surface);
-    if (is_paved && points_between(fronts, area).all >= kFewestPoints)
+    if (is_paved && front_points(fronts, area).all >= kFewestPoints)
       samples.push_back(
           {.key = {area.id.osm, 0}, .at = box_of(area.polygon.outer).centre(), .tagged = *is_paved ? 1.0 : 0.0});
   }
@@ -155,7 +155,7 @@ Values built_frontages(const map::Features& features) {
   Values built;
   for (const map::AreaFeature& area : features.areas) {
     if (area.surface != LandCoverClass::kUnknown) continue;
-    const AreaPoints points = points_between(fronts, area);
+    const AreaPoints points = front_points(fronts, area);
     if (points.all > 0) built[{area.id.osm, 0}] = static_cast<double>(points.paved) / points.all;
   }
   return built;
