@@ -21,7 +21,8 @@ struct PlacedThing {
 };
 
 /// Returns the things of a tile with their placements (things::place()), one per thing, in their order: on the ground,
-/// or at Thing::foot_m on a building; then the parked cars and the street furniture. Mapped parking spaces are left out. O(n log n).
+/// or at Thing::foot_m on a building; then the parked cars and the street furniture. Mapped parking spaces are left
+/// out. O(n log n).
 /// @param cars    Results of place_cars() and place_furniture().
 /// @param graded  Must cover the bases of the things.
 std::vector<PlacedThing> place_things(const std::vector<things::Thing>& things, const ground::GradedTerrain& graded,

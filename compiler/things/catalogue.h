@@ -64,8 +64,9 @@ Result<Catalogue> read_catalogue(std::span<const RuleText> own, const std::strin
 /// Errors: those of the rules, a row without a rule file, a rule file without the rule Thing.
 Result<Kinds> kinds_of(const Catalogue& catalogue, const std::set<std::string>& names = {});
 
-/// Returns what a manifest stores of the catalogue for these things: the rows of their kinds and of cars, each under
-/// its name, and their rule files, imports included. Sorted by name.
+/// Returns what a manifest stores of the catalogue for these things: the rows of their kinds, and those
+/// of cars and street furniture that `kinds` has, each under its name; and their rule files, imports included. Sorted
+/// by name.
 /// @param kinds  The kinds of the things.
 std::vector<RuleText> texts_for(const Catalogue& catalogue, const Kinds& kinds, std::span<const Thing> things);
 

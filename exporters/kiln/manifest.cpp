@@ -186,7 +186,7 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
                                          h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions, kLicence,
                                          index, dictionary.empty() ? nullptr : &dictionary, snow_line_m, &rules,
                                          &species, around, things.empty() ? nullptr : &things, climate,
-                                         h.has_wild_slopes, number_of(h.cars)));
+                                         h.has_wild_slopes, number_of(h.cars), h.has_street_furniture));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 

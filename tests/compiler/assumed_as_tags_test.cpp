@@ -143,8 +143,11 @@ Counts count_equal_streets(const std::filesystem::path& path) {
     const auto found = assumed.find(track.id);
     if (found == assumed.end()) continue;
     const Track& other = found->second;
-    const bool is_equal =
-        track.section == other.section && track.surface == other.surface && track.is_lit == other.is_lit;
+    map::CrossSection section = track.section;
+    // no tag says where between two walls the mapped axis of a paved way lies
+    if (has(other.assumed, Assumption::kPavements) && section.lanes.size() == 1)
+      section.axis_offset_m = other.section.axis_offset_m;
+    const bool is_equal = section == other.section && track.surface == other.surface && track.is_lit == other.is_lit;
     if (!is_equal)
       counts.different.push_back(std::to_string(track.id.osm.id) + ": " + text_of(other) + ", as tags " +
                                  text_of(track));
