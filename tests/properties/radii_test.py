@@ -21,12 +21,12 @@ TABLE = (ROOT / "compiler" / "regions" / "radii.h").read_text()
 WITHIN_CHUNK = {"ends of these paths", "woods", "plants' obstacles", "pieces of roads"}
 # unit tests: FitAssumedWidths.WaysBeyondTheRadiusStay, ProfileKnots.DependOnNoHeightsBeyondAStretch,
 # AssumePavements.ALongWayIsCutAndItsEndDoesNotChangeItsBeginning, AssumeBridgePavements.TaggedAndLongBridgesStayAsTheyAre,
-# AssumedHeights.AreEqualInAShortRow, AssumedFronts.AreNotNearMappedShops, AssumeVerges.WhatLiesBeyondTheRadiusChangesNothing,
+# AssumedHeights.AreEqualInAShortRow, AssumedFronts.AreNotNearMappedShops, AssumeVerges.WhatLiesBeyondTheRadiusChangesNothing, AssumeFrontages.WhatLiesBeyondTheRadiusChangesNothing,
 # AssumeSurfaces.LandBeyondTheRadiusChangesNothing, Railings.DependOnNothingBeyondTheRadius,
 # ContactMasts.DependOnNothingBeyondTheRadius, CurvedTracks.WhatLiesBeyondTheRadiusChangesNothing, RandomLand.ALotDependsOnWhatIsWithinTheRadius (yards and houses of lots;
 # yards also by yards_test, in regions), CorrectedLand.DependsOnWhatIsNear, Airports.LeaveOtherLandAsItIs,
 # DivideLand.FieldsDoNotDependOnLandFarAway
-UNIT_TESTED = {"assumed yards", "houses of filled lots", "assumed widths", "knots of profiles", "transitions of lanes", "assumed pavements", "pavements on bridges", "assumed roofs", "assumed fronts", "assumed railings", "assumed contact lines", "verges, parking", "assumed surfaces", "curved axes", "corrected land", "airports", "assumed fields"}
+UNIT_TESTED = {"closed frontages", "assumed yards", "houses of filled lots", "assumed widths", "knots of profiles", "transitions of lanes", "assumed pavements", "pavements on bridges", "assumed roofs", "assumed fronts", "assumed railings", "assumed contact lines", "verges, parking", "assumed surfaces", "curved axes", "corrected land", "airports", "assumed fields"}
 # smoothed afterwards, so that they reach farther by the radius of profiles; the halo of a region is the sum
 SMOOTHED = {"bridges and tunnels"}
 # sums of the farthest that each of several steps reaches: no one thing was found that all of them carry on

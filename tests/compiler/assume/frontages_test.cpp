@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "compiler/assume/pavements.h"
 #include "compiler/map/buildings/building_classes.h"
 
 namespace citykiln::assume {
@@ -117,6 +118,19 @@ TEST(AssumeFrontages, VergesLieBeforeOpenHousesOfGroupsThatHaveThem) {
   const Lane verge = fronted(features).section.lanes.front();
   EXPECT_EQ(verge.kind, LaneKind::kVerge);
   EXPECT_EQ(verge.width_m, 3);
+}
+
+TEST(AssumeFrontages, WhatLiesBeyondTheRadiusChangesNothing) {
+  map::Features features = fronted_town(street_of(), 6);
+  const map::CrossSection alone = fronted(features).section;
+  EXPECT_NE(alone, street_of().section);
+  // as far from the street's other end
+  map::Footprint house = features.footprints.front();
+  house.id.osm.id = 5000;
+  const double beyond_m = kPavementRadius_m + 10;
+  house.polygon.outer = box_ring({beyond_m, 3}, {beyond_m + 100, 30});
+  features.footprints.push_back(house);
+  EXPECT_EQ(fronted(features).section, alone);
 }
 
 TEST(AssumeFrontages, PedestrianStreetsAndAlleysReachTheWalls) {

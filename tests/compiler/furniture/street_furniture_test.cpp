@@ -96,7 +96,7 @@ TEST(StreetFurniture, IsMoreBesideShops) {
   }
   EXPECT_GT(of_shops, 2 * of_homes);
   EXPECT_GT(of_homes, 40 * 5);
-  EXPECT_NEAR(benches / 40.0, 10, 2) << "the rate of the table, on one kilometre";
+  EXPECT_NEAR(benches / 40.0, 9, 2) << "the rate of the table, on one kilometre";
 }
 
 TEST(StreetFurniture, IsNowhereInOpenLandAndOnNarrowPavements) {
