@@ -85,8 +85,10 @@ void add_tags_of_side(const Track& track, bool is_left, std::map<std::string, st
     tags[key + ":" + side] = "yes";
     tags[key + ":" + side + ":width"] = std::to_string(width_m);
   };
-  add_strip("sidewalk", LaneKind::kSidewalk, track.tagged_pavements);
-  if (has(track.assumed, Assumption::kVerges)) add_strip("verge", LaneKind::kVerge, track.tagged_verges);
+  add_strip("sidewalk", LaneKind::kSidewalk, 0);
+  // strips before footways beside the kerb are verges too
+  if (has(track.assumed, Assumption::kVerges) || has(track.assumed, Assumption::kPavements))
+    add_strip("verge", LaneKind::kVerge, track.tagged_verges);
   if (has(track.assumed, Assumption::kParking) && width_beside_m(track, LaneKind::kParking, is_left) > 0)
     tags["parking:" + side] = "lane";
 }
