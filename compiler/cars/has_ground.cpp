@@ -1,6 +1,7 @@
 #include "compiler/cars/has_ground.h"
 
 #include <algorithm>
+#include <array>
 
 #include "compiler/contract/derived_id.h"
 
@@ -25,13 +26,21 @@ LandCoverClass class_at(const LandCoverIndex& land_cover, Vec2 p) {
   return polygon ? polygon->surface : LandCoverClass::kUnknown;
 }
 
-// True if is_ground() holds for the polygons below the middle and the corners.
+// True if is_ground() holds for the polygons below the middle and along the long sides.
 template <typename IsGround>
 bool lies_on(const Place& place, const LandCoverIndex& land_cover, IsGround is_ground) {
   Place inner = place;
   inner.length_m -= 2 * kOver_m, inner.width_m -= 2 * kOver_m;
   if (!is_ground(polygon_at(land_cover, place.at))) return false;
-  return std::ranges::all_of(corners_of(inner), [&](Vec2 p) { return is_ground(polygon_at(land_cover, p)); });
+  // a corner of a building or a hedge may reach into a long side
+  constexpr int kAlongSide = 6;
+  const std::array<Vec2, 4> c = corners_of(inner);
+  for (int i = 0; i <= kAlongSide; ++i) {
+    const double share = static_cast<double>(i) / kAlongSide;
+    for (const Vec2 p : {c[0] + (c[1] - c[0]) * share, c[3] + (c[2] - c[3]) * share})
+      if (!is_ground(polygon_at(land_cover, p))) return false;
+  }
+  return true;
 }
 
 bool is_junction(const ground::LandCoverPolygon& polygon) { return polygon.id == junction_id(polygon.id); }

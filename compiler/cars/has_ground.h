@@ -9,7 +9,7 @@ namespace citykiln::cars {
 /// A street counts as built up where a building is this near to a place at its kerb.
 inline constexpr double kBuiltUp_m = 22;
 
-/// True if the ground below the middle and the corners of a place is
+/// True if the ground below the middle and the long sides of a place is
 ///
 /// - for places on a carriageway, that of the carriageway, outside of junctions, without rails from kerb to kerb; at
 ///   kerbs also with a building near, and no car park behind the kerb, whose cars could not leave;
