@@ -18,7 +18,7 @@ inline constexpr double kShowsFurniture_m = 1;
 /// Returns the furniture of a tile, of the kinds whose rules the header has; none without
 /// scene::Header::has_street_furniture.
 /// @param land_cover  With each road as one surface; of the tile and scene::kHalo_m about it.
-/// @param graded      It is of the same box.
+/// @param graded      Covers the same box.
 /// @param box         The tile.
 std::vector<PlacedThing> place_furniture(const scene::Header& header, const scene::Chunk& chunk, const Lamps& lamps,
                                          const ground::LandCoverIndex& land_cover, const ground::GradedTerrain& graded,

@@ -28,17 +28,16 @@ double distance_of_segments(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
                    distance_to_segment(a, b, d)});
 }
 
-Box2 box_of(const Clearing& c) { return box_of_segment(c.a, c.b).widened(c.radius_m); }
-
 // A point of an arm's axis and the kerbs beside it.
-void add_across(const Road& road, Vec2 a, Vec2 b, double radius_m, std::vector<Clearing>& clear) {
+void add_across(const Road& road, Vec2 a, Vec2 b, double radius_m, std::vector<lots::Capsule>& clear) {
   const Vec2 left = left_of(unit(b - a));
   for (const double off_m : {0.0, roads::left_m(road), -roads::right_m(road)})
     clear.push_back({a + left * off_m, b + left * off_m, radius_m});
 }
 
 // The part of an arm in its junction.
-void add_arm(const Road& road, const Arm& arm, const roads::Cut& cut, double radius_m, std::vector<Clearing>& clear) {
+void add_arm(const Road& road, const Arm& arm, const roads::Cut& cut, double radius_m,
+             std::vector<lots::Capsule>& clear) {
   const std::vector<double> along = roads::distances_along(road);
   const double node_m = along[arm.vertex];
   const double length_m = cut.length_m == roads::kWholeLink_m ? 0 : cut.length_m;
@@ -47,7 +46,8 @@ void add_arm(const Road& road, const Arm& arm, const roads::Cut& cut, double rad
   add_across(road, node, node == end ? node + Vec2{kQuantum_m, 0} : end, radius_m, clear);
 }
 
-void add_junctions(std::span<const Road> roads, std::span<const Junction> junctions, std::vector<Clearing>& clear) {
+void add_junctions(std::span<const Road> roads, std::span<const Junction> junctions,
+                   std::vector<lots::Capsule>& clear) {
   const std::vector<std::vector<Arm>> arms = roads::arms_of(junctions, roads);
   for (std::size_t j = 0; j < junctions.size(); ++j) {
     if (junctions[j].family != roads::Family::kStreet || arms[j].size() != junctions[j].cuts.size()) continue;
@@ -61,7 +61,7 @@ void add_junctions(std::span<const Road> roads, std::span<const Junction> juncti
 
 // Crossings where they are marked: those near a junction are at its mouth.
 void add_crossings(const Road& road, std::span<const roads::JunctionInterval> intervals, double tile_m,
-                   std::vector<Clearing>& clear) {
+                   std::vector<lots::Capsule>& clear) {
   if (road.points.empty()) return;
   const std::vector<double> along = roads::distances_along(road);
   for (const roads::RoadStretch& stretch : roads::stretches_of(road, intervals, tile_m)) {
@@ -75,7 +75,7 @@ void add_crossings(const Road& road, std::span<const roads::JunctionInterval> in
       clear.push_back({road.axis[point.vertex], road.axis[point.vertex], kFromCrossing_m});
 }
 
-void add_drives(const lots::Yard& yard, std::vector<Clearing>& clear) {
+void add_drives(const lots::Yard& yard, std::vector<lots::Capsule>& clear) {
   const lots::Frame frame = lots::frame_at(yard.frame);
   for (const lots::YardStrip& strip : yard.strips) {
     if (!strip.is_drive) continue;
@@ -92,27 +92,19 @@ double stop_radius_m(std::string_view kind) {
 
 }  // namespace
 
-KeptClear index_clearings(std::vector<Clearing> all) {
-  std::vector<Box2> boxes;
-  for (const Clearing& each : all) boxes.push_back(box_of(each));
-  KeptClear kept{std::move(all), {}};
-  if (!boxes.empty()) kept.grid = grid_of(boxes, 32);
-  return kept;
-}
-
-bool is_clear(const KeptClear& kept, const Place& place) {
+bool is_clear(const lots::Capsules& kept, const Place& place) {
   if (kept.all.empty()) return true;
   const double half_m = place.width_m / 2;
   const Vec2 reach = place.ahead * std::max(0.0, place.length_m / 2 - half_m);
   return !any_about(kept.grid, box_of(place), [&](std::uint32_t i) {
-    const Clearing& near = kept.all[i];
+    const lots::Capsule& near = kept.all[i];
     return distance_of_segments(place.at - reach, place.at + reach, near.a, near.b) < near.radius_m + half_m;
   });
 }
 
-std::vector<Clearing> street_clearings(std::span<const Road> roads, std::span<const Junction> junctions,
-                                       std::span<const lots::Yard> yards, double tile_m) {
-  std::vector<Clearing> clear;
+std::vector<lots::Capsule> street_clearings(std::span<const Road> roads, std::span<const Junction> junctions,
+                                            std::span<const lots::Yard> yards, double tile_m) {
+  std::vector<lots::Capsule> clear;
   add_junctions(roads, junctions, clear);
   const std::vector<std::vector<roads::JunctionInterval>> intervals = roads::junction_intervals_of(roads, junctions);
   for (std::size_t i = 0; i < roads.size(); ++i)
@@ -121,23 +113,24 @@ std::vector<Clearing> street_clearings(std::span<const Road> roads, std::span<co
   return clear;
 }
 
-std::vector<Clearing> stop_clearings(std::span<const things::Thing> things) {
-  std::vector<Clearing> clear;
+std::vector<lots::Capsule> stop_clearings(std::span<const things::Thing> things) {
+  std::vector<lots::Capsule> clear;
   for (const things::Thing& thing : things)
     if (const double radius_m = stop_radius_m(thing.form.kind); radius_m > 0)
       clear.push_back({thing.at, thing.at, radius_m});
   return clear;
 }
 
-std::vector<Clearing> trunk_clearings(std::span<const plants::Tree> trees) {
-  std::vector<Clearing> clear;
+std::vector<lots::Capsule> trunk_clearings(std::span<const plants::Tree> trees) {
+  std::vector<lots::Capsule> clear;
   for (const plants::Tree& tree : trees) clear.push_back({tree.at, tree.at, kTrunk_m});
   return clear;
 }
 
-std::vector<Clearing> solid_clearings(std::span<const things::Thing> things, std::span<const props::Barrier> barriers,
-                                      std::span<const buildings::Building> buildings) {
-  std::vector<Clearing> clear;
+std::vector<lots::Capsule> solid_clearings(std::span<const things::Thing> things,
+                                           std::span<const props::Barrier> barriers,
+                                           std::span<const buildings::Building> buildings) {
+  std::vector<lots::Capsule> clear;
   for (const things::Thing& thing : things)
     if (!thing.foot_m && map::role_of(thing.form.kind) != map::ThingRole::kCar)
       clear.push_back({thing.at, thing.at, kThing_m});

@@ -6,7 +6,7 @@
 
 #include "compiler/buildings/recipe.h"
 #include "compiler/cars/place.h"
-#include "compiler/geometry/box_grid.h"
+#include "compiler/lots/mapped_things.h"
 #include "compiler/lots/recipe.h"
 #include "compiler/plants/recipe.h"
 #include "compiler/props/recipe.h"
@@ -23,38 +23,25 @@ inline constexpr double kFromJunction_m = 5, kFromCrossing_m = 5, kFromStop_m = 
 /// The distance of all parked cars from doors.
 inline constexpr double kFromDoor_m = 1.5;
 
-/// A segment and a radius about it.
-struct Clearing {
-  Vec2 a, b;
-  double radius_m = 0;
-};
-
-/// Clearings with a spatial index.
-struct KeptClear {
-  std::vector<Clearing> all;
-  BoxGrid grid;
-};
-
-/// Returns the index of clearings. O(n).
-KeptClear index_clearings(std::vector<Clearing> all);
-
-/// True if a place is outside of all clearings. O(clearings near).
-bool is_clear(const KeptClear& kept, const Place& place);
+/// True if a place is outside of all clearings, which are capsules. O(clearings near).
+bool is_clear(const lots::Capsules& kept, const Place& place);
 
 /// Returns the clearings of streets: ends of junctions, crossings, and the ways out of drives. Junctions with service
 /// roads and drives alone keep 1 m.
 /// @param tile_m  Side of the tiles (roads::stretches_of()).
-std::vector<Clearing> street_clearings(std::span<const roads::Road> roads, std::span<const roads::Junction> junctions,
-                                       std::span<const lots::Yard> yards, double tile_m);
+std::vector<lots::Capsule> street_clearings(std::span<const roads::Road> roads,
+                                            std::span<const roads::Junction> junctions,
+                                            std::span<const lots::Yard> yards, double tile_m);
 
 /// Returns the clearings of stops, hydrants and gates, for cars at kerbs.
-std::vector<Clearing> stop_clearings(std::span<const things::Thing> things);
+std::vector<lots::Capsule> stop_clearings(std::span<const things::Thing> things);
 
 /// Returns the trunks of mapped trees.
-std::vector<Clearing> trunk_clearings(std::span<const plants::Tree> trees);
+std::vector<lots::Capsule> trunk_clearings(std::span<const plants::Tree> trees);
 
 /// Returns what stands on the ground: things other than mapped parking spaces, walls and fences; and doors.
-std::vector<Clearing> solid_clearings(std::span<const things::Thing> things, std::span<const props::Barrier> barriers,
-                                      std::span<const buildings::Building> buildings);
+std::vector<lots::Capsule> solid_clearings(std::span<const things::Thing> things,
+                                           std::span<const props::Barrier> barriers,
+                                           std::span<const buildings::Building> buildings);
 
 }  // namespace citykiln::cars

@@ -85,17 +85,18 @@ things::Thing car_in(const Place& place, std::uint32_t number, std::uint64_t see
 
 std::vector<Place> places_in(const TileRecipes& recipes, const CarWish& wish, const Box2& box) {
   std::vector<Place> places = all_places(recipes, wish, box.widened(kOverlap_m));
-  const KeptClear street =
-      index_clearings(street_clearings(recipes.roads, recipes.junctions, recipes.yards, wish.tile_m));
-  const KeptClear trunks = index_clearings(trunk_clearings(recipes.trees));
+  const lots::Capsules street =
+      lots::index_capsules(street_clearings(recipes.roads, recipes.junctions, recipes.yards, wish.tile_m));
+  const lots::Capsules trunks = lots::index_capsules(trunk_clearings(recipes.trees));
   std::erase_if(places, [&](const Place& place) {
     return (is_at_street(place) && !is_clear(street, place)) || !is_clear(trunks, place) ||
            !has_ground(place, recipes.land_cover);
   });
   std::ranges::sort(places, {}, [](const Place& p) { return std::tuple(p.kind, p.key, p.at); });
   places = first_of_overlapping(places, box);
-  const KeptClear stops = index_clearings(stop_clearings(recipes.things));
-  const KeptClear solid = index_clearings(solid_clearings(recipes.things, recipes.barriers, recipes.buildings));
+  const lots::Capsules stops = lots::index_capsules(stop_clearings(recipes.things));
+  const lots::Capsules solid =
+      lots::index_capsules(solid_clearings(recipes.things, recipes.barriers, recipes.buildings));
   std::erase_if(places, [&](const Place& place) {
     return (is_at_street(place) && !is_clear(stops, place)) || !is_clear(solid, place);
   });

@@ -18,8 +18,8 @@ using things::StreetKind;
 enum class Use { kNone, kHouses, kShops };
 
 // The middles of shop fronts.
-std::vector<cars::Clearing> fronts_of(std::span<const buildings::Building> buildings) {
-  std::vector<cars::Clearing> fronts;
+std::vector<lots::Capsule> fronts_of(std::span<const buildings::Building> buildings) {
+  std::vector<lots::Capsule> fronts;
   for (const buildings::Building& building : buildings)
     for (const buildings::Front& front : building.fronts) {
       const Ring& ring = building.footprint.outer;
@@ -30,8 +30,8 @@ std::vector<cars::Clearing> fronts_of(std::span<const buildings::Building> build
   return fronts;
 }
 
-std::vector<cars::Clearing> lamp_clearings(std::span<const props::StreetLamp> lamps) {
-  std::vector<cars::Clearing> clear;
+std::vector<lots::Capsule> lamp_clearings(std::span<const props::StreetLamp> lamps) {
+  std::vector<lots::Capsule> clear;
   for (const props::StreetLamp& lamp : lamps) clear.push_back({lamp.at, lamp.at, kFromLamp_m});
   return clear;
 }
@@ -49,7 +49,7 @@ struct Furnisher {
   const StreetRecipes& recipes;
   std::uint64_t seed;
   const Box2& box;
-  cars::KeptClear streets, solid, lamps, fronts;
+  lots::Capsules streets, solid, lamps, fronts;
 
   Use use_at(const Station& station) const {
     const cars::Place point{.at = station.kerb, .ahead = station.outward};
@@ -108,9 +108,9 @@ struct Furnisher {
 };
 
 // Clearings that furniture shares with parked cars.
-std::vector<cars::Clearing> solid_of(const StreetRecipes& recipes) {
-  std::vector<cars::Clearing> solid = cars::solid_clearings(recipes.things, {}, recipes.buildings);
-  for (const cars::Clearing& trunk : cars::trunk_clearings(recipes.trees)) solid.push_back(trunk);
+std::vector<lots::Capsule> solid_of(const StreetRecipes& recipes) {
+  std::vector<lots::Capsule> solid = cars::solid_clearings(recipes.things, {}, recipes.buildings);
+  for (const lots::Capsule& trunk : cars::trunk_clearings(recipes.trees)) solid.push_back(trunk);
   return solid;
 }
 
@@ -122,10 +122,10 @@ std::vector<things::Thing> street_furniture(const StreetRecipes& recipes, std::u
       .recipes = recipes,
       .seed = seed,
       .box = box,
-      .streets = cars::index_clearings(cars::street_clearings(recipes.roads, recipes.junctions, recipes.yards, tile_m)),
-      .solid = cars::index_clearings(solid_of(recipes)),
-      .lamps = cars::index_clearings(lamp_clearings(recipes.lamps)),
-      .fronts = cars::index_clearings(fronts_of(recipes.buildings))};
+      .streets = lots::index_capsules(cars::street_clearings(recipes.roads, recipes.junctions, recipes.yards, tile_m)),
+      .solid = lots::index_capsules(solid_of(recipes)),
+      .lamps = lots::index_capsules(lamp_clearings(recipes.lamps)),
+      .fronts = lots::index_capsules(fronts_of(recipes.buildings))};
   std::vector<things::Thing> pieces;
   for (const roads::Road& road : recipes.roads)
     for (const Station& station : stations_along(road, box)) {

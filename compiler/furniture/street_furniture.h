@@ -23,7 +23,7 @@ inline constexpr double kBesideFront_m = 14, kBesideHouse_m = 16;
 /// The distance from lamps, in metres.
 inline constexpr double kFromLamp_m = 0.75;
 
-/// The recipes of a tile and about it.
+/// The recipes of a tile and of what lies about it.
 struct StreetRecipes {
   std::span<const roads::Road> roads;
   std::span<const roads::Junction> junctions;

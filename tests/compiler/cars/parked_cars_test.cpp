@@ -59,6 +59,15 @@ TEST(ParkedCars, StandInNoCarriagewayWithRails) {
   for (const Place& place : places) EXPECT_GT(place.at.x, 125 - 3);
 }
 
+TEST(ParkedCars, KeepOffWhatReachesIntoTheSideOfAPlace) {
+  const auto is_beside_it = [](const Place& place) { return std::abs(place.at.x - 8.625) < 2; };
+  MadeTile tile = street_tile();
+  EXPECT_TRUE(std::ranges::any_of(tile.places(kMadeBox), is_beside_it));
+  // between the corners of the place from 5.75 m to 11.5 m
+  tile.cover.push_back(made_cover(9, {{7.9, -3.5}, {9.1, -3}}, LandCoverClass::kBuilding));
+  EXPECT_TRUE(std::ranges::none_of(tile.places(kMadeBox), is_beside_it));
+}
+
 TEST(ParkedCars, AreEachInOneTile) {
   const MadeTile tile = street_tile();
   const std::vector<Place> whole = tile.places(box_between(0, 256));
