@@ -30,9 +30,9 @@ enum class PlaceUse : std::uint8_t { kHomeStreet, kMainStreet, kCarPark, kDrive,
 
 /// A place for one car.
 struct Place {
-  StableId key{};  ///< Decides its draws; equal in all tiles that know the place.
-  OsmId feature;   ///< The road, car park, building or parking space to which it belongs.
-  Vec2 at, ahead;  ///< Plane metres; ahead has length 1.
+  StableId key{};      ///< Decides its draws; equal in all tiles that know the place.
+  OsmId feature{};     ///< The road, car park, building or parking space to which it belongs.
+  Vec2 at{}, ahead{};  ///< Plane metres; ahead has length 1.
   double length_m = 0, width_m = 0;
   PlaceKind kind{};
   PlaceUse use{};

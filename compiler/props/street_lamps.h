@@ -33,11 +33,11 @@ inline constexpr double kTallestStreetLamp_m = 12;
 
 /// A lamp with its position.
 struct StreetLamp {
-  Vec2 at;      ///< Its foot, plane metres, snapped.
-  Vec2 facing;  ///< Direction of its arm, length 1.
+  Vec2 at{};      ///< Its foot, plane metres, snapped.
+  Vec2 facing{};  ///< Direction of its arm, length 1.
   double height_m = 0;
   LampKind kind{};
-  OsmId feature;  ///< The mapped lamp, or the way it lights.
+  OsmId feature{};  ///< The mapped lamp, or the way it lights.
   Luminaire light{};
   bool operator==(const StreetLamp&) const = default;
 };

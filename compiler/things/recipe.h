@@ -36,8 +36,8 @@ inline constexpr std::uint16_t kDirections = 1024;
 
 /// A thing.
 struct Thing {
-  ObjectId id;
-  Vec2 at;                      ///< The middle of its base, plane metres, snapped.
+  ObjectId id{};
+  Vec2 at{};                    ///< The middle of its base, plane metres, snapped.
   std::uint16_t direction = 0;  ///< The direction that it faces: parts of a turn, counter-clockwise from east.
   bool is_in_way = false;       ///< True if it may stand in a carriageway, a wall or water, since it is mapped there.
   Form form;
