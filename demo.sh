@@ -32,7 +32,7 @@ if ! is_fresh "$out/report.json" "$citykiln" "$town"; then
 fi
 if ! is_fresh "$out/preview.png" "$citykiln" "$out/report.json"; then
   timed "rendering a picture" \
-    "$citykiln" preview "$out" --level 0 --view low --size "${CITYKILN_DEMO_SIZE:-1280x720}" --spp 8 --denoise -o "$out/preview.png"
+    "$citykiln" preview "$out" --level 0 --view low --size "${CITYKILN_DEMO_SIZE:-1280x720}" --spp 8 -o "$out/preview.png"
 fi
 
 megabytes() { cat "$@" | wc -c | awk '{printf "%.1f MB", $1 / 1e6}'; }

@@ -24,8 +24,8 @@ constexpr double kFrontStep_m = 8;
 constexpr double kStripStep_m = 0.25;
 // Cross streets open up to a quarter of a short block.
 constexpr double kLeastClosed = 0.4, kMostOpen = 0.4;
-// Houses are open where fewer samples are closed.
-constexpr double kOpenHouses = 0.25;
+// Houses are open where fewer samples are closed, and fewer see a town house behind a broad pavement.
+constexpr double kOpenHouses = 0.25, kOfTown = 0.4;
 // A fifth of the walls may stand farther back: before them a front yard is paved (lots/yard_rules.h).
 constexpr double kWallQuantile = 0.8;
 
@@ -51,7 +51,7 @@ bool is_before_walls(const FrontRay& ray, const MappedLine& line) {
 // The walls that samples of one side see.
 struct FrontSide {
   std::vector<double> walls_m;  // of the closed ones
-  std::size_t samples = 0, open = 0;
+  std::size_t samples = 0, open = 0, town = 0;
 
   void look(const Surroundings& surroundings, std::span<const std::uint32_t> near, const FrontRay& ray) {
     double wall_m = kInfinite_m, before_m = kInfinite_m;
@@ -64,22 +64,22 @@ struct FrontSide {
       if (away_m && is_wall && *away_m < wall_m) wall_m = *away_m, is_of_town = line.is_town_house;
       if (away_m && !is_wall) before_m = std::min(before_m, *away_m);
     }
-    ++samples, open += wall_m == kInfinite_m;
+    ++samples, open += wall_m == kInfinite_m, town += is_of_town;
     const bool is_near = wall_m <= (is_of_town ? kFrontage_m : kNoGarden_m);
     if (is_near && wall_m <= before_m) walls_m.push_back(wall_m);
   }
 };
 
 Frontage frontage_of(FrontSide side) {
-  if (side.walls_m.empty())
-    return {.open = side.samples > 0 ? static_cast<double>(side.open) / static_cast<double>(side.samples) : 1};
-  const auto n = static_cast<double>(side.samples);
+  if (side.samples == 0) return {.open = 1};
+  const auto share = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(side.samples); };
+  Frontage frontage{.closed = share(side.walls_m.size()), .open = share(side.open), .town = share(side.town)};
+  if (side.walls_m.empty()) return frontage;
   const auto last = static_cast<double>(side.walls_m.size() - 1);
   const auto upper = side.walls_m.begin() + static_cast<std::ptrdiff_t>(kWallQuantile * last);
   std::ranges::nth_element(side.walls_m, upper);
-  return {.closed = static_cast<double>(side.walls_m.size()) / n,
-          .open = static_cast<double>(side.open) / n,
-          .wall_m = *upper};
+  frontage.wall_m = *upper;
+  return frontage;
 }
 
 // True for areas that are mapped more finely than land use, which nothing assumed covers.
@@ -233,7 +233,8 @@ bool pave_beside_street(const Surroundings& surroundings, Track& stretch) {
     }
     if (!strips) strips = footway_strips(surroundings, mapped);
     const FootwayStrip& strip = side == map::kLeftSide ? strips->left : strips->right;
-    const bool is_verge = strip.may_be_verge && fronted.front(side).closed < kOpenHouses;
+    const Frontage& front = fronted.front(side);
+    const bool is_verge = strip.may_be_verge && front.closed < kOpenHouses && front.town < kOfTown;
     if (strip.far_m > 0) is_any |= lay_footway_strip(stretch, side, strip, is_verge, fronted.room_m(side));
   }
   return is_any;

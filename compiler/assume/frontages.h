@@ -29,6 +29,7 @@ inline constexpr double kBesideLane_m = 3;
 struct Frontage {
   double closed = 0;  ///< The share that sees a wall within kFrontage_m of the kerb: of a town house, or near the kerb.
   double open = 0;    ///< The share that sees no house within kOpenFrontage_m of the kerb.
+  double town = 0;    ///< The share that sees a town house within kOpenFrontage_m of the kerb.
   double wall_m = 0;  ///< An upper quantile of the distance from kerb to wall over the closed samples; 0 without any.
 };
 

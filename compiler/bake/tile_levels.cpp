@@ -42,10 +42,11 @@ SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk&
   SharedByLevels shared{
       .graded = std::make_shared<ground::GradedTerrain>(scene::graded_terrain_of(header, chunk, tolerance_m)),
       .lamps = place_lamps(chunk, map, box)};
+  const std::vector<plants::Tree> trees = trees_with_street_trees(header, chunk, shared.lamps, map, box);
   std::vector<PlacedThing> drawn;
   if (wanted.cars) drawn = place_cars(header, chunk, map, *shared.graded, box);
   if (wanted.furniture) {
-    std::vector<PlacedThing> furniture = place_furniture(header, chunk, shared.lamps, map, *shared.graded, box);
+    std::vector<PlacedThing> furniture = place_furniture(header, chunk, trees, shared.lamps, map, *shared.graded, box);
     std::ranges::move(furniture, std::back_inserter(drawn));
   }
   shared.things = place_things(chunk.things, *shared.graded, std::move(drawn));
@@ -53,7 +54,7 @@ SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk&
   const plants::PlacingContext land{
       map,    *shared.graded, box, header.seed, header.origin.lat_deg, header.climate, scene::local_month_of(header),
       species};
-  shared.trees = plants::generate({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.corridors}, land,
+  shared.trees = plants::generate({trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.corridors}, land,
                                   shared.tree_report);
   shared.pits = props::tree_pits(joined(shared.trees), chunk.roads, map);
   if (wanted.hedge_plants) add_hedges(chunk, land, shared.trees);

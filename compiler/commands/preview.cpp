@@ -54,7 +54,7 @@ struct PreviewRequest {
   PictureSize size;
   Exposure exposure;
   std::optional<double> fog_share;
-  bool is_denoised = false, keeps_frames = false, is_interactive = false;
+  bool keeps_noise = false, keeps_frames = false, is_interactive = false;
   preview::CloudMethod cloud_method = preview::CloudMethod::kApproximate;
   preview::Options options;
 };
@@ -144,7 +144,7 @@ preview::Options options_of(const PreviewRequest& request) {
   preview::Options options = request.options;
   options.width = request.size.width, options.height = request.size.height;
   options.threads = request.load.threads;
-  options.has_guides = request.is_denoised || request.picture_path.ends_with(".exr");
+  options.has_guides = !request.keeps_noise || request.picture_path.ends_with(".exr");
   return options;
 }
 
@@ -164,7 +164,7 @@ preview::Image balanced(const Stage& stage, const preview::Image& image, const s
 Result<preview::Image> render_frame(const Stage& stage, const LitWorld& lit, const FrameCamera& camera,
                                     const std::string& path, std::optional<double>& exposure) {
   preview::Image image = preview::render(lit.world, stage.lights, lit.local, camera.in_world, stage.options);
-  if (stage.request.is_denoised) image = preview::denoise(image, stage.options.threads);
+  if (!stage.request.keeps_noise) image = preview::denoise(image, stage.options.threads);
   if (!exposure) exposure = stage.request.exposure.of(image, stage.scene.sky);
   preview::expose(image, *exposure);
   const Result<Done> written = preview::write_image(balanced(stage, image, path), path,
@@ -399,8 +399,9 @@ std::vector<Option> sampling_options(PreviewRequest& request) {
        false, store_number(request.options.roulette, {0, 1, true})},
       {"--caustics", "", "light that mirrors and glass throw on matt surfaces stays sharp, with more noise", false,
        store_switch(request.options.has_caustics)},
-      {"--denoise", "", "removes the noise that is left, guided by albedo, normals and depth", false,
-       store_switch(request.is_denoised)},
+      {"--no-denoise", "",
+       "keeps the noise that is left (by default it is removed, guided by albedo, normals and depth)", false,
+       store_switch(request.keeps_noise)},
   };
 }
 
@@ -485,7 +486,7 @@ Verb preview_verb() {
   verb.examples = {"citykiln preview out/town -o town.png",
                    "citykiln preview out/town --view street --time 2026-12-21T22:00 -o night.png",
                    "citykiln preview out/town/scene.kiln --eye 0,-200,+60 --look 0,0,+5 --spp 256 -o town.exr",
-                   "citykiln preview out/town --turntable 100 --denoise --spp 16 -o frame_###.png"};
+                   "citykiln preview out/town --turntable 100 --spp 16 -o frame_###.png"};
   verb.run = [request](const Console& console) { return run_preview(*request, console); };
   return verb;
 }

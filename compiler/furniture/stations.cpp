@@ -14,9 +14,10 @@ using map::LaneKind;
 
 bool is_pavement(const Lane& lane) { return lane.is_raised && lane.kind == LaneKind::kSidewalk; }
 
-// The pavement of a side: its distance from the axis on the kerb's side, to the left positive, and its width.
+// The pavement of a side: its distance from the axis on the kerb's side, to the left positive, and its width; and the
+// width of the verge before it.
 struct PavementEdge {
-  double off_m = 0, width_m = 0;
+  double off_m = 0, width_m = 0, verge_m = 0;
 };
 
 // The first run of pavement lanes from the kerb outwards, on one side.
@@ -31,10 +32,13 @@ std::optional<PavementEdge> pavement_at(const roads::Road& road, double along_m,
     edge_m -= section.widths_m[i];
     was_level |= !lanes[i].is_raised;
     if (!is_pavement(lanes[i]) || was_level == is_left) continue;
+    const std::size_t inner = is_left ? i + 1 : i - 1;
+    const bool has_verge = inner < lanes.size() && lanes[inner].kind == LaneKind::kVerge;
+    const double verge_m = has_verge ? section.widths_m[inner] : 0;
     if (is_left)
-      found = PavementEdge{edge_m, section.widths_m[i]};
+      found = PavementEdge{edge_m, section.widths_m[i], verge_m};
     else if (!found)
-      found = PavementEdge{from_m, section.widths_m[i]};
+      found = PavementEdge{from_m, section.widths_m[i], verge_m};
   }
   return found;
 }
@@ -64,9 +68,12 @@ std::vector<Station> stations_along(const roads::Road& road, const Box2& box) {
       const StableId side = stable_id(stable_id(road.id), is_left ? "left pavement" : "right pavement", 0);
       if (about.contains(kerb))
         stations.push_back({.key = stable_id(side, "station", static_cast<std::uint64_t>(k)),
+                            .side = side,
+                            .number = static_cast<std::uint32_t>(2 * k + (is_left ? 0 : 1)),
                             .kerb = kerb,
                             .outward = left_of(ahead) * (is_left ? 1.0 : -1.0),
-                            .room_m = edge->width_m});
+                            .room_m = edge->width_m,
+                            .verge_m = edge->verge_m});
     }
   }
   return stations;

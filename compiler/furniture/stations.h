@@ -21,10 +21,13 @@ inline constexpr double kFreeWidth_m = 1.2;
 
 /// A place on a pavement.
 struct Station {
-  StableId key{};     ///< Decides its draws; equal in all tiles that know the road.
-  Vec2 kerb;          ///< On the kerb's pavement side, plane metres.
-  Vec2 outward;       ///< From the kerb to the houses, length 1.
-  double room_m = 0;  ///< The width of the pavement.
+  StableId key{};            ///< Decides its draws; equal in all tiles that know the road.
+  StableId side{};           ///< Names the side of the way: equal for all of its stations.
+  std::uint32_t number = 0;  ///< Counts the stations of a way, those on the left evenly.
+  Vec2 kerb;                 ///< On the kerb's pavement side, plane metres.
+  Vec2 outward;              ///< From the kerb to the houses, length 1.
+  double room_m = 0;         ///< The width of the pavement.
+  double verge_m = 0;        ///< The width of the verge between carriageway and pavement; 0: none.
 };
 
 /// Returns the stations of a road's pavements whose kerb lies in a box widened by 8 m, in order along the way. They are

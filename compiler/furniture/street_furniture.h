@@ -31,6 +31,7 @@ struct StreetRecipes {
   std::span<const buildings::Building> buildings;
   std::span<const things::Thing> things;
   std::span<const plants::Tree> trees;
+  std::span<const plants::TreeRow> tree_rows;
   std::span<const props::StreetLamp> lamps;
   const ground::LandCoverIndex& land_cover;  ///< With each road as one surface.
 };

@@ -14,6 +14,7 @@
 #include "compiler/roads/network.h"
 #include "compiler/roads/pieces/islands.h"
 #include "compiler/roads/pieces/lane_changes.h"
+#include "compiler/roads/pieces/lane_strips.h"
 
 namespace citykiln::scene {
 namespace {
@@ -187,10 +188,28 @@ std::vector<LandCoverPolygon> coarse_land_cover(const Chunk& chunk) {
   return coarse_land_cover(cover_recipes_of(chunk));
 }
 
+namespace {
+
+// Adds the kerbs round corners, where kerbs are wide enough to be seen.
+void add_corner_kerbs(const Chunk& chunk, double tolerance_m, std::vector<LandCoverPolygon>& surfaces) {
+  if (roads::kKerb_m < tolerance_m) return;
+  const auto arms = roads::arms_of(chunk.junctions, chunk.roads);
+  for (std::size_t j = 0; j < chunk.junctions.size(); ++j) {
+    // in a foreign manifest a junction may have no road
+    if (arms[j].empty() || arms[j].size() != chunk.junctions[j].cuts.size()) continue;
+    add({junction_id(roads::main_road(chunk.roads, arms[j]).id), map::LandCoverClass::kKerb, ground::kStripArea_m2,
+         roads::stroke_corner_kerbs(chunk.junctions[j], chunk.roads, arms[j], roads::kKerb_m)},
+        surfaces);
+  }
+}
+
+}  // namespace
+
 LandCover land_cover_of(const Header& header, const Chunk& chunk, double tolerance_m) {
   assert(tolerance_m > 0);
   if (!has_detail(Detail::kRoadSurfaces, tolerance_m)) return {coarse_land_cover(chunk), {}, {}};
   LandCover cover{surfaces_without_roads(cover_recipes_of(chunk)), {}, {}};
+  add_corner_kerbs(chunk, tolerance_m, cover.surfaces);
   const std::vector<roads::StripEnds> ends = roads::ends_of(chunk.roads);
   const auto changes = roads::lane_changes_of(chunk.roads, chunk.junctions);
   const auto gaps = roads::junction_intervals_of(chunk.roads, chunk.junctions);

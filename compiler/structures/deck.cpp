@@ -55,7 +55,7 @@ void add_strip(const Span& bridge, std::span<const Rib> ribs, const LaneStrip& s
   add_band(ribs, {strip.left_m, rise_m}, {strip.right_m, rise_m}, dressed.mesh);
   if (may_be_marked && !strip.lanes.empty()) {
     roads::MarkingLayout layout = marking_layout_of(bridge, strip);
-    if (roads::is_marked(layout)) {
+    if (roads::needs_column(layout)) {
       dressed.uvs = uvs_of(ribs, strip.left_m - strip.right_m);
       generated.marked.push_back({std::move(dressed), std::move(layout)});
       return;

@@ -81,7 +81,7 @@ def preview_command(citykiln, out, name, size, spp):
     hero = HEROES[name]
     options = f" {hero.options}" if hero.options else ""
     return (f"{citykiln} preview {out}/{hero.place}/scene.kiln --view {hero.view} --time {hero.utc}{options} "
-            f"--size {size} --spp {spp} --unseen-error 1 --denoise -o {out}/{name}.png")
+            f"--size {size} --spp {spp} --unseen-error 1 -o {out}/{name}.png")
 
 
 def run(command, is_printed_only):

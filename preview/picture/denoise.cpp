@@ -143,9 +143,8 @@ Pixel filtered(const Layer& layer, const std::vector<Pixel>& pixels, int x, int 
 Image denoise(const Image& image, int threads) {
   assert(image.guides.variance.size() * 3 == image.rgb.size());
   const Layer layer = layer_of(image, threads);
-  const auto divisor = [&](std::size_t i) {
-    return divisor_of(layer.surfaces[i], layer.surfaces[i].depth_m >= kSky_m);
-  };
+  const auto is_sky = [&](std::size_t i) { return layer.surfaces[i].depth_m >= kSky_m; };
+  const auto divisor = [&](std::size_t i) { return divisor_of(layer.surfaces[i], is_sky(i)); };
   std::vector<Pixel> pixels(layer.surfaces.size()), next(pixels.size());
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const Rgbf by = divisor(i);
@@ -161,6 +160,7 @@ Image denoise(const Image& image, int threads) {
   }
   Image result = image;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
+    if (is_sky(i) && std::isfinite(single_luminance(three(image.rgb, i)))) continue;
     const Rgbf by = divisor(i);
     for (int c = 0; c < 3; ++c) result.rgb[i * 3 + c] = pixels[i].light[c] * by[c];
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -55,6 +56,16 @@ TEST(Denoise, LeavesWhatHasNoError) {
 TEST(Denoise, AnyNumberOfThreadsIsTheSamePicture) {
   const Image noisy = town_corner(4, 4);
   EXPECT_EQ(denoise(noisy, 1).rgb, denoise(noisy, 3).rgb);
+}
+
+TEST(Denoise, LeavesStars) {
+  Image night = town_corner(4, 6);
+  const auto star =
+      static_cast<std::size_t>(std::ranges::max_element(night.guides.depth_m) - night.guides.depth_m.begin());
+  ASSERT_FALSE(std::isfinite(night.guides.depth_m[star]) && night.guides.depth_m[star] < 1e7f);
+  for (int c = 0; c < 3; ++c) night.rgb[star * 3 + c] *= 50;
+  const Image filtered = denoise(night, 0);
+  for (int c = 0; c < 3; ++c) EXPECT_EQ(filtered.rgb[star * 3 + c], night.rgb[star * 3 + c]);
 }
 
 TEST(Denoise, APixelThatIsNoNumberSpreadsToNoOther) {

@@ -1,4 +1,4 @@
-// Pavements around the corners of a junction.
+// Pavements and kerbs around the corners of a junction.
 #pragma once
 
 #include <span>
@@ -19,5 +19,10 @@ namespace citykiln::roads {
 /// @param arms  The entry of arms_of() for this junction.
 std::vector<Ring> stroke_corner_pavements(const Junction& junction, std::span<const Road> roads,
                                           std::span<const Arm> arms);
+
+/// Returns the kerbs around the same corners: rings as above of which the outermost kerb_m are visible, since the
+/// carriageways cover the rest. They lie on the pavements' inner edge, and join the kerbs of the arms.
+std::vector<Ring> stroke_corner_kerbs(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
+                                      double kerb_m);
 
 }  // namespace citykiln::roads

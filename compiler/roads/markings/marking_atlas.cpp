@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compiler/materials/paint.h"
+#include "compiler/roads/markings/drainage.h"
 #include "compiler/roads/markings/markings.h"
 #include "compiler/roads/markings/wear.h"
 
@@ -58,7 +59,7 @@ void draw(const MarkingLayout& layout, ColumnRange columns, TextureImage& sheet)
     materials::paint(sheet, columns, ring, colour);
   };
   paint(rectangle({0, 0}, {(columns.end - columns.first) * sheet.texel_m, kLayoutLength_m}), base_colour_of(layout));
-  for (const Marks& marks : {wear_of(layout), marks_of(layout)})
+  for (const Marks& marks : {wear_of(layout), marks_of(layout), drainage_of(layout)})
     for (const Mark& mark : marks) paint(mark.ring, mark.colour);
   repeat_outermost(sheet, columns, static_cast<std::uint32_t>(width_m(layout) / sheet.texel_m + 1e-6));
 }

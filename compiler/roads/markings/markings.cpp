@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/roads/markings/drainage.h"
 #include "compiler/roads/markings/marking_rules.h"
 #include "compiler/roads/markings/markings_parts.h"
 
@@ -49,7 +50,7 @@ Marks marks_of(const MarkingLayout& layout) {
   return marks;
 }
 
-bool is_marked(const MarkingLayout& layout) { return !marks_of(layout).empty(); }
+bool needs_column(const MarkingLayout& layout) { return !marks_of(layout).empty() || !drainage_of(layout).empty(); }
 
 materials::TextureImage::Texel base_colour_of(const MarkingLayout& layout) {
   const bool is_level_crossing = layout.stretch == StretchKind::kLevelCrossing;

@@ -31,8 +31,9 @@ namespace citykiln::roads {
 /// make no sense in a strip, get no marks. O(marks), at most some hundred.
 Marks marks_of(const MarkingLayout& layout);
 
-/// True if anything is painted. A strip without marks is plain material and needs no column in the atlas.
-bool is_marked(const MarkingLayout& layout);
+/// True if anything is painted, or there is drainage (drainage.h). Other strips are plain material and need no column
+/// in the atlas.
+bool needs_column(const MarkingLayout& layout);
 
 /// Returns the colour under the marks: the material of the strip, or asphalt between the rails of a level crossing.
 materials::TextureImage::Texel base_colour_of(const MarkingLayout& layout);

@@ -38,11 +38,19 @@ Ring ring_of(const Slice& slice, StripEdges start, StripEdges end) {
 
 bool is_crossing(StretchKind stretch) { return stretch == StretchKind::kZebra || stretch == StretchKind::kCrossing; }
 
-// The class of a strip within a stretch: crossings cover all lanes between the kerbs, and verges in front of them
-// become pavement.
+// True where people walk from the pavement to the kerb: at crossings and, in towns, at corners. American verges lead up
+// to the corner.
+bool is_walked_over(const Road& road, StretchKind stretch) {
+  if (is_crossing(stretch)) return true;
+  const bool is_at_corner = stretch == StretchKind::kStart || stretch == StretchKind::kEnd;
+  return is_at_corner && practice_of(road.country) != MarkingPractice::kAmerican;
+}
+
+// The class of a strip within a stretch: crossings cover all lanes between the kerbs, and verges where people walk over
+// them become pavement.
 LandCoverClass strip_surface_of(const Road& road, const LaneStrip& strip, StretchKind stretch) {
   if (stretch == StretchKind::kLevelCrossing) return LandCoverClass::kLevelCrossing;
-  if (is_crossing(stretch) && strip.surface == LandCoverClass::kVerge) return LandCoverClass::kPavement;
+  if (is_walked_over(road, stretch) && strip.surface == LandCoverClass::kVerge) return LandCoverClass::kPavement;
   return is_crossing(stretch) && strip.surface == road.surface ? LandCoverClass::kCrossing : strip.surface;
 }
 
@@ -102,7 +110,7 @@ struct PieceBuilder {
         MarkingLayout layout = marking_layout_of(road, strip, run);
         // crossings are painted between the kerbs only
         const bool is_beside = strip.lanes.empty() || (is_crossing(run.stretch) && strip.lanes.front().is_raised);
-        if (is_beside || !is_marked(layout)) continue;
+        if (is_beside || !needs_column(layout)) continue;
         layouts.back() = static_cast<std::uint32_t>(made.layouts.size());
         made.layouts.push_back(std::move(layout));
       }

@@ -152,6 +152,11 @@ TEST_F(Junctions, PavementsGoRoundCornersThatBothArmsHaveThem) {
   const Vec2 inward = unit(Vec2{-1, -1});
   EXPECT_TRUE(contains(corner, Vec2{8, 8} + inward * 3.1));
   EXPECT_FALSE(contains(corner, Vec2{8, 8} + inward * 2.9));
+  const std::vector<Ring> kerbs = stroke_corner_kerbs(all.junctions[0], roads, arms[0], 0.15625);
+  ASSERT_EQ(kerbs.size(), 1u);
+  const Polygon kerb{kerbs[0], {}};
+  EXPECT_TRUE(contains(kerb, Vec2{8, 8} + inward * 4.9));
+  EXPECT_FALSE(contains(kerb, Vec2{8, 8} + inward * 4.8));
 }
 
 TEST_F(Junctions, VergesWithoutAPavementGoRoundNoCorner) {
@@ -160,6 +165,7 @@ TEST_F(Junctions, VergesWithoutAPavementGoRoundNoCorner) {
   roads[1].section.lanes.back().kind = map::LaneKind::kVerge;
   const Outlined all = sound(roads);
   EXPECT_TRUE(stroke_corner_pavements(all.junctions[0], roads, arms_of(all.junctions, roads)[0]).empty());
+  EXPECT_TRUE(stroke_corner_kerbs(all.junctions[0], roads, arms_of(all.junctions, roads)[0], 0.15625).empty());
 }
 
 TEST_F(Junctions, TwoStreetsACarsLengthApartAreTwo) {

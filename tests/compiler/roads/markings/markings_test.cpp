@@ -92,18 +92,22 @@ TEST(Markings, LinesStandWhereTheCrossSectionSays) {
   }
 }
 
-TEST(Markings, QuietAndUnpavedStreetsAreNotMarked) {
+TEST(Markings, QuietAndUnpavedStreetsWithoutKerbsAreNotMarked) {
+  const auto needs_column_in_country = [](MarkingLayout strip) {
+    strip.has_kerb_left = strip.has_kerb_right = false;
+    return needs_column(strip);
+  };
   for (const LandCoverClass quiet :
        {LandCoverClass::kResidentialRoad, LandCoverClass::kServiceRoad, LandCoverClass::kPedestrianStreet,
         LandCoverClass::kUnpavedRoad, LandCoverClass::kFarmTrack})
-    EXPECT_FALSE(is_marked(layout(quiet, "dd v^")));
-  EXPECT_FALSE(is_marked(layout(LandCoverClass::kTertiaryRoad, "d -")));
-  EXPECT_FALSE(is_marked(MarkingLayout{}));
-  EXPECT_TRUE(is_marked(layout(LandCoverClass::kTertiaryRoad, "dd v^")));
-  EXPECT_TRUE(is_marked(layout(LandCoverClass::kRailway, "r -")));
+    EXPECT_FALSE(needs_column_in_country(layout(quiet, "dd v^")));
+  EXPECT_FALSE(needs_column_in_country(layout(LandCoverClass::kTertiaryRoad, "d -")));
+  EXPECT_FALSE(needs_column(MarkingLayout{}));
+  EXPECT_TRUE(needs_column(layout(LandCoverClass::kTertiaryRoad, "dd v^")));
+  EXPECT_TRUE(needs_column(layout(LandCoverClass::kRailway, "r -")));
   MarkingLayout crossing = layout(LandCoverClass::kResidentialRoad, "dd v^");
   crossing.stretch = StretchKind::kZebra;
-  EXPECT_TRUE(is_marked(crossing));
+  EXPECT_TRUE(needs_column(crossing));
 }
 
 TEST(Markings, LinesOfLanesThatLeaveAndMergeAreBroadAndClose) {

@@ -1,0 +1,38 @@
+// Decides which trees line the streets of towns where no map shows trees.
+//
+//     houses     [#######]  [########]
+//     pavement   ─────────────────────
+//     verge        o    o    o    o      in the middle of the verge, or 0.8 m inside a broad pavement
+//     ═════════ kerb ═══════════════
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "compiler/furniture/street_furniture.h"
+#include "compiler/plants/recipe.h"
+
+namespace citykiln::furniture {
+
+/// Trees stand in verges at least this wide, or on pavements at least this wide, in metres.
+inline constexpr double kTreeVerge_m = 1, kTreePavement_m = 2.5;
+/// No trees are assumed this near to a mapped one, in metres.
+inline constexpr double kMappedStreetTree_m = 60;
+/// The distances of trunks from walls and from lamps, in metres.
+inline constexpr double kTreeFromWall_m = 3, kTreeFromLamp_m = 2;
+
+/// Returns the trees along the pavements of a tile, one halfway between each two stations (stations.h). Each side of a
+/// whole way is lined or not, by the shares of street_trees.inc for its country and class. A tree
+///
+/// - stands in a verge of kTreeVerge_m or, where there is none, on a pavement of kTreePavement_m;
+/// - keeps kTreeFromWall_m from buildings; the height grows with that distance, from 5 to 14 m;
+/// - keeps the distances of parked cars (cars/kept_clear.h) from junctions, crossings, drives, doors and things.
+///
+/// All trees are of the community kTownTrees. A tree is in the tile that contains its foot. Mapped trees of the next
+/// tile do not count. O(stations · mapped trees).
+/// @param tile_m  Side of the tiles.
+/// @param box     The tile.
+std::vector<plants::Tree> street_trees(const StreetRecipes& recipes, std::uint64_t seed, double tile_m,
+                                       const Box2& box);
+
+}  // namespace citykiln::furniture
