@@ -7,6 +7,7 @@
 
 #include "compiler/bake/place_lamps.h"
 #include "compiler/bake/place_things.h"
+#include "compiler/furniture/street_furniture.h"
 #include "compiler/ground/cover/land_cover_index.h"
 #include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/scene/scene.h"
@@ -15,6 +16,11 @@ namespace citykiln::bake {
 
 /// Furniture is shown below this tolerance, in metres: it is about as low as a bench.
 inline constexpr double kShowsFurniture_m = 1;
+
+/// Returns the recipes of a chunk from which furniture is drawn.
+furniture::StreetRecipes street_recipes_of(const scene::Chunk& chunk, std::span<const plants::Tree> trees,
+                                           std::span<const props::StreetLamp> lamps,
+                                           const ground::LandCoverIndex& land_cover);
 
 /// Returns the trees of a tile's recipes and those that are assumed along its streets (furniture/street_trees.h), which
 /// there are none of without scene::Header::has_street_furniture.

@@ -72,6 +72,11 @@ PrototypeCache::ThingSlot& PrototypeCache::thing_slot(const things::Form& form, 
   return thing_slots_[{form, tolerance_m}];
 }
 
+std::vector<things::WireHold> PrototypeCache::wire_holds(const things::Form& form) const {
+  const auto kind = kinds_.find(form.kind);
+  return kind == kinds_.end() ? std::vector<things::WireHold>() : things::wire_holds(form, kind->second, seed_);
+}
+
 const BakedThing& PrototypeCache::thing(const things::Form& form, double tolerance_m) const {
   ThingSlot& slot = thing_slot(form, tolerance_m);
   std::call_once(slot.once, [&] {

@@ -16,6 +16,7 @@
 #include "compiler/plants/prototypes/grown_plant_cache.h"
 #include "compiler/plants/prototypes/prototype_mesh.h"
 #include "compiler/things/catalogue.h"
+#include "compiler/things/generate.h"
 
 namespace citykiln::bake {
 
@@ -70,6 +71,9 @@ class PrototypeCache {
 
   /// The mesh of a form of things, within the tolerance. The reference is valid as long as the cache.
   const BakedThing& thing(const things::Form& form, double tolerance_m) const;
+
+  /// The places where wires hang on a form of things; none if its rules are missing. Derived at each call.
+  std::vector<things::WireHold> wire_holds(const things::Form& form) const;
 
   /// The header's species, and the shipped ones.
   const plants::SpeciesTable& species() const { return grown_plants_.table(); }

@@ -48,6 +48,9 @@ SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk&
   if (wanted.furniture) {
     std::vector<PlacedThing> furniture = place_furniture(header, chunk, trees, shared.lamps, map, *shared.graded, box);
     std::ranges::move(furniture, std::back_inserter(drawn));
+    PlacedPoles poles = place_poles(header, chunk, map, *shared.graded, box);
+    std::ranges::move(poles.standing, std::back_inserter(drawn));
+    shared.pole_spans = std::move(poles.spans);
   }
   shared.things = place_things(chunk.things, *shared.graded, std::move(drawn));
   const plants::SpeciesTable species(header.species);

@@ -10,6 +10,7 @@
 #include "compiler/bake/ground/ground_cells.h"
 #include "compiler/bake/ground/ground_meshes.h"
 #include "compiler/bake/place_lamps.h"
+#include "compiler/bake/place_poles.h"
 #include "compiler/bake/place_things.h"
 #include "compiler/bake/view/view_levels.h"
 #include "compiler/buildings/generate.h"
@@ -35,6 +36,7 @@ struct SharedByLevels {
   std::vector<props::TreePit> pits{};
   Lamps lamps{};
   std::vector<PlacedThing> things{};
+  std::vector<PlacedPoleSpan> pole_spans{};
   std::vector<structures::Stairs> stairs{};
   std::vector<plants::Canopy> canopies{};  ///< Surfaces over closed woods: one for each level with
                                            ///< Detail::kWoodCanopies, in the order of levels.

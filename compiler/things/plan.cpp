@@ -131,6 +131,16 @@ bool has_pavements(std::span<const roads::Road> roads) {
       roads, [&](const roads::Road& road) { return std::ranges::any_of(road.section.lanes, is_pavement); });
 }
 
+// The kinds that may be assumed along roads.
+std::set<std::string> assumed_kinds(std::span<const roads::Road> roads) {
+  std::set<std::string> names;
+  if (has_pavements(roads))
+    for (const StreetKind& kind : kStreetKinds) names.emplace(kind.name);
+  const auto may_have_poles = [](const roads::Road& road) { return utility_pole_share(road.country) != nullptr; };
+  if (std::ranges::any_of(roads, may_have_poles)) names.emplace(kUtilityPole);
+  return names;
+}
+
 }  // namespace
 
 std::set<std::string> kind_names(const map::FeatureView& features, const map::ThingTable& table) {
@@ -225,8 +235,7 @@ Result<ThingPlan> plan(const map::FeatureView& features, const ThingInputs& inpu
   seen.things = plan.mapped;
   std::set<std::string> names = kind_names(seen, catalogue.table);
   for (const Thing& mast : plan.contact_lines.masts) names.insert(mast.form.kind);
-  if (has(assumed, Assumption::kRoadsides) && has_pavements(roads))
-    for (const StreetKind& kind : kStreetKinds) names.emplace(kind.name);
+  if (has(assumed, Assumption::kRoadsides)) names.merge(assumed_kinds(roads));
   if (!names.empty()) {
     Result<Kinds> kinds = kinds_of(catalogue, names);
     if (!kinds) return kinds.error();

@@ -1,8 +1,10 @@
-// The kinds of street furniture that are assumed on pavements.
+// The kinds of things that are assumed along streets: furniture on pavements, and utility poles.
 #pragma once
 
 #include <algorithm>
 #include <string_view>
+
+#include "compiler/map/countries/country_group.h"
 
 namespace citykiln::things {
 
@@ -19,9 +21,30 @@ inline constexpr StreetKind kStreetKinds[] = {
 #undef STREET_KIND
 };
 
-/// True if a kind of things is in street_kinds.inc.
+/// The row of things.txt that utility poles are.
+inline constexpr std::string_view kUtilityPole = "power_pole";
+
+/// A row of utility_poles.inc.
+struct UtilityPoleShare {
+  map::CountryGroup country;
+  int main_percent, other_percent;  ///< Shares of main streets and of other streets.
+};
+
+inline constexpr UtilityPoleShare kUtilityPoleShares[] = {
+#define UTILITY_POLES(country, main_percent, other_percent) {map::CountryGroup::country, main_percent, other_percent},
+#include "compiler/things/utility_poles.inc"
+#undef UTILITY_POLES
+};
+
+/// Returns the row of a country; null: its streets have no poles.
+constexpr const UtilityPoleShare* utility_pole_share(map::CountryGroup country) {
+  const auto* const row = std::ranges::find(kUtilityPoleShares, country, &UtilityPoleShare::country);
+  return row == std::end(kUtilityPoleShares) ? nullptr : row;
+}
+
+/// True if a kind of things is assumed along streets.
 constexpr bool is_street_kind(std::string_view name) {
-  return std::ranges::find(kStreetKinds, name, &StreetKind::name) != std::end(kStreetKinds);
+  return name == kUtilityPole || std::ranges::find(kStreetKinds, name, &StreetKind::name) != std::end(kStreetKinds);
 }
 
 }  // namespace citykiln::things

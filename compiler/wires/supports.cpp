@@ -24,6 +24,11 @@ Vec3 in_plane(Vec3 local, const Placement& placement) {
 
 }  // namespace
 
+Support support_at(const Placement& placement, std::vector<things::WireHold> holds) {
+  for (things::WireHold& hold : holds) hold.at = in_plane(hold.at, placement);
+  return {in_plan(placement.at), std::move(holds)};
+}
+
 void add_supports(Supports& supports, std::span<const things::Thing> things, const things::Kinds& kinds,
                   std::uint64_t seed, const ground::GradedTerrain& ground) {
   std::map<things::Form, std::vector<things::WireHold>> holds_of;
@@ -33,10 +38,7 @@ void add_supports(Supports& supports, std::span<const things::Thing> things, con
     const auto [entry, is_new] = holds_of.try_emplace(thing.form);
     if (is_new) entry->second = things::wire_holds(thing.form, kind->second, seed);
     if (entry->second.empty()) continue;
-    const Placement placement = things::place(thing, ground);
-    Support support{thing.at, entry->second};
-    for (things::WireHold& hold : support.holds) hold.at = in_plane(hold.at, placement);
-    supports.emplace(thing.id.osm.id, std::move(support));
+    supports.emplace(thing.id.osm.id, support_at(things::place(thing, ground), entry->second));
   }
 }
 

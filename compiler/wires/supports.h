@@ -19,6 +19,10 @@ struct Support {
   std::vector<things::WireHold> holds;  ///< At least one; places in plane metres.
 };
 
+/// Returns a support that stands at a place.
+/// @param holds  things::wire_holds() of its form; at least one.
+Support support_at(const Placement& placement, std::vector<things::WireHold> holds);
+
 /// Supports by the number of their OSM node.
 using Supports = std::map<std::int64_t, Support>;
 
