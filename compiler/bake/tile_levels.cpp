@@ -9,6 +9,7 @@
 #include "compiler/bake/ground/skirt.h"
 #include "compiler/bake/place_cars.h"
 #include "compiler/bake/place_furniture.h"
+#include "compiler/bake/place_yard_things.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/plants/placing/placing_steps.h"
 
@@ -48,6 +49,7 @@ SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk&
   if (wanted.furniture) {
     std::vector<PlacedThing> furniture = place_furniture(header, chunk, trees, shared.lamps, map, *shared.graded, box);
     std::ranges::move(furniture, std::back_inserter(drawn));
+    std::ranges::move(place_yard_things(header, chunk, trees, map, *shared.graded, box), std::back_inserter(drawn));
     PlacedPoles poles = place_poles(header, chunk, map, *shared.graded, box);
     std::ranges::move(poles.standing, std::back_inserter(drawn));
     shared.pole_spans = std::move(poles.spans);

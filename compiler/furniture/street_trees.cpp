@@ -84,7 +84,7 @@ struct StreetTreePlanter {
 
   // The height that the distance from walls leaves room for; 0: none.
   double height_at(Vec2 at) const {
-    constexpr double kLowest_m = 5, kHighest_m = 14, kPerDistance = 2.5;
+    constexpr double kLowest_m = 5, kHighest_m = 8, kPerDistance = 2;
     const int buildings = map::values_of(LandCoverClass::kBuilding).priority;
     const double away_m = ground::clearance_m(recipes.land_cover, at, buildings, kHighest_m / kPerDistance);
     return away_m < kTreeFromWall_m ? 0 : snapped(std::clamp(kPerDistance * away_m, kLowest_m, kHighest_m));

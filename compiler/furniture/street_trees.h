@@ -25,7 +25,7 @@ inline constexpr double kTreeFromWall_m = 3, kTreeFromLamp_m = 2;
 /// whole way is lined or not, by the shares of street_trees.inc for its country and class. A tree
 ///
 /// - stands in a verge of kTreeVerge_m or, where there is none, on a pavement of kTreePavement_m;
-/// - keeps kTreeFromWall_m from buildings; the height grows with that distance, from 5 to 14 m;
+/// - keeps kTreeFromWall_m from buildings; the height grows with that distance, from 5 to 8 m;
 /// - keeps the distances of parked cars (cars/kept_clear.h) from junctions, crossings, drives, doors and things.
 ///
 /// All trees are of the community kTownTrees. A tree is in the tile that contains its foot. Mapped trees of the next

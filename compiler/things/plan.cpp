@@ -18,6 +18,7 @@
 #include "compiler/things/junction_signals.h"
 #include "compiler/things/on_roofs.h"
 #include "compiler/things/street_kinds.h"
+#include "compiler/things/yard_kinds.h"
 
 namespace citykiln::things {
 namespace {
@@ -236,6 +237,10 @@ Result<ThingPlan> plan(const map::FeatureView& features, const ThingInputs& inpu
   std::set<std::string> names = kind_names(seen, catalogue.table);
   for (const Thing& mast : plan.contact_lines.masts) names.insert(mast.form.kind);
   if (has(assumed, Assumption::kRoadsides)) names.merge(assumed_kinds(roads));
+  if (has(assumed, Assumption::kYards) && !buildings.empty()) {
+    for (const YardKind& kind : kYardKinds) names.emplace(kind.name);
+    names.emplace(kYardGate);
+  }
   if (!names.empty()) {
     Result<Kinds> kinds = kinds_of(catalogue, names);
     if (!kinds) return kinds.error();

@@ -68,7 +68,7 @@ TEST(StreetTrees, StandInTheMiddleOfTheVergeEvery8m) {
   ASSERT_GE(trees.size(), 120u);
   for (std::size_t i = 0; i < trees.size(); ++i) {
     EXPECT_EQ(trees[i].at.y, 4);
-    EXPECT_EQ(trees[i].height_m, 12.5) << "5 m from the wall";
+    EXPECT_EQ(trees[i].height_m, 8) << "5 m from the wall";
     if (i > 0) {
       EXPECT_EQ(std::abs(trees[i].at.x - trees[i - 1].at.x), 8);
     }

@@ -1,0 +1,181 @@
+#include "compiler/furniture/yard_things.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "compiler/cars/kept_clear.h"
+#include "compiler/contract/derived_id.h"
+#include "compiler/geometry/snap.h"
+#include "compiler/lots/draw_yard.h"
+#include "compiler/lots/yard_rules.h"
+#include "compiler/things/facing.h"
+#include "compiler/things/yard_kinds.h"
+
+namespace citykiln::furniture {
+namespace {
+
+using lots::Yard;
+using map::LandCoverClass;
+using things::YardKind;
+using things::YardSpot;
+
+constexpr int kTries = 12;
+constexpr double kApart_m = 0.75, kBinToWall_m = 0.6;
+// The rear begins behind the front wall of a usual house.
+constexpr double kBehindFront_m = 3;
+constexpr double kGatePercent = 60, kHighestGate_m = 1.5, kGateDepth_m = 0.3;
+
+// The rectangle that a thing of a yard takes.
+struct YardRectangle {
+  Vec2 at, right, back;  // unit vectors of its width and depth
+  double width_m, depth_m;
+
+  Vec2 corner(int x, int y, double margin_m) const {
+    return at + right * (x * (width_m / 2 + margin_m)) + back * (y * (depth_m / 2 + margin_m));
+  }
+  bool is_apart(const YardRectangle& other) const {
+    const double reach = (width_m + depth_m + other.width_m + other.depth_m) / 4 + kApart_m;
+    return distance(at, other.at) >= reach;
+  }
+};
+
+struct YardFurnisher {
+  const YardRecipes& recipes;
+  const Yard& yard;
+  std::uint64_t seed;
+  const lots::Capsules& trunks;
+  lots::Frame frame = frame_at(yard.frame);
+  std::vector<YardRectangle> taken{};
+
+  // The random numbers of a kind of the yard's things.
+  RandomSequence draws(const char* kind) const { return {seed, stable_id(yard.building), kind}; }
+
+  bool is_own_ground(Vec2 p) const {
+    if (!recipes.land_cover.box.contains(p)) return false;
+    const std::uint32_t top = ground::land_cover_at(recipes.land_cover, p);
+    if (top == ground::kNoLandCover) return false;
+    const ground::LandCoverPolygon& area = recipes.land_cover.surfaces[top];
+    const bool is_usable = lots::is_planted(area.surface) || area.surface == LandCoverClass::kPavedYard;
+    return area.id.osm == yard.building.osm && is_usable;
+  }
+
+  bool is_free(const YardRectangle& place, double margin_m) const {
+    for (const int x : {-1, 0, 1})
+      for (const int y : {-1, 0, 1})
+        if (!is_own_ground(place.corner(x, y, margin_m))) return false;
+    const double reach_m = (place.width_m + place.depth_m) / 4 + kApart_m;
+    return lots::clearance_m(trunks, place.at, reach_m) >= reach_m &&
+           std::ranges::all_of(taken, [&](const YardRectangle& other) { return place.is_apart(other); });
+  }
+
+  double to_wall_m(Vec2 p, double search_m) const {
+    const int buildings = map::values_of(LandCoverClass::kBuilding).priority;
+    return ground::clearance_m(recipes.land_cover, p, buildings, search_m);
+  }
+
+  bool suits(const YardKind& kind, const YardRectangle& place) const {
+    if (!recipes.land_cover.box.contains(place.at)) return false;
+    if (kind.spot == YardSpot::kBesideHouse)
+      return is_free(place, 0) &&
+             to_wall_m(place.at, 2 * kBinToWall_m + kind.depth_m) < kBinToWall_m + kind.depth_m / 2;
+    return frame.local(place.at).y > yard.setback_m + kBehindFront_m && is_free(place, kApart_m);
+  }
+
+  // A place drawn in the box of the yard, aligned with its frame.
+  YardRectangle drawn_place(const YardKind& kind, const RandomSequence& draw, std::uint32_t index) const {
+    const Box2 box = box_of(yard.polygon.outer);
+    const bool is_turned = draw.below(2, index + 2) == 0;
+    const Vec2 right = is_turned ? frame.inward : frame.along;
+    return {
+        .at = snapped(Vec2{draw.between(box.min.x, box.max.x, index), draw.between(box.min.y, box.max.y, index + 1)}),
+        .right = right,
+        .back = left_of(right),
+        .width_m = kind.width_m,
+        .depth_m = kind.depth_m};
+  }
+
+  bool has(const YardKind& kind) const {
+    const things::YardShare share = things::yard_share(kind.name, yard.country);
+    const int percent = yard.kind == lots::LotKind::kDetached ? share.detached_percent : share.row_percent;
+    return 100 * draws(kind.name).unit(0) < percent;
+  }
+
+  std::optional<YardRectangle> place_for(const YardKind& kind) const {
+    const RandomSequence draw = draws(kind.name);
+    for (std::uint32_t i = 0; i < kTries; ++i)
+      if (const YardRectangle place = drawn_place(kind, draw, 1 + 3 * i); suits(kind, place)) return place;
+    return std::nullopt;
+  }
+};
+
+things::Thing thing_at(const YardFurnisher& furnisher, const YardRectangle& place, std::string_view kind,
+                       double height_m, std::uint32_t number) {
+  const Yard& yard = furnisher.yard;
+  const auto variant = static_cast<std::uint8_t>(furnisher.draws("variants").below(things::kVariants, number));
+  return {.id = derived_id(yard.building, lots::kPartsOfYard, number),
+          .at = snapped(place.at),
+          .direction = things::nearest_direction(place.back * -1.0),
+          .form = {.kind = std::string(kind),
+                   .width_m = snapped(place.width_m),
+                   .depth_m = snapped(place.depth_m),
+                   .height_m = snapped(height_m),
+                   .country = yard.country,
+                   .variant = variant}};
+}
+
+void add_kinds(YardFurnisher furnisher, std::vector<things::Thing>& made) {
+  std::uint32_t number = 0;
+  for (const YardKind& kind : things::kYardKinds) {
+    ++number;
+    if (!furnisher.has(kind)) continue;
+    const std::optional<YardRectangle> place = furnisher.place_for(kind);
+    if (!place) continue;
+    furnisher.taken.push_back(*place);
+    made.push_back(thing_at(furnisher, *place, kind.name, kind.height_m, number));
+  }
+}
+
+bool has_gates(const Yard& yard, const lots::BorderRule& border, const YardFurnisher& furnisher) {
+  const bool is_solid = border.kind == map::BarrierKind::kWall || border.kind == map::BarrierKind::kFence;
+  const bool is_built = std::ranges::any_of(
+      yard.borders, [](const lots::BorderRun& run) { return run.place == lots::BorderPlace::kStreet; });
+  return is_solid && is_built && 100 * furnisher.draws("gates").unit(0) < kGatePercent;
+}
+
+// Gates where strips cross the barrier along the street.
+void add_gates(const YardFurnisher& furnisher, double height_m, std::vector<things::Thing>& made) {
+  const Yard& yard = furnisher.yard;
+  const double line_m = lots::inset_m(lots::BorderPlace::kStreet);
+  std::uint32_t number = static_cast<std::uint32_t>(std::size(things::kYardKinds));
+  for (const lots::YardStrip& strip : yard.strips) {
+    ++number;
+    const double from_m = std::min(strip.from.y, strip.to.y), to_m = std::max(strip.from.y, strip.to.y);
+    const bool is_crossing = strip.from.x == strip.to.x && from_m <= line_m && to_m > line_m;
+    if (!is_crossing) continue;
+    const YardRectangle place{.at = furnisher.frame.plane({strip.from.x, line_m}),
+                              .right = furnisher.frame.along,
+                              .back = furnisher.frame.inward,
+                              .width_m = strip.is_drive ? lots::kDriveWidth_m : lots::kYardPath_m,
+                              .depth_m = kGateDepth_m};
+    made.push_back(thing_at(furnisher, place, things::kYardGate, std::min(height_m, kHighestGate_m), number));
+  }
+}
+
+}  // namespace
+
+std::vector<things::Thing> yard_things(const YardRecipes& recipes, std::uint64_t seed, const Box2& box) {
+  const lots::Capsules trunks = lots::index_capsules(cars::trunk_clearings(recipes.trees));
+  std::vector<things::Thing> made;
+  for (const Yard& yard : recipes.yards) {
+    const bool is_home = yard.kind == lots::LotKind::kDetached || yard.kind == lots::LotKind::kRow;
+    const std::optional<lots::YardRule> rule = is_home ? lots::rule_of(yard, seed) : std::nullopt;
+    if (!rule) continue;
+    const YardFurnisher furnisher{.recipes = recipes, .yard = yard, .seed = seed, .trunks = trunks};
+    add_kinds(furnisher, made);
+    if (has_gates(yard, rule->street, furnisher)) add_gates(furnisher, rule->street.height_m, made);
+  }
+  std::erase_if(made, [&](const things::Thing& thing) { return !box.contains_half_open(thing.at); });
+  return made;
+}
+
+}  // namespace citykiln::furniture

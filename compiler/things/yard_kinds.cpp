@@ -1,0 +1,34 @@
+#include "compiler/things/yard_kinds.h"
+
+#include <optional>
+
+namespace citykiln::things {
+namespace {
+
+struct YardShareRow {
+  std::string_view name;
+  std::optional<map::CountryGroup> country;
+  YardShare share;
+};
+
+constexpr YardShareRow kYardShares[] = {
+#define YARD_SHARE(name, country, detached, row) {name, map::CountryGroup::country, {detached, row}},
+#define YARD_SHARE_ANYWHERE(name, detached, row) {name, std::nullopt, {detached, row}},
+#include "compiler/things/yard_kinds.inc"
+#undef YARD_SHARE
+#undef YARD_SHARE_ANYWHERE
+};
+
+}  // namespace
+
+YardShare yard_share(std::string_view name, map::CountryGroup country) {
+  YardShare share;
+  for (const YardShareRow& row : kYardShares) {
+    if (row.name != name) continue;
+    if (row.country == country) return row.share;
+    if (!row.country) share = row.share;
+  }
+  return share;
+}
+
+}  // namespace citykiln::things
