@@ -13,13 +13,13 @@ namespace citykiln::bake {
 /// Two poles between which wires hang.
 struct PlacedPoleSpan {
   ObjectId id;
-  things::Form form;  ///< Of both poles.
+  things::Form form;  ///< The form of both poles.
   Placement from, to;
 };
 
 struct PlacedPoles {
-  std::vector<PlacedThing> standing;  ///< Those whose foot lies in the tile.
-  std::vector<PlacedPoleSpan> spans;  ///< Those whose middle lies in the tile.
+  std::vector<PlacedThing> standing;  ///< The poles whose foot lies in the tile.
+  std::vector<PlacedPoleSpan> spans;  ///< The spans whose middle lies in the tile.
 };
 
 /// Returns the poles of a tile; none without scene::Header::has_street_furniture or without the rules of poles.

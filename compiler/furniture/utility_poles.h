@@ -21,14 +21,14 @@ inline constexpr double kCentrePavement_m = 3;
 
 /// Wires between two poles.
 struct PoleSpan {
-  ObjectId id;             ///< Of the street, with a part for each span.
+  ObjectId id;             ///< The id of the street, with a part for each span.
   std::uint32_t from, to;  ///< Indices into UtilityPoles::poles.
 };
 
 /// The poles of a tile and its surroundings.
 struct UtilityPoles {
   std::vector<things::Thing> poles;
-  std::vector<PoleSpan> spans;  ///< Those whose middle lies in the tile.
+  std::vector<PoleSpan> spans;  ///< The spans whose middle lies in the tile.
 };
 
 /// Returns the poles whose foot lies in a box widened by kLongestPoleSpan_m / 2, and the spans of the box. Each whole
