@@ -14,7 +14,7 @@ namespace citykiln::bake {
 
 /// Returns the things of a tile's yards, of the kinds whose rules the header has. One whose base would be more than
 /// 0.4 m off the ground anywhere is left out.
-/// @param trees       Those of the tile: their trunks are kept clear.
+/// @param trees       The trees of the tile, whose trunks are kept clear.
 /// @param land_cover  Has the areas of yards; of the tile and scene::kHalo_m about it.
 /// @param graded      Covers the same box.
 /// @param box         The tile.
