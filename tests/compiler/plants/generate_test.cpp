@@ -57,7 +57,8 @@ struct PlantedWood {
     const ground::LandCoverIndex map = index_land_cover(surfaces, box.widened(kInfluenceRadius_m));
     const ground::GradedTerrain ground(heights());
     return generate({trees, woods, plantings, rows, corridors}, {map, ground, box, 7, kWoodLatitude_deg, kWoodClimate},
-                    report);
+                    report)
+        .placed;
   }
   PlacedPlants in(const Box2& box) const {
     Report ignored;
@@ -191,7 +192,8 @@ TEST(Generate, WillowsAndPoplarsStandByWater) {
   const ground::GradedTerrain ground = grade_terrain(scene.heights(), parts);
   Report report;
   const PlacedPlants placed =
-      generate({{}, scene.woods, {}, {}, {}}, {map, ground, kWoodBox, 7, kWoodLatitude_deg, kWoodClimate}, report);
+      generate({{}, scene.woods, {}, {}, {}}, {map, ground, kWoodBox, 7, kWoodLatitude_deg, kWoodClimate}, report)
+          .placed;
   std::size_t by_water = 0, elsewhere = 0;
   for (const auto& [prototype, some] : placed)
     if (prototype.species == Species::kWillow || prototype.species == Species::kPoplar)

@@ -1,4 +1,4 @@
-#include "compiler/bake/place_cars.h"
+#include "compiler/bake/place_generated.h"
 
 #include <algorithm>
 #include <array>
@@ -6,24 +6,30 @@
 #include <optional>
 
 #include "compiler/cars/parked_cars.h"
+#include "compiler/furniture/street_furniture.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/height_layer.h"
 #include "compiler/map/countries/country_group.h"
 #include "compiler/things/facing.h"
+#include "compiler/things/generate.h"
 
 namespace citykiln::bake {
 namespace {
 
-cars::TileRecipes recipes_of(const scene::Chunk& chunk, const ground::LandCoverIndex& land_cover) {
+static_assert(roadside::kHalo_m <= scene::kHalo_m);
+
+roadside::TileRecipes recipes_of(const scene::Header& header, const scene::Chunk& chunk, const TileGround& ground) {
   return {.roads = chunk.roads,
           .junctions = chunk.junctions,
           .yards = chunk.yards,
           .pitches = chunk.pitches,
-          .trees = chunk.trees,
+          .trunks = ground.trunks,
           .things = chunk.things,
+          .lamps = ground.lamps.standing,
           .barriers = chunk.barriers,
           .buildings = chunk.buildings,
-          .land_cover = land_cover};
+          .land_cover = ground.land_cover,
+          .tile_m = header.tile_m};
 }
 
 // The height of the ground on top.
@@ -60,22 +66,39 @@ std::optional<PlacedThing> stand(const things::Thing& car, const ground::LandCov
                                    .sin_yaw = left.y,
                                    .feature = car.id.osm},
                      .up = unit(Vec3{-slope.x, -slope.y, 1}),
-                     .is_parked = true};
+                     .source = ThingSource::kCar};
+}
+
+cars::CarSettings car_settings_of(const scene::Header& header) {
+  return {.share = header.cars,
+          .time = scene::week_time_of(header),
+          .country = map::country_group_at(header.origin),
+          .seed = header.seed};
+}
+
+bool has_rules(const scene::Header& header, const things::Form& form) {
+  return std::ranges::any_of(header.things, [&](const buildings::RuleText& text) { return text.name == form.kind; });
 }
 
 }  // namespace
 
-std::vector<PlacedThing> place_cars(const scene::Header& header, const scene::Chunk& chunk,
-                                    const ground::LandCoverIndex& land_cover, const ground::GradedTerrain& graded,
-                                    const Box2& box) {
-  const cars::CarWish wish{.share = header.cars,
-                           .time = scene::week_time_of(header),
-                           .country = map::country_group_at(header.origin),
-                           .seed = header.seed,
-                           .tile_m = header.tile_m};
+std::vector<PlacedThing> place_generated(const scene::Header& header, const scene::Chunk& chunk,
+                                         const TileGround& ground, const Box2& box, const WantedThings& wanted) {
+  const bool has_cars = wanted.cars && cars::has_cars(header.cars);
+  const bool has_furniture = wanted.furniture && header.has_street_furniture;
+  if (!has_cars && !has_furniture) return {};
+  const roadside::TileRecipes recipes = recipes_of(header, chunk, ground);
+  const roadside::ClearZones zones = roadside::clear_zones_of(recipes);
   std::vector<PlacedThing> placed;
-  for (const things::Thing& car : cars::parked_cars(recipes_of(chunk, land_cover), wish, box))
-    if (std::optional<PlacedThing> standing = stand(car, land_cover, graded)) placed.push_back(std::move(*standing));
+  if (has_cars)
+    for (const things::Thing& car : cars::parked_cars(recipes, zones, car_settings_of(header), box))
+      if (std::optional<PlacedThing> standing = stand(car, ground.land_cover, ground.graded))
+        placed.push_back(std::move(*standing));
+  if (has_furniture)
+    for (const things::Thing& piece : furniture::street_furniture(recipes, zones, header.seed, box))
+      if (has_rules(header, piece.form))
+        placed.push_back(
+            {.form = piece.form, .placement = things::place(piece, ground.graded), .source = ThingSource::kFurniture});
   return placed;
 }
 
