@@ -76,7 +76,7 @@ std::string name_of_form(const PlacedThing& thing) {
   return thing.number == 1 ? thing.form.kind : fmt::format("{}_{}", thing.form.kind, thing.number);
 }
 
-// The accounts of things by their source. What is drawn is not diagnosed when it is dropped.
+// The accounts of things by their source. Drawn things are not diagnosed when they are dropped.
 constexpr std::array<const char*, static_cast<std::size_t>(ThingSource::kCount)> kThingAccounts = {
     "thing", "parked car", "street furniture"};
 using ThingAccounts = std::array<Account, kThingAccounts.size()>;

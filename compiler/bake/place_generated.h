@@ -16,12 +16,12 @@ namespace citykiln::bake {
 /// Cars are shown at tolerances below their greatest height, furniture at tolerances below that of a bench, in metres.
 inline constexpr double kShowsCars_m = 2.25, kShowsFurniture_m = 1;
 
-/// What is to be placed.
+/// The kinds of things that are to be placed.
 struct WantedThings {
   bool cars = false, furniture = false;
 };
 
-/// What lies on the ground of a tile beside its recipes.
+/// The ground of a tile, and lamps and trees on it.
 struct TileGround {
   const ground::LandCoverIndex&
       land_cover;                       ///< With each road as one surface; of the tile and scene::kHalo_m about it.

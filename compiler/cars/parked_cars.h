@@ -6,8 +6,8 @@
 //   3. overlap a place of an earlier kind, or of their own kind with a lower key, even if that is left out itself;
 //   4. at streets, lie at a stop; or that reach to a door, a barrier or a thing.
 // The first three depend on data that all tiles near a place have, so they decide alike. Mapped spaces are known to
-// their own tile alone: a place of another tile counts before them, and they count before those of their own tile. What
-// the fourth needs is also known to one tile alone, and is the last step, so it changes nothing for others.
+// their own tile alone: a place of another tile counts before them, and they count before those of their own tile. The
+// fourth step also needs what one tile alone knows; it is the last one, so it changes nothing for others.
 #pragma once
 
 #include <cstdint>

@@ -27,9 +27,9 @@ struct ClearZones {
   lots::Capsules streets;   ///< Junctions, crossings, and the ways out of drives. Equal in all tiles near them.
   lots::Capsules trunks;    ///< The trunks of trees. Equal in all tiles near them.
   lots::Capsules stops;     ///< Stops, hydrants and gates of the tile, which cars at kerbs keep clear.
-  lots::Capsules doors;     ///< Of the tile's buildings.
+  lots::Capsules doors;     ///< The doors of the tile's buildings.
   lots::Capsules barriers;  ///< Walls, fences and hedges.
-  lots::Capsules lamps;     ///< Of the tile.
+  lots::Capsules lamps;     ///< The lamps of the tile.
   RectIndex things;         ///< The plans of the tile's things on the ground, without mapped parking spaces.
 };
 

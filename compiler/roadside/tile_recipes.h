@@ -27,7 +27,7 @@ struct TileRecipes {
   std::span<const roads::Junction> junctions;
   std::span<const lots::Yard> yards;
   std::span<const pitches::Pitch> pitches;
-  std::span<const Vec2> trunks;              ///< Of single trees and of tree rows, where they stand.
+  std::span<const Vec2> trunks;              ///< The places of single trees and trees of rows.
   std::span<const things::Thing> things;     ///< With mapped parking spaces: things of the role map::ThingRole::kCar.
   std::span<const props::StreetLamp> lamps;  ///< Mapped ones, and those along lit streets.
   std::span<const props::Barrier> barriers;

@@ -14,16 +14,16 @@ namespace {
 // may overlap: positions are rounded.
 constexpr double kPieceBeforeDoor_m = 1, kPieceEdge_m = 0.1, kPiecesOverlap_m = 0.02;
 
-struct Piece {
+struct StreetPiece {
   OrientedRect plan;  // less the edge
   OsmId road{};
 };
 
 // The pieces that descend from roads; mapped ones have elements of their own.
-std::vector<Piece> pieces_of(const bake::BakedTile& tile, const scene::Chunk& chunk) {
+std::vector<StreetPiece> street_pieces(const bake::BakedTile& tile, const scene::Chunk& chunk) {
   std::set<OsmId> roads;
   for (const roads::Road& road : chunk.roads) roads.insert(road.id.osm);
-  std::vector<Piece> pieces;
+  std::vector<StreetPiece> pieces;
   for (const bake::InstancedMesh& mesh : tile.instanced) {
     if (!things::is_street_kind(kind_of_mesh(mesh.name))) continue;
     for (std::size_t i = 0; i < mesh.translations.size(); ++i) {
@@ -41,9 +41,9 @@ OsmId taken_below(const OrientedRect& plan, const ground::LandCoverIndex& land_c
   return taken_element_at(land_cover, plan.at);
 }
 
-RectIndex index_pieces(const std::vector<Piece>& pieces) {
+RectIndex index_pieces(const std::vector<StreetPiece>& pieces) {
   std::vector<OrientedRect> rects;
-  for (const Piece& piece : pieces) rects.push_back(piece.plan);
+  for (const StreetPiece& piece : pieces) rects.push_back(piece.plan);
   return index_rects(std::move(rects));
 }
 
@@ -54,7 +54,7 @@ bool meets_earlier(const RectIndex& index, std::uint32_t i) {
   });
 }
 
-// What bars a piece; an element of kNone for a door or another piece.
+// The element that bars a piece: kNone for a door or another piece.
 std::optional<OsmId> bar_of_piece(const RectIndex& index, std::uint32_t i, const Doors& doors,
                                   const ground::LandCoverIndex& land_cover) {
   const OsmId taken = taken_below(index.all[i], land_cover);
@@ -67,7 +67,7 @@ std::optional<OsmId> bar_of_piece(const RectIndex& index, std::uint32_t i, const
 
 AssumedTests measure_street_furniture(const bake::BakedTile& tile, const scene::Chunk& chunk,
                                       const ground::LandCoverIndex& land_cover) {
-  const std::vector<Piece> pieces = pieces_of(tile, chunk);
+  const std::vector<StreetPiece> pieces = street_pieces(tile, chunk);
   const RectIndex index = index_pieces(pieces);
   const Doors doors = doors_of(chunk, kPieceBeforeDoor_m);
   AssumedTests found{.tested = pieces.size(), .conflicts = 0, .at = {}};
