@@ -6,6 +6,7 @@
 #include <span>
 
 #include "compiler/assume/room.h"
+#include "compiler/assume/side_rays.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/map/buildings/building_classes.h"
 
@@ -17,7 +18,7 @@ using map::LandCoverGroup;
 using LineKind = MappedLine::Kind;
 
 constexpr double kLineBucket_m = 32;
-constexpr double kSampleEvery_m = 8;
+constexpr double kLandSample_m = 8;
 // Land use is looked up at every third sample.
 constexpr std::size_t kLandEvery = 3;
 // A paved square begins this far behind the kerb at most.
@@ -152,19 +153,13 @@ struct Indexer {
   }
 };
 
-// A sample of a stretch, and the directions along it and out to one side.
-struct Ray {
-  Vec2 at, along, out;
-  double kerb_m = 0;
-};
-
 // The distance along a ray to a line; nothing if they do not meet.
-std::optional<double> distance_to(const Ray& ray, const MappedLine& line, double most_m) {
+std::optional<double> distance_to(const SideRay& ray, const MappedLine& line, double most_m) {
   const auto shares = crossing_shares(ray.at, ray.at + ray.out * most_m, line.a, line.b);
   return shares ? std::optional(shares->first * most_m) : std::nullopt;
 }
 
-bool runs_along(const Ray& ray, const MappedLine& line) {
+bool runs_along(const SideRay& ray, const MappedLine& line) {
   return std::abs(dot(unit(line.b - line.a), ray.along)) > kAlong;
 }
 
@@ -174,7 +169,7 @@ struct Seen {
   double room_m = std::numeric_limits<double>::infinity();
 };
 
-void look_at(const MappedLine& line, const Ray& ray, Vec2 heading, Seen& seen) {
+void look_at(const MappedLine& line, const SideRay& ray, Vec2 heading, Seen& seen) {
   const double most_m = std::max(kHouses_m, ray.kerb_m + kBesideKerb_m);
   const auto away_m = distance_to(ray, line, most_m);
   if (!away_m) return;
@@ -225,7 +220,7 @@ const MappedLand* area_at(const Surroundings& surroundings, Vec2 p, bool is_squa
   return least;
 }
 
-void look_at_land(const Surroundings& surroundings, const Ray& ray, Side& side) {
+void look_at_land(const Surroundings& surroundings, const SideRay& ray, Side& side) {
   const MappedLand* land = area_at(surroundings, ray.at + ray.out * kLandUse_m, false);
   ++side.lands[static_cast<std::size_t>(land == nullptr ? LandUse::kNone : land->land)];
   side.squares += area_at(surroundings, ray.at + ray.out * (ray.kerb_m + kBehindKerb_m), true) != nullptr;
@@ -255,7 +250,7 @@ struct Walk {
   Side left = {}, right = {};
   std::size_t samples = 0, samples_near_streets = 0;
 
-  bool is_near_cross_street(const Ray& ray, std::span<const std::uint32_t> near) const {
+  bool is_near_cross_street(const SideRay& ray, std::span<const std::uint32_t> near) const {
     return std::ranges::any_of(near, [&](std::uint32_t n) {
       const MappedLine& line = surroundings.lines[n];
       return line.is_through && line.element.osm != stretch.id.osm && !runs_along(ray, line) &&
@@ -264,7 +259,7 @@ struct Walk {
   }
 
   // Looks to one side from a sample, at the lines near it.
-  void look(const Ray& ray, std::span<const std::uint32_t> near, Side& side) const {
+  void look(const SideRay& ray, std::span<const std::uint32_t> near, Side& side) const {
     Seen seen;
     for (const std::uint32_t n : near)
       if (const MappedLine& line = surroundings.lines[n]; line.element.osm != stretch.id.osm)
@@ -273,18 +268,12 @@ struct Walk {
     side.add(seen);
   }
 
-  void along(Vec2 a, Vec2 b) {
-    const double left_m = left_kerb_m(stretch.section), right_m = right_kerb_m(stretch.section);
-    const double widest_m = std::max({kCrossStreet_m, left_m + kBesideKerb_m, right_m + kBesideKerb_m});
-    const auto near = boxes_about(surroundings.line_grid, box_of_segment(a, b).widened(widest_m));
-    const Vec2 forward = unit(b - a), out = left_of(forward);
-    const int count = std::max(1, static_cast<int>(std::floor(distance(a, b) / kSampleEvery_m + 0.5)));
-    for (int k = 0; k < count; ++k) {
-      const Vec2 at = a + (b - a) * ((k + 0.5) / count);
-      ++samples, samples_near_streets += is_near_cross_street({at, forward, out}, near);
-      look({at, forward, out, left_m}, near, left);
-      look({at, forward, out * -1.0, right_m}, near, right);
-    }
+  void go() {
+    const double widest_m = std::max(kCrossStreet_m, farther_kerb_m(stretch.section) + kBesideKerb_m);
+    for_each_side_ray(surroundings, stretch, widest_m, [&](const SideRay& ray, std::span<const std::uint32_t> near) {
+      if (ray.is_left) ++samples, samples_near_streets += is_near_cross_street(ray, near);
+      look(ray, near, ray.is_left ? left : right);
+    });
   }
 };
 
@@ -339,7 +328,7 @@ Surroundings index_surroundings(const map::FeatureView& features, std::span<cons
 LandUse land_use_along(const Surroundings& surroundings, const Polyline& line) {
   std::array<std::size_t, static_cast<std::size_t>(LandUse::kCount)> counts{};
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const int steps = std::max(1, static_cast<int>(distance(line[i], line[i + 1]) / kSampleEvery_m));
+    const int steps = std::max(1, static_cast<int>(distance(line[i], line[i + 1]) / kLandSample_m));
     for (int k = 0; k < steps; ++k) {
       const MappedLand* land = area_at(surroundings, line[i] + (line[i + 1] - line[i]) * ((k + 0.5) / steps), false);
       ++counts[static_cast<std::size_t>(land == nullptr ? LandUse::kNone : land->land)];
@@ -350,7 +339,7 @@ LandUse land_use_along(const Surroundings& surroundings, const Polyline& line) {
 
 BothSides facts_beside(const Surroundings& surroundings, const map::Track& stretch) {
   Walk walk{surroundings, stretch, static_cast<double>(flow_of(stretch))};
-  for (std::size_t i = 0; i + 1 < stretch.axis.size(); ++i) walk.along(stretch.axis[i], stretch.axis[i + 1]);
+  walk.go();
   BothSides sides{facts_of(std::move(walk.left)), facts_of(std::move(walk.right))};
   const auto samples = static_cast<double>(std::max<std::size_t>(walk.samples, 1));
   sides.left.near_cross_street = sides.right.near_cross_street =

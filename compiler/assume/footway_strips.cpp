@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "compiler/assume/room.h"
+#include "compiler/assume/side_rays.h"
 #include "compiler/assume/verges.h"
 #include "compiler/geometry/segment.h"
 
 namespace citykiln::assume {
 namespace {
 
-constexpr double kFootwayStep_m = 8;
 // A footway runs beside a side that has it at this share of its samples; a side is built up with this share of houses.
 constexpr double kLeastFootway = 0.5, kBuiltUp = 0.4;
 // The strip ends at this quantile of the distances to an edge of the footway.
@@ -24,18 +24,19 @@ struct FootwaySide {
   std::vector<double> near_m, far_m;
   std::size_t samples = 0;
 
-  void look(const Surroundings& surroundings, std::span<const std::uint32_t> near, Vec2 at, Vec2 along, Vec2 out,
-            double kerb_m) {
+  // Finds the footway whose nearer edge is the nearest to the kerb, within kBesideKerb_m of it.
+  void look(const Surroundings& surroundings, std::span<const std::uint32_t> near, const SideRay& ray) {
     double nearest_m = std::numeric_limits<double>::infinity(), farther_m = 0;
-    const double most_m = kerb_m + kBesideKerb_m;
+    const double most_m = ray.kerb_m + kBesideKerb_m + surroundings.widest_half_m;
     for (const std::uint32_t n : near) {
       const MappedLine& line = surroundings.lines[n];
       if (line.way == nullptr || line.kind != MappedLine::Kind::kPath || !is_footway(*line.way)) continue;
-      if (std::abs(dot(unit(line.b - line.a), along)) <= kAlong) continue;
-      const auto shares = crossing_shares(at, at + out * most_m, line.a, line.b);
-      if (!shares || shares->first * most_m <= kerb_m / 2) continue;
-      const double edge_m = std::max(0.0, shares->first * most_m - kerb_m - line.half_m);
-      if (edge_m < nearest_m) nearest_m = edge_m, farther_m = shares->first * most_m - kerb_m + line.half_m;
+      if (std::abs(dot(unit(line.b - line.a), ray.along)) <= kAlong) continue;
+      const auto shares = crossing_shares(ray.at, ray.at + ray.out * most_m, line.a, line.b);
+      if (!shares || shares->first * most_m <= ray.kerb_m / 2) continue;
+      const double middle_m = shares->first * most_m - ray.kerb_m, edge_m = std::max(0.0, middle_m - line.half_m);
+      if (edge_m > kBesideKerb_m || edge_m >= nearest_m) continue;
+      nearest_m = edge_m, farther_m = middle_m + line.half_m;
     }
     ++samples;
     if (farther_m > 0) near_m.push_back(nearest_m), far_m.push_back(farther_m);
@@ -65,19 +66,11 @@ FootwayStrip strip_of(const FootwaySide& side, const SideFacts& facts, const map
 }  // namespace
 
 BothFootwayStrips footway_strips(const Surroundings& surroundings, const map::Track& stretch) {
-  const double left_m = left_kerb_m(stretch.section), right_m = right_kerb_m(stretch.section);
   FootwaySide left, right;
-  for (std::size_t i = 0; i + 1 < stretch.axis.size(); ++i) {
-    const Vec2 a = stretch.axis[i], b = stretch.axis[i + 1], along = unit(b - a), out = left_of(along);
-    const Box2 box = box_of_segment(a, b).widened(std::max(left_m, right_m) + kBesideKerb_m);
-    const std::vector<std::uint32_t> near = boxes_about(surroundings.line_grid, box);
-    const int count = std::max(1, static_cast<int>(std::floor(distance(a, b) / kFootwayStep_m + 0.5)));
-    for (int k = 0; k < count; ++k) {
-      const Vec2 at = a + (b - a) * ((k + 0.5) / count);
-      left.look(surroundings, near, at, along, out, left_m);
-      right.look(surroundings, near, at, along, out * -1.0, right_m);
-    }
-  }
+  const double about_m = farther_kerb_m(stretch.section) + kBesideKerb_m + surroundings.widest_half_m;
+  for_each_side_ray(surroundings, stretch, about_m, [&](const SideRay& ray, std::span<const std::uint32_t> near) {
+    (ray.is_left ? left : right).look(surroundings, near, ray);
+  });
   if (left.near_m.empty() && right.near_m.empty()) return {};
   const BothSides facts = facts_beside(surroundings, stretch);
   return {strip_of(left, facts.left, stretch), strip_of(right, facts.right, stretch)};

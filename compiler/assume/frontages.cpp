@@ -8,6 +8,7 @@
 #include "compiler/assume/cut_way.h"
 #include "compiler/assume/footway_strips.h"
 #include "compiler/assume/pavements.h"
+#include "compiler/assume/side_rays.h"
 #include "compiler/geometry/segment.h"
 
 namespace citykiln::assume {
@@ -19,7 +20,6 @@ using map::LaneKind;
 using map::Track;
 
 constexpr double kInfinite_m = std::numeric_limits<double>::infinity();
-constexpr double kFrontStep_m = 8;
 // Widths are multiples of this, so that tags can state them.
 constexpr double kStripStep_m = 0.25;
 // Cross streets open up to a quarter of a short block.
@@ -29,21 +29,15 @@ constexpr double kOpenHouses = 0.25, kOfTown = 0.4;
 // A fifth of the walls may stand farther back: before them a front yard is paved (lots/yard_rules.h).
 constexpr double kWallQuantile = 0.8;
 
-// A sample of a stretch, and the directions along it and out to one side.
-struct FrontRay {
-  Vec2 at, along, out;
-  double kerb_m = 0;
-};
-
 // The distance from the kerb along a ray to a line; nothing if they do not meet.
-std::optional<double> beyond_kerb_m(const FrontRay& ray, const MappedLine& line) {
+std::optional<double> beyond_kerb_m(const SideRay& ray, const MappedLine& line) {
   const double most_m = ray.kerb_m + kOpenFrontage_m;
   const auto shares = crossing_shares(ray.at, ray.at + ray.out * most_m, line.a, line.b);
   if (!shares) return std::nullopt;
   return std::max(0.0, shares->first * most_m - ray.kerb_m - line.half_m);
 }
 
-bool is_before_walls(const FrontRay& ray, const MappedLine& line) {
+bool is_before_walls(const SideRay& ray, const MappedLine& line) {
   if (line.kind == MappedLine::Kind::kCarPark) return true;
   return line.kind == MappedLine::Kind::kWall && std::abs(dot(unit(line.b - line.a), ray.along)) > kAlong;
 }
@@ -53,7 +47,7 @@ struct FrontSide {
   std::vector<double> walls_m;  // of the closed ones
   std::size_t samples = 0, open = 0, town = 0;
 
-  void look(const Surroundings& surroundings, std::span<const std::uint32_t> near, const FrontRay& ray) {
+  void look(const Surroundings& surroundings, std::span<const std::uint32_t> near, const SideRay& ray) {
     double wall_m = kInfinite_m, before_m = kInfinite_m;
     bool is_of_town = false;
     for (const std::uint32_t n : near) {
@@ -127,9 +121,12 @@ bool may_be_fronted(const Track& track) {
          !track.is_transition && !track.is_roundabout && track.section.axis_drift == 0;
 }
 
+bool may_have_pavements(const Track& track) {
+  return may_be_fronted(track) && !track.is_link && has_usual_pavements(track.surface, track.country);
+}
+
 bool may_have_wide_pavement(const Track& track) {
-  return may_be_fronted(track) && track.fixed_pavements != map::kBothSides && !track.is_link &&
-         has_usual_pavements(track.surface, track.country);
+  return may_have_pavements(track) && track.fixed_pavements != map::kBothSides;
 }
 
 // True for ways without kerbs that may become wider: nothing but one kind of lane, of a width that no tag states.
@@ -184,13 +181,21 @@ map::CrossSection with_raised_lanes(map::CrossSection section, std::uint8_t side
   return section;
 }
 
+bool is_pavement_lane(const Lane& lane) { return lane.kind == LaneKind::kSidewalk; }
+
+// True if a tagged verge or a cycle track lies outside of the pavement, which then cannot reach a wall.
+bool is_pavement_inside(const std::vector<Lane>& raised) {
+  return std::ranges::any_of(raised, is_pavement_lane) && !is_pavement_lane(raised.front());
+}
+
 // Makes the pavement of a side reach from the kerb to a distance; false if nothing changes.
 bool widen_pavement(Track& track, std::uint8_t side, double width_m) {
   std::vector<Lane> raised = raised_lanes(track.section, side);
   if ((track.tagged_verges & side) == 0)
     std::erase_if(raised, [](const Lane& lane) { return lane.kind == LaneKind::kVerge; });
+  if (is_pavement_inside(raised)) return false;
   double others_m = 0;
-  const bool has_pavement = !raised.empty() && raised.front().kind == LaneKind::kSidewalk;
+  const bool has_pavement = !raised.empty() && is_pavement_lane(raised.front());
   for (std::size_t i = has_pavement ? 1 : 0; i < raised.size(); ++i) others_m += raised[i].width_m;
   const double own_m = width_m - others_m;
   if (own_m < kNarrowestPavement_m || (has_pavement && own_m <= raised.front().width_m)) return false;
@@ -220,6 +225,14 @@ bool lay_footway_strip(Track& stretch, std::uint8_t side, const FootwayStrip& st
   return true;
 }
 
+// Marks the sides of closed frontages that have a pavement, of whatever width.
+void mark_closed_sides(const BothFrontages& fronts, Track& stretch) {
+  for (const std::uint8_t side : {map::kLeftSide, map::kRightSide})
+    if (is_closed(side == map::kLeftSide ? fronts.left : fronts.right) &&
+        std::ranges::any_of(raised_lanes(stretch.section, side), is_pavement_lane))
+      stretch.closed_sides |= side;
+}
+
 bool pave_beside_street(const Surroundings& surroundings, Track& stretch) {
   const Track mapped = stretch;
   FrontedStretch fronted{surroundings, mapped};
@@ -228,7 +241,7 @@ bool pave_beside_street(const Surroundings& surroundings, Track& stretch) {
   for (const std::uint8_t side : {map::kLeftSide, map::kRightSide}) {
     if ((stretch.fixed_pavements & side) != 0) continue;
     if (widen_pavement(stretch, side, fronted.strip_m(side))) {
-      stretch.closed_sides |= side, is_any = true;
+      is_any = true;
       continue;
     }
     if (!strips) strips = footway_strips(surroundings, mapped);
@@ -237,6 +250,7 @@ bool pave_beside_street(const Surroundings& surroundings, Track& stretch) {
     const bool is_verge = strip.may_be_verge && front.closed < kOpenHouses && front.town < kOfTown;
     if (strip.far_m > 0) is_any |= lay_footway_strip(stretch, side, strip, is_verge, fronted.room_m(side));
   }
+  mark_closed_sides(fronted.fronts, stretch);
   return is_any;
 }
 
@@ -257,19 +271,11 @@ bool pave_between_walls(const Surroundings& surroundings, Track& stretch) {
 bool is_closed(const Frontage& frontage) { return frontage.closed >= kLeastClosed && frontage.open <= kMostOpen; }
 
 BothFrontages frontages_beside(const Surroundings& surroundings, const Track& stretch) {
-  const double left_m = left_kerb_m(stretch.section), right_m = right_kerb_m(stretch.section);
   FrontSide left, right;
-  for (std::size_t i = 0; i + 1 < stretch.axis.size(); ++i) {
-    const Vec2 a = stretch.axis[i], b = stretch.axis[i + 1], along = unit(b - a), out = left_of(along);
-    const Box2 box = box_of_segment(a, b).widened(std::max(left_m, right_m) + kOpenFrontage_m);
-    const std::vector<std::uint32_t> near = boxes_about(surroundings.line_grid, box);
-    const int count = std::max(1, static_cast<int>(std::floor(distance(a, b) / kFrontStep_m + 0.5)));
-    for (int k = 0; k < count; ++k) {
-      const Vec2 at = a + (b - a) * ((k + 0.5) / count);
-      left.look(surroundings, near, {at, along, out, left_m});
-      right.look(surroundings, near, {at, along, out * -1.0, right_m});
-    }
-  }
+  const double about_m = farther_kerb_m(stretch.section) + kOpenFrontage_m;
+  for_each_side_ray(surroundings, stretch, about_m, [&](const SideRay& ray, std::span<const std::uint32_t> near) {
+    (ray.is_left ? left : right).look(surroundings, near, ray);
+  });
   return {frontage_of(std::move(left)), frontage_of(std::move(right))};
 }
 
@@ -277,12 +283,14 @@ std::vector<Track> assume_frontages(const map::FeatureView& features, std::span<
   const Surroundings surroundings = index_surroundings(features, mapped);
   const CommonNodes common = common_nodes_of(features.tracks);
   const auto cut = [&](const Track& track) {
-    const bool may_be_cut = may_have_wide_pavement(track) && !track.is_piece;
+    const bool is_walked = track.surface == LandCoverClass::kPedestrianStreet && may_be_wide_lane(track);
+    const bool may_be_cut = (may_have_wide_pavement(track) || is_walked) && !track.is_piece;
     return may_be_cut ? cut_way(track, kLongestWhole_m, kStretch_m, common) : std::vector{track};
   };
   const auto change = [&](Track& stretch) {
     if (length_m(stretch.axis) > kLongestWhole_m) return false;
     if (may_have_wide_pavement(stretch)) return pave_beside_street(surroundings, stretch);
+    if (may_have_pavements(stretch)) return mark_closed_sides(frontages_beside(surroundings, stretch), stretch), false;
     return may_be_wide_lane(stretch) && pave_between_walls(surroundings, stretch);
   };
   return with_changed_stretches(features.tracks, Assumption::kPavements, "frontage_track", cut, change, report);

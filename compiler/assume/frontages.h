@@ -1,4 +1,5 @@
-// Paves streets up to the walls where houses stand close to the kerb in a closed row, as in the middle of towns.
+// Paves streets up to the walls where houses stand close to the kerb in a closed row, as in the middle of towns, and
+// lays strips up to footways beside the kerb on other sides (footway_strips.h).
 //
 //     [#####][##][#######]  [#####]     1. a side is closed if many samples see a wall of a town house within
 //     .....................................   kFrontage_m of the kerb, and few see no house within kOpenFrontage_m
@@ -47,10 +48,14 @@ BothFrontages frontages_beside(const Surroundings& surroundings, const map::Trac
 /// Returns the tracks, sorted by id, with pavements and lanes that reach the walls of closed frontages. A pavement is
 /// at most kFrontage_m wide; it stops at other ways, water and areas that are mapped more finely than land use, and may
 /// cover footways that are mapped beside the street. A side does not change if tags state its pavement's width, or that
-/// it has none. Assumed verges on closed sides are left out. Track::closed_sides tells these sides.
+/// it has none, or if a tagged verge lies outside of the pavement. Assumed verges on closed sides are left out. Sides
+/// that are not closed get the strips of footway_strips.h.
 ///
-/// A carriageway or footway changes only if no tag states its width. Runs after all other assumptions about tracks;
-/// the radius is kPavementRadius_m (pavements.h). O(n log n), n: points of all features.
+/// Track::closed_sides has the closed sides with a pavement, also where its width is tagged or already reaches the
+/// walls, and the sides of carriageways and footways that become wider. A carriageway or footway changes only if no tag
+/// states its width. Pedestrian streets of more than kLongestWhole_m (pavements.h) become several tracks. Runs after
+/// all other assumptions about tracks; the radius is kPavementRadius_m (pavements.h). O(n log n), n: points of all
+/// features.
 /// @param mapped  The tracks before pavements were assumed.
 std::vector<map::Track> assume_frontages(const map::FeatureView& features, std::span<const map::Track> mapped,
                                          Report& report);

@@ -23,8 +23,8 @@ namespace citykiln::bake {
 
 /// Bakes a tile at a tolerance: a pure function of header, chunk and tolerance. Objects smaller than the tolerance are
 /// dropped in the accounts "bake/bridge", "bake/tunnel", "bake/building", "bake/barrier", "bake/wires", "bake/thing",
-/// "bake/lamp" (mapped lamps) and "bake/derived lamp" (lamps along lit streets). The account "bake/tree" drops only
-/// mapped trees on roads, rails, buildings or water.
+/// "bake/parked car", "bake/street furniture", "bake/lamp" (mapped lamps) and "bake/derived lamp" (lamps along lit
+/// streets). The account "bake/tree" drops only mapped trees on roads, rails, buildings or water.
 ///
 /// @param tolerance_m  Largest deviation, > 0.
 /// @param prototypes   Shared meshes of plants, for all tiles of this header. Null: they are made for this call. The

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <span>
@@ -22,6 +23,7 @@
 #include "compiler/bake/parts/bake_structures.h"
 #include "compiler/bake/parts/bake_tufts.h"
 #include "compiler/bake/place_things.h"
+#include "compiler/bake/pole_wires.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/wires/generate.h"
 
@@ -75,27 +77,27 @@ std::string name_of_form(const PlacedThing& thing) {
   return thing.number == 1 ? thing.form.kind : fmt::format("{}_{}", thing.form.kind, thing.number);
 }
 
-// Accounts of things: of recipes, and of parked cars, which are not diagnosed when they are dropped.
-struct ThingAccounts {
-  Account things, cars;
-};
+// The accounts of things by their source. Drawn things are not diagnosed when they are dropped.
+constexpr std::array<const char*, static_cast<std::size_t>(ThingSource::kCount)> kThingAccounts = {
+    "thing", "parked car", "street furniture"};
+using ThingAccounts = std::array<Account, kThingAccounts.size()>;
 
 void count_things(const std::vector<const PlacedThing*>& things, const BakedThing& baked, ThingAccounts& accounts,
                   Report& report) {
   for (const PlacedThing* thing : things) {
-    Account& account = thing->is_parked ? accounts.cars : accounts.things;
+    Account& account = accounts[static_cast<std::size_t>(thing->source)];
     ++account.in;
     if (!baked.primitives.empty())
       ++account.out;
-    else if (thing->is_parked)
+    else if (thing->source != ThingSource::kRecipe)
       ++account.dropped[Code::kBelowTolerance];
     else
       report.drop(account, Code::kBelowTolerance, thing->placement.feature, baked.error_m);
   }
 }
 
-// Adds things as instances. Accounts "bake/thing" and "bake/parked car". Rules that ask for something impossible are
-// diagnosed, kThingRuleErrors, once for each form and tile.
+// Adds things as instances, in the accounts of kThingAccounts. Rules that ask for something impossible are diagnosed,
+// kThingRuleErrors, once for each form and tile.
 void bake_things(Baking& baking, const std::vector<PlacedThing>& things, const PrototypeCache& prototypes,
                  Report& report) {
   std::map<things::Form, std::vector<const PlacedThing*>> by_form;
@@ -118,8 +120,7 @@ void bake_things(Baking& baking, const std::vector<PlacedThing>& things, const P
     instanced.primitives = baked.primitives;
     baking.tile.instanced.push_back(std::move(instanced));
   }
-  report.account("bake", "thing") = accounts.things;
-  report.account("bake", "parked car") = accounts.cars;
+  for (std::size_t i = 0; i < accounts.size(); ++i) report.account("bake", kThingAccounts[i]) = accounts[i];
 }
 
 // The mean area of a mesh's triangles.

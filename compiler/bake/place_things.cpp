@@ -24,12 +24,12 @@ void number_forms(std::vector<PlacedThing>& things) {
 }  // namespace
 
 std::vector<PlacedThing> place_things(const std::vector<things::Thing>& things, const ground::GradedTerrain& graded,
-                                      std::vector<PlacedThing> cars) {
+                                      std::vector<PlacedThing> drawn) {
   std::vector<PlacedThing> placed;
   for (const things::Thing& thing : things)
     if (map::role_of(thing.form.kind) != map::ThingRole::kCar)
       placed.push_back({thing.form, things::place(thing, graded)});
-  std::ranges::move(cars, std::back_inserter(placed));
+  std::ranges::move(drawn, std::back_inserter(placed));
   number_forms(placed);
   return placed;
 }

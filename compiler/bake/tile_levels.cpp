@@ -7,9 +7,7 @@
 
 #include "compiler/bake/ground/ground_beyond.h"
 #include "compiler/bake/ground/skirt.h"
-#include "compiler/bake/place_cars.h"
-#include "compiler/bake/place_furniture.h"
-#include "compiler/bake/place_yard_things.h"
+#include "compiler/bake/place_generated.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/plants/placing/placing_steps.h"
 
@@ -31,7 +29,8 @@ std::vector<Placement> joined(const plants::PlacedPlants& placed) {
 
 // Objects that only some levels need.
 struct Wanted {
-  bool blades = false, hedge_plants = false, cars = false, furniture = false;
+  bool blades = false, hedge_plants = false;
+  WantedThings things = {};
   std::vector<double> canopies_m{};
 };
 
@@ -43,24 +42,19 @@ SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk&
   SharedByLevels shared{
       .graded = std::make_shared<ground::GradedTerrain>(scene::graded_terrain_of(header, chunk, tolerance_m)),
       .lamps = place_lamps(chunk, map, box)};
-  const std::vector<plants::Tree> trees = trees_with_street_trees(header, chunk, shared.lamps, map, box);
-  std::vector<PlacedThing> drawn;
-  if (wanted.cars) drawn = place_cars(header, chunk, map, *shared.graded, box);
-  if (wanted.furniture) {
-    std::vector<PlacedThing> furniture = place_furniture(header, chunk, trees, shared.lamps, map, *shared.graded, box);
-    std::ranges::move(furniture, std::back_inserter(drawn));
-    std::ranges::move(place_yard_things(header, chunk, trees, map, *shared.graded, box), std::back_inserter(drawn));
-    PlacedPoles poles = place_poles(header, chunk, map, *shared.graded, box);
-    std::ranges::move(poles.standing, std::back_inserter(drawn));
-    shared.pole_spans = std::move(poles.spans);
-  }
-  shared.things = place_things(chunk.things, *shared.graded, std::move(drawn));
   const plants::SpeciesTable species(header.species);
   const plants::PlacingContext land{
       map,    *shared.graded, box, header.seed, header.origin.lat_deg, header.climate, scene::local_month_of(header),
       species};
-  shared.trees = plants::generate({trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.corridors}, land,
-                                  shared.tree_report);
+  const std::vector<plants::Tree> trees =
+      trees_with_street_trees(header, chunk, {map, *shared.graded, shared.lamps, {}}, box);
+  plants::GeneratedPlants plants = plants::generate(
+      {trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.corridors}, land, shared.tree_report);
+  shared.trees = std::move(plants.placed);
+  const TileGround on{map, *shared.graded, shared.lamps, plants.trunks};
+  GeneratedThings drawn = place_generated(header, chunk, on, box, wanted.things);
+  shared.things = place_things(chunk.things, *shared.graded, std::move(drawn.placed));
+  shared.pole_spans = std::move(drawn.pole_spans);
   shared.pits = props::tree_pits(joined(shared.trees), chunk.roads, map);
   if (wanted.hedge_plants) add_hedges(chunk, land, shared.trees);
   if (wanted.blades) shared.blades = plants::generate_blades(chunk.plantings, land);
@@ -97,8 +91,7 @@ struct SharedParts {
     // in a view a hedge may be near and far, so all of its parts have hedge plants
     Wanted wanted{.blades = has_roads && has_detail(Detail::kGrassBlades, std::ranges::min(tolerances_m)),
                   .hedge_plants = is_view || has_detail(Detail::kHedgePlants, tolerance_m),
-                  .cars = shows(kShowsCars_m, has_roads),
-                  .furniture = shows(kShowsFurniture_m, has_roads)};
+                  .things = {.cars = shows(kShowsCars_m, has_roads), .furniture = shows(kShowsFurniture_m, has_roads)}};
     if (!has_roads && !is_view) std::ranges::copy_if(tolerances_m, std::back_inserter(wanted.canopies_m), has_canopy);
     return shared = std::make_shared<SharedByLevels>(make_shared_part(header, chunk, tolerance_m, wanted));
   }

@@ -9,8 +9,8 @@
 
 #include "compiler/bake/ground/ground_cells.h"
 #include "compiler/bake/ground/ground_meshes.h"
+#include "compiler/bake/place_generated.h"
 #include "compiler/bake/place_lamps.h"
-#include "compiler/bake/place_poles.h"
 #include "compiler/bake/place_things.h"
 #include "compiler/bake/view/view_levels.h"
 #include "compiler/buildings/generate.h"

@@ -1,7 +1,6 @@
 // Parking places off the street: painted bays, drives of yards, and mapped parking spaces.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "compiler/cars/place.h"
@@ -11,14 +10,15 @@
 
 namespace citykiln::cars {
 
-/// Returns the places between the lines of painted bays (PitchKind::kBaysOfRows and kBaysOfRow), on any paved ground;
-/// none of other pitches. O(1).
+/// Returns the places between the lines of painted bays (PitchKind::kBaysOfRows and kBaysOfRow), 2.5 by 5 m; none of
+/// other pitches. has_ground() tests their ground later. O(bays).
 std::vector<Place> places_in_bays(const pitches::Pitch& pitch, map::CountryGroup country);
 
-/// Returns the place on each drive of a yard that is long enough, in its middle. O(strips).
+/// Returns the place on each drive of a yard of 4.75 m or more, in its middle: 2 m wide, at most 5 m long. O(strips).
 std::vector<Place> places_on_drives(const lots::Yard& yard);
 
-/// Returns a mapped parking space (a thing of the role map::ThingRole::kCar) as a place.
+/// Returns a mapped parking space (a thing of the role map::ThingRole::kCar) as a place of 2 by 5 m, as spaces may be
+/// as narrow as a car.
 Place place_of_space(const things::Thing& space, map::CountryGroup country);
 
 }  // namespace citykiln::cars

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <string>
 #include <string_view>
 
@@ -76,15 +77,19 @@ map::Srgb srgb(std::uint32_t rgb) {
           static_cast<std::uint8_t>(rgb & 255)};
 }
 
+constexpr const Body& kHatchback = kBodies[1];
+static_assert(kHatchback.name == "hatchback" && kHatchback.length_m == kLeastPlace_m);
+
 // The body of a draw; that of a hatchback where the place is shorter.
 const Body& body_of(const Place& place, double draw) {
   const Body& body = picked(kBodies, market_of(place.country), draw);
-  return body.length_m <= place.length_m ? body : kBodies[1];
+  return body.length_m <= place.length_m ? body : kHatchback;
 }
 
 }  // namespace
 
 things::Form form_of_car(const Place& place, std::uint64_t seed) {
+  assert(place.length_m >= kLeastPlace_m);
   const RandomSequence draw(seed, place.key, "car");
   const Body& body = body_of(place, draw.unit(kDrawBody));
   const bool is_van = body.name == "van" || body.name == "minibus";

@@ -8,11 +8,12 @@
 
 namespace citykiln::cars {
 
-/// The size of the largest body, in metres.
-inline constexpr double kLongestCar_m = 5.375, kWidestCar_m = 1.9375;
+/// The least length of a place: that of the second shortest body, which stands where a longer one has no room.
+inline constexpr double kLeastPlace_m = 4.1875;
 
-/// Returns the form of the car in a place, by the weights of car_models.inc for its country: one of 8 bodies, which is
-/// not longer than the place, in one of 8 colours. Half of the vans are white.
+/// Returns the form of the car in a place: one of the 8 bodies and 8 colours of car_models.inc, by their weights for
+/// its country. A body that is longer than the place becomes a hatchback. Half of the vans and minibuses are white; the
+/// others draw their colour by weight as all cars do. Requires length_m >= kLeastPlace_m.
 things::Form form_of_car(const Place& place, std::uint64_t seed);
 
 }  // namespace citykiln::cars

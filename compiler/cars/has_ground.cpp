@@ -29,7 +29,7 @@ LandCoverClass class_at(const LandCoverIndex& land_cover, Vec2 p) {
 // True if is_ground() holds for the polygons below the middle and along the long sides.
 template <typename IsGround>
 bool lies_on(const Place& place, const LandCoverIndex& land_cover, IsGround is_ground) {
-  Place inner = place;
+  OrientedRect inner = rect_of(place);
   inner.length_m -= 2 * kOver_m, inner.width_m -= 2 * kOver_m;
   if (!is_ground(polygon_at(land_cover, place.at))) return false;
   // a corner of a building or a hedge may reach into a long side

@@ -9,12 +9,14 @@ namespace citykiln::cars {
 /// A street counts as built up where a building is this near to a place at its kerb.
 inline constexpr double kBuiltUp_m = 22;
 
-/// True if the ground below the middle and the long sides of a place is
+/// True if the ground of a place suits a car. It is tested at the middle and at 7 points of each long side, 0.25 m
+/// inside of it, and is
 ///
 /// - for places on a carriageway, that of the carriageway, outside of junctions, without rails from kerb to kerb; at
-///   kerbs also with a building near, and no car park behind the kerb, whose cars could not leave;
-/// - for places beside a street, kParking;
-/// - for bays and drives, paved ground or the surfaces of yards;
+///   kerbs also with a building within kBuiltUp_m, and neither a car park, whose cars could not leave, nor another road
+///   1 m behind the kerb;
+/// - for places on car parks beside a road, kParking;
+/// - for bays and drives, a car park or a surface of yards;
 /// - for mapped spaces, neither water nor a building nor a railway.
 ///
 /// @param land_cover  With each road as one surface. O(edges near).

@@ -65,8 +65,8 @@ double usual_share(const Place& place, buildings::WeekTime time) {
   return std::min(1.0, share * factor_of(place));
 }
 
-bool is_taken(const Place& place, const CarShare& wish, buildings::WeekTime time, std::uint64_t seed) {
-  const double share = wish.is_usual ? usual_share(place, time) : wish.share;
+bool is_taken(const Place& place, const CarShare& cars, buildings::WeekTime time, std::uint64_t seed) {
+  const double share = cars.is_by_occupancy ? usual_share(place, time) : cars.share;
   return RandomSequence(seed, place.key, "parked").unit(0) < share;
 }
 

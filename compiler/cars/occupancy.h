@@ -13,6 +13,6 @@ double usual_share(const Place& place, buildings::WeekTime time);
 
 /// True if a place has a car. Each place has a rank in [0, 1) and is taken while the share is above it, so that in the
 /// course of a day cars only come while the share rises, and only leave while it falls.
-bool is_taken(const Place& place, const CarShare& wish, buildings::WeekTime time, std::uint64_t seed);
+bool is_taken(const Place& place, const CarShare& cars, buildings::WeekTime time, std::uint64_t seed);
 
 }  // namespace citykiln::cars

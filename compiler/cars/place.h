@@ -5,28 +5,33 @@
 //                └──────────────┘
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "compiler/contract/stable_id.h"
-#include "compiler/geometry/box.h"
+#include "compiler/geometry/oriented_rect.h"
 #include "compiler/map/countries/country_group.h"
 #include "compiler/map/land_cover_class.h"
 
 namespace citykiln::cars {
 
-/// The kinds of places. Where two places overlap, that of the earlier kind counts.
+/// The kinds of places. Where two places overlap, that of the earlier kind counts (places_in()).
 enum class PlaceKind : std::uint8_t {
   kSpace,  ///< Mapped: amenity=parking_space.
-  kBay,    ///< Painted on a car park, or across an aisle of a car park.
+  kBay,    ///< Between the painted lines of a car park, or square to the edge of a road that a car park adjoins.
   kDrive,  ///< On the drive of a yard.
-  kLane,   ///< In the parking lane of a street, or in a row beside a street.
+  kLane,   ///< In the parking lane of a street, or along the edge of a road that a car park adjoins.
   kKerb,   ///< At the kerb of a carriageway without a parking lane.
   kCount
 };
 
-/// The users of a place, who decide at which hours it has a car.
-enum class PlaceUse : std::uint8_t { kHomeStreet, kMainStreet, kCarPark, kDrive, kCount };
+/// The use of a place, which decides the share of such places that have a car at an hour (occupancy.inc).
+enum class PlaceUse : std::uint8_t {
+  kHomeStreet,  ///< Residential, service and pedestrian streets.
+  kMainStreet,  ///< Streets of higher classes.
+  kCarPark,     ///< Car parks, and mapped parking spaces.
+  kDrive,       ///< Drives of yards.
+  kCount
+};
 
 /// A place for one car.
 struct Place {
@@ -38,21 +43,15 @@ struct Place {
   PlaceUse use{};
   map::CountryGroup country{};
   bool may_turn = false;  ///< True if cars may stand in it backwards.
-  /// The land cover on which it must lie: that of the carriageway, or that of car parks. kUnknown: any open ground.
+  /// The land cover on which it must lie: the road's class, or kParking beside a road. kUnknown: the rule of its kind
+  /// (has_ground()).
   map::LandCoverClass surface{};
-  Vec2 across{};  ///< For kLane and kKerb on a carriageway: the way from `at` to the far kerb, else {0, 0}.
+  /// Places on a carriageway: the vector from `at` to the opposite kerb, square to the road. {0, 0} for all other
+  /// places, also on car parks beside a road.
+  Vec2 across{};
 };
 
-/// Returns the corners of a place, counter-clockwise from the rear right one.
-inline std::array<Vec2, 4> corners_of(const Place& place) {
-  const Vec2 along = place.ahead * (place.length_m / 2), left = left_of(place.ahead) * (place.width_m / 2);
-  return {place.at - along - left, place.at + along - left, place.at + along + left, place.at - along + left};
-}
-
-inline Box2 box_of(const Place& place) {
-  Box2 box;
-  for (const Vec2 corner : corners_of(place)) box.grow(corner);
-  return box;
-}
+/// Returns the rectangle of a place.
+inline OrientedRect rect_of(const Place& place) { return {place.at, place.ahead, place.length_m, place.width_m}; }
 
 }  // namespace citykiln::cars

@@ -1,4 +1,4 @@
-// The wish for parked cars, a property of the whole scene. A car has no recipe: places and cars are functions of the
+// The settings of parked cars, a property of the whole scene. A car has no recipe: places and cars are functions of the
 // recipes of roads, pitches and yards, and are made when a tile is baked (parked_cars.h).
 #pragma once
 
@@ -6,14 +6,14 @@ namespace citykiln::cars {
 
 /// The share of parking places that have a car.
 struct CarShare {
-  bool is_usual = false;  ///< By country, kind of place and hour (occupancy.h).
-  double share = 0;       ///< Otherwise this share of all places: 0 to 1, a multiple of kShareStep.
+  bool is_by_occupancy = false;  ///< By country, kind of place and hour (occupancy.h).
+  double share = 0;              ///< Otherwise this share of all places: 0 to 1, a multiple of kShareStep.
   bool operator==(const CarShare&) const = default;
 };
 
 inline constexpr double kShareStep = 0x1p-10;
-inline constexpr CarShare kNoCars{}, kUsualCars{.is_usual = true};
+inline constexpr CarShare kNoCars{}, kUsualCars{.is_by_occupancy = true};
 
-inline bool has_cars(const CarShare& wish) { return wish.is_usual || wish.share > 0; }
+inline bool has_cars(const CarShare& share) { return share.is_by_occupancy || share.share > 0; }
 
 }  // namespace citykiln::cars

@@ -1,38 +1,43 @@
 // Parking places along streets.
 //
 //     ______________ pavement ______________
-//      [ car ] [ car ] [     ] [ car ]           in a parking lane, or at the kerb: every 5.75 m along the way
+//      [ car ] [ car ] [     ] [ car ]           in the bays of a parking lane: along, slanted or square to the road
 //     - - - - - - - - - - - - - - - - - - - ►    axis
-//
-//     ___________ carriageway ______________
-//      |c| |c| | | |c| |c|                       on a car park beside it: across, every 2.5 m, or along it
+//      [ car ] [     ] [ car ] [ car ]           at the kerb: every 5.75 m along the way
+//     ______________________________________
+//      |c| |c| | | |c| |c|                       on a car park beside it: square, every 2.5 m, or along it
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "compiler/cars/place.h"
-#include "compiler/roads/recipe.h"
+#include "compiler/geometry/box.h"
+#include "compiler/roads/pieces/stretches.h"
 
 namespace citykiln::cars {
 
-/// The length of a place along a kerb, and its width where cars stand side by side. EAR 05: 5.7 m, and 5.2 m at the
-/// ends of a row; 2.5 m.
-inline constexpr double kKerbPlace_m = 5.75, kAcross_m = 2.5;
-/// The width that stays free between parked cars, or beside them (StVO, paragraph 12: 3.05 m with the margins of a
-/// lorry).
+/// The length of a place along a kerb, and the width of one on a car park that is square to the road. EAR 05: 5.7 m,
+/// and 5.2 m at the ends of a row; 2.5 m.
+inline constexpr double kKerbPlace_m = 5.75, kBeside_m = 2.5;
+/// The width for driving that stays free beside cars at kerbs (StVO, paragraph 12: 3.05 m with the margins of a lorry).
 inline constexpr double kFreeLane_m = 3;
-/// The width that a row of parked cars takes of a carriageway.
+/// The width that a row of cars at a kerb takes of a carriageway.
 inline constexpr double kRow_m = 2;
 
 /// Returns the places along a road whose middles lie in a box, whatever lies there:
 ///
-/// - in its parking lanes, across lanes of 4 m or more;
-/// - at the kerbs of Road::kerb_parking, where kFreeLane_m stays free within the width limits;
-/// - beside its outer edges, across and along it, for car parks (Place::surface is kParking).
+/// - in its parking lanes, each within the painted lines of a bay (roads::bays_of()), or where a quiet street would
+/// have
+///   them: none on crossings and within roads::kLastBayEnds_m of a stop line;
+/// - at the kerbs of Road::kerb_parking, where lanes other than those for parking leave kFreeLane_m free;
+/// - beside its outer edges, square to it and along it, for car parks (Place::surface is kParking).
 ///
-/// Places are numbered from the start of the whole way, so the parts of a trimmed way have the places of the whole, bit
-/// for bit. None lies in a bend of more than some 10 degrees. O(places + points).
-std::vector<Place> places_along(const roads::Road& road, const Box2& box);
+/// Places are numbered from the start of the whole way, before junctions from the stop line, so the parts of a trimmed
+/// way have the places of the whole, bit for bit. None lies in a bend of more than some 10 degrees, nor where the width
+/// limits leave no room for a car. O(places + points).
+/// @param stretches  roads::stretches_of() the road.
+std::vector<Place> places_along(const roads::Road& road, std::span<const roads::RoadStretch> stretches,
+                                const Box2& box);
 
 }  // namespace citykiln::cars

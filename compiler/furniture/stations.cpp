@@ -14,8 +14,7 @@ using map::LaneKind;
 
 bool is_pavement(const Lane& lane) { return lane.is_raised && lane.kind == LaneKind::kSidewalk; }
 
-// The pavement of a side: its distance from the axis on the kerb's side, to the left positive, and its width; and the
-// width of the verge before it.
+// The pavement of a side: its distance from the axis on the kerb's side, to the left positive, and its width.
 struct PavementEdge {
   double off_m = 0, width_m = 0, verge_m = 0;
 };
@@ -49,14 +48,14 @@ bool has_pavement(const roads::Road& road) {
 
 }  // namespace
 
-std::vector<Station> stations_along(const roads::Road& road, const Box2& box) {
+std::vector<Station> stations_along(const roads::Road& road, const Box2& box, double step_m) {
   std::vector<Station> stations;
   const Box2 about = box.widened(kStationStep_m);
   if (!has_pavement(road) || !box_of(road.axis).widened(roads::max_offset_m(road)).touches(about)) return stations;
   const std::vector<double> along = roads::distances_along(road);
-  const auto first = static_cast<std::int64_t>(std::ceil(along.front() / kStationStep_m));
-  for (std::int64_t k = first; static_cast<double>(k) * kStationStep_m < along.back(); ++k) {
-    const double at_m = static_cast<double>(k) * kStationStep_m;
+  const auto first = static_cast<std::int64_t>(std::ceil(along.front() / step_m));
+  for (std::int64_t k = first; static_cast<double>(k) * step_m < along.back(); ++k) {
+    const double at_m = static_cast<double>(k) * step_m;
     const Vec2 at = point_at(road.axis, along, at_m);
     if (!about.widened(roads::max_offset_m(road)).contains(at)) continue;
     const Vec2 ahead = unit(point_at(road.axis, along, std::min(at_m + 1, along.back())) - at);
@@ -64,16 +63,17 @@ std::vector<Station> stations_along(const roads::Road& road, const Box2& box) {
     for (const bool is_left : {true, false}) {
       const std::optional<PavementEdge> edge = pavement_at(road, at_m, is_left);
       if (!edge || edge->width_m < kFreeWidth_m) continue;
-      const Vec2 kerb = at + left_of(ahead) * edge->off_m;
+      const Vec2 inner_edge = at + left_of(ahead) * edge->off_m;
+      if (!about.contains(inner_edge)) continue;
       const StableId side = stable_id(stable_id(road.id), is_left ? "left pavement" : "right pavement", 0);
-      if (about.contains(kerb))
-        stations.push_back({.key = stable_id(side, "station", static_cast<std::uint64_t>(k)),
-                            .side = side,
-                            .number = static_cast<std::uint32_t>(2 * k + (is_left ? 0 : 1)),
-                            .kerb = kerb,
-                            .outward = left_of(ahead) * (is_left ? 1.0 : -1.0),
-                            .room_m = edge->width_m,
-                            .verge_m = edge->verge_m});
+      stations.push_back({.key = stable_id(side, "station", static_cast<std::uint64_t>(k)),
+                          .inner_edge = inner_edge,
+                          .outward = left_of(ahead) * (is_left ? 1.0 : -1.0),
+                          .traffic = map::flows_back(road.section, road.side, is_left) ? ahead * -1.0 : ahead,
+                          .room_m = edge->width_m,
+                          .verge_m = edge->verge_m,
+                          .side = side,
+                          .number = static_cast<std::uint32_t>(2 * k + (is_left ? 0 : 1))});
     }
   }
   return stations;

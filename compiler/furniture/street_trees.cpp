@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "compiler/cars/kept_clear.h"
 #include "compiler/contract/derived_id.h"
 #include "compiler/contract/random_sequence.h"
 #include "compiler/furniture/stations.h"
@@ -49,14 +48,16 @@ bool is_lined(const roads::Road& road, const Station& station, std::uint64_t see
 std::optional<Vec2> foot_after(const Station& station) {
   const bool is_in_verge = station.verge_m >= kTreeVerge_m;
   if (!is_in_verge && station.room_m < kTreePavement_m) return std::nullopt;
-  const Vec2 halfway = station.kerb + left_of(station.outward) * (kStationStep_m / 2);
+  const Vec2 halfway = station.inner_edge + left_of(station.outward) * (kStationStep_m / 2);
   return halfway + station.outward * (is_in_verge ? -station.verge_m / 2 : kInsidePavement_m);
 }
 
 struct StreetTreePlanter {
-  const StreetRecipes& recipes;
+  const roadside::TileRecipes& recipes;
+  const roadside::ClearZones& zones;
+  const MappedTrees& mapped;
   const Box2& box;
-  lots::Capsules streets, solid, lamps;
+  lots::Capsules lamps;
 
   bool lies_beside_carriageway(Vec2 at) const {
     if (!recipes.land_cover.box.contains(at)) return false;
@@ -73,13 +74,13 @@ struct StreetTreePlanter {
     const auto is_near_row = [&](const plants::TreeRow& row) {
       return std::ranges::any_of(row.axis, [&](Vec2 p) { return distance(p, at) < kMappedStreetTree_m; });
     };
-    return std::ranges::any_of(recipes.trees, is_near_tree) || std::ranges::any_of(recipes.tree_rows, is_near_row);
+    return std::ranges::any_of(mapped.trees, is_near_tree) || std::ranges::any_of(mapped.rows, is_near_row);
   }
 
   bool is_free(Vec2 at, const Station& station) const {
-    const cars::Place pit{
-        .key = station.key, .at = at, .ahead = station.outward, .length_m = kPit_m, .width_m = kPit_m};
-    return is_clear(streets, pit) && is_clear(solid, pit) && is_clear(lamps, pit);
+    const OrientedRect pit{.at = at, .ahead = station.outward, .length_m = kPit_m, .width_m = kPit_m};
+    return roadside::is_clear(zones.streets, pit) && roadside::is_clear(zones.doors, pit) &&
+           roadside::is_clear(lamps, pit) && !overlaps_any(zones.things, pit, 0);
   }
 
   // The height that the distance from walls leaves room for; 0: none.
@@ -110,18 +111,13 @@ std::vector<lots::Capsule> about_lamps(std::span<const props::StreetLamp> lamps)
 
 }  // namespace
 
-std::vector<plants::Tree> street_trees(const StreetRecipes& recipes, std::uint64_t seed, double tile_m,
-                                       const Box2& box) {
-  const StreetTreePlanter planter{
-      .recipes = recipes,
-      .box = box,
-      .streets = lots::index_capsules(cars::street_clearings(recipes.roads, recipes.junctions, recipes.yards, tile_m)),
-      .solid = lots::index_capsules(cars::solid_clearings(recipes.things, {}, recipes.buildings)),
-      .lamps = lots::index_capsules(about_lamps(recipes.lamps))};
+std::vector<plants::Tree> street_trees(const roadside::TileRecipes& recipes, const roadside::ClearZones& zones,
+                                       const MappedTrees& mapped, std::uint64_t seed, const Box2& box) {
+  const StreetTreePlanter planter{recipes, zones, mapped, box, lots::index_capsules(about_lamps(recipes.lamps))};
   std::vector<plants::Tree> trees;
   for (const roads::Road& road : recipes.roads) {
     if (!may_be_lined(road)) continue;
-    for (const Station& station : stations_along(road, box)) {
+    for (const Station& station : stations_along(road, box, kStationStep_m)) {
       if (!is_lined(road, station, seed)) continue;
       if (const std::optional<plants::Tree> tree = planter.tree_at(road, station)) trees.push_back(*tree);
     }

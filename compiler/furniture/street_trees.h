@@ -7,10 +7,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "compiler/furniture/street_furniture.h"
 #include "compiler/plants/recipe.h"
+#include "compiler/roadside/clear_zones.h"
 
 namespace citykiln::furniture {
 
@@ -21,18 +22,24 @@ inline constexpr double kMappedStreetTree_m = 60;
 /// The distances of trunks from walls and from lamps, in metres.
 inline constexpr double kTreeFromWall_m = 3, kTreeFromLamp_m = 2;
 
+/// The mapped trees of a tile.
+struct MappedTrees {
+  std::span<const plants::Tree> trees;  ///< Those of yards do not count.
+  std::span<const plants::TreeRow> rows;
+};
+
 /// Returns the trees along the pavements of a tile, one halfway between each two stations (stations.h). Each side of a
 /// whole way is lined or not, by the shares of street_trees.inc for its country and class. A tree
 ///
 /// - stands in a verge of kTreeVerge_m or, where there is none, on a pavement of kTreePavement_m;
 /// - keeps kTreeFromWall_m from buildings; the height grows with that distance, from 5 to 8 m;
-/// - keeps the distances of parked cars (cars/kept_clear.h) from junctions, crossings, drives, doors and things.
+/// - is outside of the zones of streets, doors and things (roadside/clear_zones.h).
 ///
 /// All trees are of the community kTownTrees. A tree is in the tile that contains its foot. Mapped trees of the next
 /// tile do not count. O(stations · mapped trees).
-/// @param tile_m  Side of the tiles.
-/// @param box     The tile.
-std::vector<plants::Tree> street_trees(const StreetRecipes& recipes, std::uint64_t seed, double tile_m,
-                                       const Box2& box);
+/// @param zones  clear_zones_of() the recipes.
+/// @param box    The tile.
+std::vector<plants::Tree> street_trees(const roadside::TileRecipes& recipes, const roadside::ClearZones& zones,
+                                       const MappedTrees& mapped, std::uint64_t seed, const Box2& box);
 
 }  // namespace citykiln::furniture

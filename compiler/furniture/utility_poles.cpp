@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "compiler/cars/kept_clear.h"
 #include "compiler/contract/derived_id.h"
 #include "compiler/contract/random_sequence.h"
 #include "compiler/geometry/line_part.h"
@@ -76,9 +75,9 @@ things::Form form_of_pole(const roads::Road& road, std::int64_t k, std::uint64_t
 }
 
 struct PolePlanner {
-  const StreetRecipes& recipes;
+  const roadside::TileRecipes& recipes;
+  const roadside::ClearZones& zones;
   std::uint64_t seed;
-  lots::Capsules streets;
 
   bool is_free(Vec2 at, Vec2 ahead) const {
     if (!recipes.land_cover.box.contains(at)) return false;
@@ -87,8 +86,8 @@ struct PolePlanner {
     const std::uint32_t top = ground::land_cover_at(recipes.land_cover, at);
     const bool is_water = top != ground::kNoLandCover &&
                           map::values_of(recipes.land_cover.surfaces[top].surface).group == map::LandCoverGroup::kWater;
-    const cars::Place foot{.at = at, .ahead = ahead, .length_m = kFoot_m, .width_m = kFoot_m};
-    return !is_water && is_clear(streets, foot);
+    const OrientedRect foot{.at = at, .ahead = ahead, .length_m = kFoot_m, .width_m = kFoot_m};
+    return !is_water && roadside::is_clear(zones.streets, foot);
   }
 
   // The k-th pole of a road, if it stands free.
@@ -127,12 +126,10 @@ void add_line_of(const roads::Road& road, const PolePlanner& planner, const Box2
 
 }  // namespace
 
-UtilityPoles utility_poles(const StreetRecipes& recipes, std::uint64_t seed, double tile_m, const Box2& box) {
+UtilityPoles utility_poles(const roadside::TileRecipes& recipes, const roadside::ClearZones& zones, std::uint64_t seed,
+                           const Box2& box) {
   UtilityPoles made;
-  const PolePlanner planner{
-      .recipes = recipes,
-      .seed = seed,
-      .streets = lots::index_capsules(cars::street_clearings(recipes.roads, recipes.junctions, recipes.yards, tile_m))};
+  const PolePlanner planner{recipes, zones, seed};
   for (const roads::Road& road : recipes.roads)
     if (may_have_poles(road) && draws_poles(road, seed)) add_line_of(road, planner, box, made);
   return made;

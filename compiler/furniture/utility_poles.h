@@ -8,7 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "compiler/furniture/street_furniture.h"
+#include "compiler/roadside/clear_zones.h"
+#include "compiler/things/recipe.h"
 
 namespace citykiln::furniture {
 
@@ -36,12 +37,13 @@ struct UtilityPoles {
 /// pole
 ///
 /// - stands 0.4 m behind the kerb, or 0.25 m inside the edge of a carriageway without kerbs;
-/// - keeps clear of junctions and drives as parked cars do (cars/kept_clear.h), and of walls and water;
+/// - is outside of the zones of streets (roadside/clear_zones.h), off walls and water;
 /// - carries its wires along the street.
 ///
 /// Two tiles that know a place agree on its poles, since things, lamps and doors do not count. O(roads · length).
-/// @param tile_m  Side of the tiles.
-/// @param box     The tile.
-UtilityPoles utility_poles(const StreetRecipes& recipes, std::uint64_t seed, double tile_m, const Box2& box);
+/// @param zones  clear_zones_of() the recipes.
+/// @param box    The tile.
+UtilityPoles utility_poles(const roadside::TileRecipes& recipes, const roadside::ClearZones& zones, std::uint64_t seed,
+                           const Box2& box);
 
 }  // namespace citykiln::furniture

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "compiler/cars/kept_clear.h"
 #include "compiler/contract/derived_id.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/lots/draw_yard.h"
@@ -40,10 +39,10 @@ struct YardRectangle {
 };
 
 struct YardFurnisher {
-  const YardRecipes& recipes;
+  const roadside::TileRecipes& recipes;
+  const roadside::ClearZones& zones;
   const Yard& yard;
   std::uint64_t seed;
-  const lots::Capsules& trunks;
   lots::Frame frame = frame_at(yard.frame);
   std::vector<YardRectangle> taken{};
 
@@ -64,7 +63,7 @@ struct YardFurnisher {
       for (const int y : {-1, 0, 1})
         if (!is_own_ground(place.corner(x, y, margin_m))) return false;
     const double reach_m = (place.width_m + place.depth_m) / 4 + kApart_m;
-    return lots::clearance_m(trunks, place.at, reach_m) >= reach_m &&
+    return lots::clearance_m(zones.trunks, place.at, reach_m) >= reach_m &&
            std::ranges::all_of(taken, [&](const YardRectangle& other) { return place.is_apart(other); });
   }
 
@@ -163,14 +162,14 @@ void add_gates(const YardFurnisher& furnisher, double height_m, std::vector<thin
 
 }  // namespace
 
-std::vector<things::Thing> yard_things(const YardRecipes& recipes, std::uint64_t seed, const Box2& box) {
-  const lots::Capsules trunks = lots::index_capsules(cars::trunk_clearings(recipes.trees));
+std::vector<things::Thing> yard_things(const roadside::TileRecipes& recipes, const roadside::ClearZones& zones,
+                                       std::uint64_t seed, const Box2& box) {
   std::vector<things::Thing> made;
   for (const Yard& yard : recipes.yards) {
     const bool is_home = yard.kind == lots::LotKind::kDetached || yard.kind == lots::LotKind::kRow;
     const std::optional<lots::YardRule> rule = is_home ? lots::rule_of(yard, seed) : std::nullopt;
     if (!rule) continue;
-    const YardFurnisher furnisher{.recipes = recipes, .yard = yard, .seed = seed, .trunks = trunks};
+    const YardFurnisher furnisher{recipes, zones, yard, seed};
     add_kinds(furnisher, made);
     if (has_gates(yard, rule->street, furnisher)) add_gates(furnisher, rule->street.height_m, made);
   }

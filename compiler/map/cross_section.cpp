@@ -37,6 +37,18 @@ double total_width_m(const CrossSection& section) {
   return sum;
 }
 
+const Lane& lane_at_kerb(const CrossSection& section, bool is_left) {
+  const auto is_level = [](const Lane& lane) { return !lane.is_raised; };
+  if (is_left) return *std::ranges::find_if(section.lanes, is_level);
+  return *std::find_if(section.lanes.rbegin(), section.lanes.rend(), is_level);
+}
+
+bool flows_back(const CrossSection& section, DrivingSide side, bool is_left) {
+  const Lane& lane = lane_at_kerb(section, is_left);
+  if (lane.way != LaneDirection::kBoth) return lane.way == LaneDirection::kBackward;
+  return is_left == (side == DrivingSide::kRight);
+}
+
 Lane pavement_lane(double width_m) {
   return {.kind = LaneKind::kSidewalk, .width_m = snapped(width_m), .is_raised = true};
 }

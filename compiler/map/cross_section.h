@@ -84,6 +84,13 @@ double total_width_m(const CrossSection& section);
 double left_kerb_m(const CrossSection& section);
 double right_kerb_m(const CrossSection& section);
 
+/// Returns the outermost lane between the kerbs on one side.
+const Lane& lane_at_kerb(const CrossSection& section, bool is_left);
+
+/// True if the traffic beside a kerb drives against the direction of the way: that of the lane there, or, where a lane
+/// has both directions, that of the side on which one drives.
+bool flows_back(const CrossSection& section, DrivingSide side, bool is_left);
+
 /// Returns a road's pavement.
 /// @param width_m  > 0; rounded to 2^-10 m.
 Lane pavement_lane(double width_m);

@@ -6,14 +6,16 @@
 
 namespace citykiln::plants {
 
-PlacedPlants generate(const PlantRecipes& recipes, const PlacingContext& context, Report& report) {
+GeneratedPlants generate(const PlantRecipes& recipes, const PlacingContext& context, Report& report) {
   assert(!context.box.is_empty());
-  PlacedPlants placed;
+  GeneratedPlants generated;
+  PlacedPlants& placed = generated.placed;
   const std::vector<TreeClearance> single = place_trees(placed, recipes.trees, context, report);
   const std::vector<TreeClearance> trees = place_rows(placed, recipes.rows, single, context);
   place_woods(placed, recipes.woods, trees, recipes.corridors, context);
   place_plantings(placed, recipes.plantings, trees, context);
-  return placed;
+  for (const TreeClearance& tree : trees) generated.trunks.push_back(tree.at);
+  return generated;
 }
 
 PlacedPlants generate_blades(std::span<const Planting> plantings, const PlacingContext& context) {

@@ -15,6 +15,13 @@ struct PlantRecipes {
   std::span<const PowerLineCorridor> corridors;
 };
 
+/// The plants of a box.
+struct GeneratedPlants {
+  PlacedPlants placed;
+  /// Where single trees and trees of rows stand, in the box and at least up to kTrunksAbout_m around it.
+  std::vector<Vec2> trunks;
+};
+
 /// Returns the plants in the box of `context`, without blades. Distances between trees of woods are measured on the
 /// terrain; all plants stand on the graded terrain.
 ///
@@ -25,7 +32,7 @@ struct PlantRecipes {
 /// inside a building or water, moves to half a metre beside it (kTreeMoved); one deeper inside is dropped
 /// (kTreeOnRoad). Trees of rows are left out there. Single trees are counted in the account "bake/tree" of the report's
 /// ledger (contract/findings/report.h). O(n log n).
-PlacedPlants generate(const PlantRecipes& recipes, const PlacingContext& context, Report& report);
+GeneratedPlants generate(const PlantRecipes& recipes, const PlacingContext& context, Report& report);
 
 /// The largest density of blades. Blades are grass, reed and corn, with one plant per tuft. Only tolerances with
 /// Detail::kGrassBlades show them; coarser levels show them in the ground's texture, without a stated error. If recipes

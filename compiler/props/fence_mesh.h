@@ -1,4 +1,4 @@
-// The mesh of a low fence: bars below a rail, which a texture with holes shows.
+// The mesh of a low fence: one vertical sheet with the texture of a railing, whose holes are cut out.
 #pragma once
 
 #include "compiler/ground/grading/graded_terrain.h"
@@ -6,13 +6,13 @@
 
 namespace citykiln::props {
 
-/// The greatest height of a fence with bars, in metres. Higher fences are of boards.
-inline constexpr double kBarredFence_m = 1.375;
+/// The greatest height of a fence that is a railing, in metres. Higher fences are of boards.
+inline constexpr double kMaxRailingFence_m = 1.375;
 
-/// True for low fences at tolerances at which the texture with holes is shown.
+/// True for fences of at most kMaxRailingFence_m, at tolerances at which the texture with holes is shown.
 bool is_barred(const Barrier& barrier, double tolerance_m);
 
-/// Generates a fence as one sheet on the ground, along its axis, which is seen from both sides
+/// Generates a fence as one vertical sheet on the ground, along its axis, which is seen from both sides
 /// (Material::kRailing). Its paint is drawn by its id. Requires is_barred(). O(length).
 ///
 /// Guarantees: error_m <= tolerance_m; vertices are on the 2^-10 m grid, texture coordinates multiples of

@@ -31,10 +31,7 @@ double driving_m(const map::Track& track) {
 
 bool is_free(const map::Track& track, bool is_left) {
   if ((track.tagged_parking & (is_left ? map::kLeftSide : map::kRightSide)) != 0) return false;
-  const std::vector<Lane>& lanes = track.section.lanes;
-  const auto is_level = [](const Lane& lane) { return !lane.is_raised; };
-  const Lane& lane =
-      is_left ? *std::ranges::find_if(lanes, is_level) : *std::find_if(lanes.rbegin(), lanes.rend(), is_level);
+  const Lane& lane = map::lane_at_kerb(track.section, is_left);
   return lane.kind == LaneKind::kDriving && lane.turns == 0;
 }
 

@@ -7,7 +7,8 @@
 
 namespace citykiln::roads {
 
-/// The widths of carriageways from which on cars park at one kerb, and at both: a row of 2 m beside 3 m or more.
+/// The widths of all lanes for driving together from which on cars park at one kerb, and at both: a row of 2 m beside 3
+/// m or more.
 inline constexpr double kOneRow_m = 5.5, kTwoRows_m = 7.5;
 /// These widths where lines divide the lanes: rows beside two lanes of 2.75 m.
 inline constexpr double kOneRowBesideLanes_m = 7.5, kTwoRowsBesideLanes_m = 9.5;

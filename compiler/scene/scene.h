@@ -66,8 +66,8 @@ struct Header {
   climate::ClimateField climate = climate::uniform_climate(climate::ClimateClass::kCfb);
   bool has_wild_slopes = true;  ///< Steep land that is not mapped is taken to be scrub and rock (--assume surfaces).
   cars::CarShare cars = cars::kNoCars;  ///< How many parking places have a car.
-  bool has_street_furniture =
-      false;  ///< Pavements have benches, bins and signs where none are mapped (--assume roadsides).
+  /// Pavements have benches, bins and signs where none are mapped (--assume roadsides).
+  bool has_street_furniture = false;
   bool operator==(const Header&) const = default;
 };
 
@@ -76,13 +76,15 @@ struct Header {
 /// Objects that cross a tile's border:
 /// - Surfaces, roads, watercourses, landforms and footprints are in every chunk whose tile, widened by kHalo_m
 ///   (kRoadHalo_m), they touch. They are trimmed to it, except areas of landforms.
-/// - Sports pitches are whole in every chunk whose tile, widened by kHalo_m, they touch.
+/// - Sports pitches and yards are whole in every chunk whose tile, widened by kHalo_m, they touch.
 /// - Junctions are in every chunk whose tile is within 32 m (roads::kJunctionHalo_m).
 /// - Bridges and tunnels are whole in every chunk whose tile, widened by kHalo_m, they can grade. They are also in the
 ///   chunk of their first point (is_anchored), which alone bakes them.
-/// - Trees, tree rows, hedges and power-line corridors are whole in every chunk whose tile is within
-///   plants::kObstacleInfluence_m.
-/// - All other objects are only in the chunk of their anchor.
+/// - Trees, and every tree row, hedge and power-line corridor of which a segment is there, are whole in every chunk
+/// whose
+///   tile is within plants::kObstacleInfluence_m. Hedges are also in the chunk of their first point.
+/// - Woods and plantings are in every chunk that has their surface.
+/// - Buildings, other barriers, lamps, things and wires are only in the chunk of their anchor.
 struct Chunk {
   TileKey tile;
   map::Heightfield heights;

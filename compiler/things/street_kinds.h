@@ -5,18 +5,21 @@
 #include <string_view>
 
 #include "compiler/map/countries/country_group.h"
+#include "compiler/map/things/thing_table.h"
 
 namespace citykiln::things {
 
-/// A row of street_kinds.inc.
+/// A row of street_kinds.inc. Name, direction and size are those of the row of the table of things (things.txt),
+/// without tags.
 struct StreetKind {
   std::string_view name;
+  map::Facing facing;
   double width_m, depth_m, height_m;
-  double beside_shops_per_km, beside_houses_per_km;
+  double beside_shops_per_km, beside_houses_per_km;  ///< Pieces drawn on a kilometre of pavement.
 };
 
 inline constexpr StreetKind kStreetKinds[] = {
-#define STREET_KIND(...) {__VA_ARGS__},
+#define STREET_KIND(name, facing, ...) {name, map::Facing::facing, __VA_ARGS__},
 #include "compiler/things/street_kinds.inc"
 #undef STREET_KIND
 };

@@ -155,8 +155,8 @@ flatbuffers::Offset<fbs::Climate> climate_of(flatbuffers::FlatBufferBuilder& bui
 // 0: no cars; 1 to 1,024: their share in 1,024ths; kUsual: the usual share.
 constexpr std::uint16_t kUsualShare = 0xffff, kFullShare = 1024;
 
-std::uint16_t number_of(const cars::CarShare& wish) {
-  return wish.is_usual ? kUsualShare : static_cast<std::uint16_t>(wish.share / cars::kShareStep);
+std::uint16_t number_of(const cars::CarShare& cars) {
+  return cars.is_by_occupancy ? kUsualShare : static_cast<std::uint16_t>(cars.share / cars::kShareStep);
 }
 
 std::optional<cars::CarShare> car_share(std::uint16_t number) {

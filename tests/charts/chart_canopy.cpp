@@ -107,7 +107,8 @@ plants::PlacedPlants trees_in(const scene::Header& header, const scene::Chunk& c
                            .climate = header.climate,
                            .month = scene::local_month_of(header),
                            .species = species},
-                          ignored);
+                          ignored)
+      .placed;
 }
 
 WoodTile wood_tile_of(const scene::Scene& scene) {

@@ -32,13 +32,13 @@ Woods woods_of(const scene::Header& header, const scene::Chunk& chunk) {
   Woods woods;
   timespec begin, end;
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begin);
-  const plants::PlacedPlants placed =
+  const plants::GeneratedPlants generated =
       plants::generate({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.corridors},
                        {map, graded, box, header.seed, header.origin.lat_deg, header.climate}, ignored);
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
   woods.expand_seconds =
       static_cast<double>(end.tv_sec - begin.tv_sec) + static_cast<double>(end.tv_nsec - begin.tv_nsec) * 1e-9;
-  for (const auto& [prototype, placements] : placed) {
+  for (const auto& [prototype, placements] : generated.placed) {
     woods.plants += static_cast<double>(placements.size());
     woods.species.insert(prototype.species);
   }

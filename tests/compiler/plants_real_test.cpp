@@ -40,8 +40,9 @@ std::vector<Plant> plants_of(const scene::Scene& scene, const scene::Chunk& chun
   std::vector<Plant> plants;
   const plants::PlacingContext land{
       map, graded, box, scene.header.seed, scene.header.origin.lat_deg, scene.header.climate};
-  for (const auto& [prototype, placements] :
-       plants::generate({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.corridors}, land, ignored))
+  const plants::GeneratedPlants generated =
+      plants::generate({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.corridors}, land, ignored);
+  for (const auto& [prototype, placements] : generated.placed)
     for (const Placement& p : placements)
       plants.push_back({in_plan(p.at), prototype.species, prototype.variant, p.scale});
   return plants;

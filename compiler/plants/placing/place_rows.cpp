@@ -12,9 +12,6 @@ constexpr double kRowHeightSpread = 0.08;
 // Spacing in crown widths, so that crowns touch.
 constexpr double kCrownSpacing = 0.95, kLeastSpacing_m = 2, kMostSpacing_m = 14;
 
-// Distance from the box up to which woods keep clear of trees; at least the largest crown_clearance_m.
-constexpr double kAbout_m = 8;
-
 // All trees of a row have the species drawn at its middle.
 Species species_of_row(const TreeRow& row, const PlacingContext& context, const RandomSequence& draw) {
   return draw_species(context.species, row.species_mix, habitat_of(context, row.axis[row.axis.size() / 2]),
@@ -32,7 +29,7 @@ void place_row(PlacedPlants& placed, const TreeRow& row, const TreeClearanceInde
   const Species species = species_of_row(row, context, of_row);
   const double mean_m = row.height_m > 0 ? row.height_m : default_height_m(context.species[species]);
   const double spacing_m = spacing_m_of(row, context.species[species], mean_m);
-  const Box2 about = context.box.widened(kAbout_m);
+  const Box2 about = context.box.widened(kTrunksAbout_m);
   const std::vector<Vec2> places = spaced_along(row.axis, spacing_m);
   for (std::uint32_t number = 0; number < places.size(); ++number) {
     const Vec2 at = places[number];

@@ -13,6 +13,11 @@ namespace citykiln::plants {
 std::vector<TreeClearance> place_trees(PlacedPlants& placed, std::span<const Tree> trees, const PlacingContext& context,
                                        Report& report);
 
+/// The trees of rows are known up to this distance from the box, at least kMostClearance_m, which woods keep from them.
+/// Tiles agree on them, as they know single trees, which replace those of rows, up to twice as far.
+inline constexpr double kTrunksAbout_m = 8;
+static_assert(kTrunksAbout_m >= kMostClearance_m && kTrunksAbout_m + kMostClearance_m <= kObstacleInfluence_m);
+
 /// Places the trees of rows, except within the clearance of a tree of `trees`. Returns `trees` and those of rows.
 std::vector<TreeClearance> place_rows(PlacedPlants& placed, std::span<const TreeRow> rows,
                                       std::vector<TreeClearance> trees, const PlacingContext& context);

@@ -11,7 +11,7 @@
 //   at a junction                 solid where drivers may have to stop or arrows assign lanes
 //   edges                         of motorways, primary and secondary roads without a kerb, and before shoulders
 //   cycle lanes                   a broad line, or a dense narrow one where narrow or quiet; tinted; a bicycle
-//   buffers, bays                 hatched; a line every 6 m, every 3 m angled or every 2.4 m perpendicular to the kerb
+//   buffers, bays                 hatched; lines between bays along the kerb, slanted or square (bay_rows.h)
 //   crossings, rails              zebra or two broken lines; rails on sleepers, in the street, or in asphalt
 //
 // Quiet streets (residential, service, pedestrian) have no lines between cars, except where lanes merge and between

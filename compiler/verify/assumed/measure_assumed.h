@@ -1,6 +1,6 @@
-// Finds assumed objects that conflict with mapped ones: assumed pavements, lamps, railings and masts in water,
-// buildings, railways and carriageways; parked cars off the paved ground; shop fronts on walls that are not free; yards
-// over mapped land; and houses that fill lots on roads or other buildings.
+// Finds assumed objects that conflict with mapped ones: assumed pavements, lamps, railings, masts and street furniture
+// in water, buildings, railways and carriageways; parked cars off the paved ground; shop fronts on walls that are not
+// free; yards over mapped land; and houses that fill lots on roads or other buildings.
 //
 // Each function tests the assumed objects of one kind in one tile. Where it takes the land cover of the tile, this must
 // cover the box; places outside of the box are not tested. Pedestrian streets are no obstacle, except for pavements.
@@ -20,7 +20,7 @@ struct AssumedTests {
   std::uint64_t conflicts = 0;  ///< Number of those that meet a mapped object.
   Vec2 at;                      ///< The place of the first conflict, plane metres.
   OsmId element{};              ///< The element that the assumed object there descends from.
-  OsmId obstacle{};             ///< The mapped element there. OsmType::kNone for a door, unmapped land and shop fronts.
+  OsmId obstacle{};  ///< The mapped element there. OsmType::kNone for a door, unmapped land, furniture and shop fronts.
 };
 
 /// Tests assumed pavements and verges of roads on the ground: places on the middle line of the land between kerb and
@@ -50,6 +50,15 @@ AssumedTests measure_assumed_lamps(const bake::BakedTile& tile, const scene::Chu
 /// @param land_cover  Land cover of the tile.
 AssumedTests measure_parked_cars(const bake::BakedTile& tile, const scene::Chunk& chunk,
                                  const ground::LandCoverIndex& land_cover);
+
+/// Tests every piece of assumed street furniture, by the plan of its instance, less an edge of 0.1 m. A piece conflicts
+/// if a corner or its middle lies on a carriageway, a railway, a building or water; if it is within 1 m of a door; or
+/// if it overlaps another piece by more than 2 cm. Pieces are recognised by the name of their mesh, and as they descend
+/// from roads. O(instances).
+/// @param tile        A baked level of the chunk that shows furniture.
+/// @param land_cover  Land cover of the tile.
+AssumedTests measure_street_furniture(const bake::BakedTile& tile, const scene::Chunk& chunk,
+                                      const ground::LandCoverIndex& land_cover);
 
 /// Tests every railing, all of which are assumed. Each segment is tested once against the axes of the other roads and
 /// paths on the ground, which it must not cross, and each of its places, at most 1 m apart, which must not lie on a

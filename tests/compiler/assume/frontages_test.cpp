@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "compiler/assume/footway_strips.h"
 #include "compiler/assume/pavements.h"
 #include "compiler/map/buildings/building_classes.h"
 
@@ -94,6 +95,55 @@ TEST(AssumeFrontages, LandThatIsMappedMoreFinelyIsNotCovered) {
   grass.surface = LandCoverClass::kGrass, grass.area_m2 = 38;
   features.areas = {grass};
   EXPECT_EQ(fronted(features).section.lanes.front().width_m, 3);
+}
+
+TEST(AssumeFrontages, ATaggedVergeOutsideThePavementKeepsTheSideAsItIs) {
+  map::Track street = street_of();
+  street.section = with_pavement(street.section, map::kLeftSide, 2);
+  street.section.lanes.insert(street.section.lanes.begin(), Lane{LaneKind::kVerge, LaneDirection::kBoth, 1, 0, true});
+  street.tagged_verges = map::kLeftSide;
+  const map::Track track = fronted(fronted_town(street, 2.75 + 6.1));
+  EXPECT_EQ(track.section, street.section) << to_string(track.section);
+  EXPECT_EQ(int{track.closed_sides}, map::kLeftSide);
+}
+
+TEST(AssumeFrontages, ClosedSidesAreKnownWhereNothingBecomesWider) {
+  map::Track street = street_of();
+  street.section = with_pavement(street.section, map::kBothSides, 4);
+  // it already reaches the wall
+  EXPECT_EQ(int{fronted(fronted_town(street, 2.75 + 4.1)).closed_sides}, map::kLeftSide);
+  for (const std::uint8_t fixed : {map::kLeftSide, map::kBothSides}) {
+    street.fixed_pavements = fixed;
+    const map::Track track = fronted(fronted_town(street, 2.75 + 6.1));
+    EXPECT_EQ(int{track.closed_sides}, map::kLeftSide) << int{fixed};
+    EXPECT_EQ(track.section, street.section);
+    EXPECT_FALSE(has(track.assumed, Assumption::kPavements));
+  }
+  EXPECT_EQ(int{fronted(fronted_town(street_of(), 2.75 + 8.5)).closed_sides}, 0);
+}
+
+TEST(AssumeFrontages, AWideFootwayCountsByItsNearerEdge) {
+  map::Features features = fronted_town(street_of(), 20, 2);
+  // from 9.5 to 12.5 m from the kerb
+  features.tracks.push_back(way_of_foot(2.75 + 11, 3));
+  const BothFootwayStrips strips = footway_strips(index_surroundings(features), features.tracks.front());
+  EXPECT_EQ(strips.left.near_m, 9.5);
+  EXPECT_EQ(strips.left.far_m, 12.5);
+  for (Vec2& p : features.tracks.back().axis) p.y += 1;
+  EXPECT_EQ(footway_strips(index_surroundings(features), features.tracks.front()).left.far_m, 0);
+}
+
+TEST(AssumeFrontages, LongPedestrianStreetsReachTheWallsInPieces) {
+  map::Track street = way_of_foot(0, 4.5, LandCoverClass::kPedestrianStreet);
+  for (int i = 5; i <= 20; ++i) street.axis.push_back({50.0 * i, 0}), street.node_ids.push_back(100 + i);
+  map::Features features = fronted_town(street, 5.25 + 0.1);
+  add_row(features, 4.25, 4, false);
+  Report report;
+  const std::vector<map::Track> pieces = assume_frontages(features, features.tracks, report);
+  ASSERT_GT(pieces.size(), 1u);
+  // the rows of houses are 200 m long
+  EXPECT_EQ(pieces.front().section.lanes.front().width_m, 4.5 + 3 + 2);
+  EXPECT_EQ(pieces.back().section.lanes.front().width_m, 4.5);
 }
 
 TEST(AssumeFrontages, AFootwayBesideTheKerbIsCoveredWhereHousesAreNear) {

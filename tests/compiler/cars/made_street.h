@@ -38,32 +38,37 @@ struct MadeTile {
   std::vector<things::Thing> things{};
   std::vector<buildings::Building> buildings{};
 
+  std::vector<Vec2> trunks{};
+
   std::vector<Place> places(const Box2& box, std::uint64_t seed = 1) const {
     const ground::LandCoverIndex index = ground::index_land_cover(cover, box.widened(48));
-    return places_in(recipes(index), wish(seed), box);
+    const roadside::TileRecipes tile = recipes(index);
+    return places_in(tile, roadside::clear_zones_of(tile), settings(seed), box);
   }
   std::vector<things::Thing> cars(const Box2& box, CarShare share, std::uint64_t seed = 1) const {
     const ground::LandCoverIndex index = ground::index_land_cover(cover, box.widened(48));
-    CarWish wanted = wish(seed);
+    const roadside::TileRecipes tile = recipes(index);
+    CarSettings wanted = settings(seed);
     wanted.share = share;
-    return parked_cars(recipes(index), wanted, box);
+    return parked_cars(tile, roadside::clear_zones_of(tile), wanted, box);
   }
 
  private:
-  TileRecipes recipes(const ground::LandCoverIndex& index) const {
+  roadside::TileRecipes recipes(const ground::LandCoverIndex& index) const {
     return {.roads = roads,
             .junctions = junctions,
             .yards = yards,
             .pitches = pitches,
-            .trees = {},
+            .trunks = trunks,
             .things = things,
+            .lamps = {},
             .barriers = {},
             .buildings = buildings,
-            .land_cover = index};
+            .land_cover = index,
+            .tile_m = 256};
   }
-  static CarWish wish(std::uint64_t seed) {
-    return {
-        .share = kUsualCars, .time = {60}, .country = map::CountryGroup::kCentralEurope, .seed = seed, .tile_m = 256};
+  static CarSettings settings(std::uint64_t seed) {
+    return {.share = kUsualCars, .time = {60}, .country = map::CountryGroup::kCentralEurope, .seed = seed};
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include "compiler/geometry/segment.h"
 #include "compiler/map/things/thing_role.h"
+#include "compiler/roads/pieces/stretches.h"
 #include "tests/compiler/cars/made_street.h"
 
 namespace citykiln::cars {
@@ -17,7 +18,7 @@ using map::LandCoverClass;
 Box2 box_between(double from_x, double to_x) { return {{from_x, -128}, {to_x, 128}}; }
 
 double distance_m(const Place& place, Vec2 p) {
-  const auto corners = corners_of(place);
+  const auto corners = corners_of(rect_of(place));
   return distance_to_ring(corners, p);
 }
 
@@ -110,7 +111,7 @@ TEST(ParkedCars, NoTwoOverlap) {
   for (std::size_t i = 0; i < places.size(); ++i)
     for (std::size_t j = i + 1; j < places.size(); ++j) {
       EXPECT_GT(distance(places[i].at, places[j].at), 1.8);
-      for (const Vec2 corner : corners_of(places[i])) {
+      for (const Vec2 corner : corners_of(rect_of(places[i]))) {
         const Vec2 d = corner - places[j].at;
         const bool is_in = std::abs(dot(d, places[j].ahead)) < places[j].length_m / 2 - 0.1 &&
                            std::abs(cross(d, places[j].ahead)) < places[j].width_m / 2 - 0.1;
@@ -129,7 +130,7 @@ TEST(ParkedCars, StandFiveMetresFromCrossings) {
   EXPECT_GT(places.size() + 5, before);
   // the crossing is 4 m wide
   for (const Place& place : places)
-    EXPECT_GE(std::abs(place.at.x - 120) - place.length_m / 2, 2 + kFromCrossing_m - 1) << place.at.x;
+    EXPECT_GE(std::abs(place.at.x - 120) - place.length_m / 2, 2 + roadside::kFromCrossing_m - 1) << place.at.x;
 }
 
 TEST(ParkedCars, StandFiveMetresFromJunctions) {
@@ -144,7 +145,7 @@ TEST(ParkedCars, StandFiveMetresFromJunctions) {
   // the mouth of the side street is 7 m wide, and its corners are rounded
   for (const Place& place : places)
     if (place.feature.id == 7) {
-      EXPECT_GE(std::abs(place.at.x - 120) - place.length_m / 2, 3.5 + kFromJunction_m - 1) << place.at.x;
+      EXPECT_GE(std::abs(place.at.x - 120) - place.length_m / 2, 3.5 + roadside::kFromJunction_m - 1) << place.at.x;
     }
 }
 
@@ -153,7 +154,7 @@ TEST(ParkedCars, StandTenMetresFromStops) {
   tile.things = {{.id = {{OsmType::kNode, 3}, 0}, .at = {100, -5}, .form = {.kind = "bus_stop"}}};
   const std::vector<Place> places = tile.places(kMadeBox);
   EXPECT_FALSE(places.empty());
-  for (const Place& place : places) EXPECT_GE(distance_m(place, {100, -5}), kFromStop_m - 0.5);
+  for (const Place& place : places) EXPECT_GE(distance_m(place, {100, -5}), roadside::kFromStop_m - 0.5);
 }
 
 TEST(ParkedCars, LeaveDrivesFree) {
@@ -172,11 +173,85 @@ TEST(ParkedCars, LeaveDrivesFree) {
     }
 }
 
+// A mapped parking space of 2 by 5 m, along the x axis.
+things::Thing space_at(Vec2 at) {
+  return {.id = {{OsmType::kNode, 3}, 0}, .at = at, .form = {.kind = std::string(map::name_of(map::ThingRole::kCar))}};
+}
+
+TEST(ParkedCars, OfNeighbouringTilesDoNotOverlapAtMappedSpaces) {
+  MadeTile west = street_tile();
+  west.things = {space_at({97, -2.5})};
+  MadeTile east = street_tile();
+  std::size_t spaces = 0;
+  for (double border_x = 97.5; border_x < 103; border_x += 0.5) {
+    const std::vector<Place> in_west = west.places(box_between(-64, border_x)),
+                             in_east = east.places(box_between(border_x, 320));
+    spaces += static_cast<std::size_t>(std::ranges::count(in_west, PlaceKind::kSpace, &Place::kind));
+    for (const Place& a : in_west) {
+      for (const Place& b : in_east) EXPECT_FALSE(overlap(rect_of(a), rect_of(b), 0.0625)) << border_x;
+      for (const Place& b : in_west)
+        EXPECT_TRUE(a.key == b.key || !overlap(rect_of(a), rect_of(b), 0.0625)) << border_x;
+    }
+  }
+  EXPECT_GT(spaces, 3u) << "a space counts before places of its own tile";
+}
+
+TEST(ParkedCars, KeepOffAllOfAThingButDriveOverLowOnes) {
+  const auto is_beside_it = [](const Place& place) { return std::abs(place.at.x - 100.625) < 2; };
+  MadeTile tile = street_tile();
+  ASSERT_TRUE(std::ranges::any_of(tile.places(kMadeBox), is_beside_it));
+  // 3 m long across the kerb, with its middle on the pavement
+  tile.things = {{.id = {{OsmType::kNode, 3}, 0},
+                  .at = {100.625, -4.5},
+                  .direction = 0,
+                  .form = {.kind = "bicycle_parking", .width_m = 3, .depth_m = 0.8, .height_m = 0.85}}};
+  EXPECT_TRUE(std::ranges::none_of(tile.places(kMadeBox), is_beside_it));
+  tile.things[0].form.height_m = 0.02;
+  EXPECT_TRUE(std::ranges::any_of(tile.places(kMadeBox), is_beside_it));
+}
+
+TEST(ParkedCars, KeepOffTrunks) {
+  MadeTile tile = street_tile();
+  tile.trunks = {{100, -2.5}};
+  for (const Place& place : tile.places(kMadeBox)) EXPECT_GT(std::abs(place.at.x - 100), place.length_m / 2);
+}
+
+TEST(ParkedCars, AtKerbsLeaveThreeMetresBesideAParkingLane) {
+  const auto at_kerb = [](double driving_m) {
+    MadeTile tile = street_tile();
+    roads::Road& road = tile.roads[0];
+    road.section.lanes = {{map::LaneKind::kParking, map::LaneDirection::kBackward, 2},
+                          {map::LaneKind::kDriving, map::LaneDirection::kBackward, driving_m / 2},
+                          {map::LaneKind::kDriving, map::LaneDirection::kForward, driving_m / 2}};
+    road.section.axis_offset_m = 3.5;
+    return std::ranges::count(tile.places(kMadeBox), PlaceKind::kKerb, &Place::kind);
+  };
+  EXPECT_EQ(at_kerb(4.75), 0);
+  EXPECT_GT(at_kerb(5), 20);
+}
+
+TEST(ParkedCars, StandAtTheMappedPlaceOfACrossingThatIsPaintedElsewhere) {
+  MadeTile tile = street_tile();
+  // the side street's mouth is wide, so the crossing moves away from its node
+  tile.roads[0].axis = {{0, 0}, {120, 0}, {124, 0}, {250, 0}};
+  tile.roads[0].points = {{.vertex = 2, .kind = map::TrackPointKind::kZebra}};
+  tile.roads.push_back(made_street(8, {{120, 0}, {120, 100}}));
+  Report report;
+  tile.junctions = roads::plan_junctions(tile.roads, report);
+  const auto intervals = roads::junction_intervals_of(tile.roads, tile.junctions);
+  double painted_to_m = 0;
+  for (const roads::RoadStretch& stretch : roads::stretches_of(tile.roads[0], intervals[0], 256))
+    if (stretch.stretch == roads::StretchKind::kZebra) painted_to_m = stretch.to_m;
+  ASSERT_GT(painted_to_m, 124);
+  double nearest_m = 1000;
+  for (const Place& place : tile.places(kMadeBox))
+    if (place.at.x > 124) nearest_m = std::min(nearest_m, place.at.x - place.length_m / 2);
+  EXPECT_GE(nearest_m, painted_to_m + roadside::kFromCrossing_m - 1);
+}
+
 TEST(ParkedCars, StandInMappedSpacesWhichAreNoCarsThemselves) {
   MadeTile tile = street_tile();
-  tile.things = {{.id = {{OsmType::kNode, 3}, 0},
-                  .at = {100, 20},
-                  .form = {.kind = std::string(map::name_of(map::ThingRole::kCar))}}};
+  tile.things = {space_at({100, 20})};
   EXPECT_EQ(std::ranges::count(tile.places(kMadeBox), PlaceKind::kSpace, &Place::kind), 1);
 }
 
@@ -193,14 +268,22 @@ TEST(ParkedCars, AreAShareOfThePlaces) {
 TEST(ParkedCars, StandWithinTheirPlaces) {
   const MadeTile tile = street_tile();
   const std::vector<Place> places = tile.places(kMadeBox);
-  const std::vector<things::Thing> cars = tile.cars(kMadeBox, {.share = 1});
-  ASSERT_EQ(cars.size(), places.size());
-  for (std::size_t i = 0; i < cars.size(); ++i) {
-    const Vec2 off = cars[i].at - places[i].at;
-    EXPECT_LE(std::abs(dot(off, places[i].ahead)) + cars[i].form.depth_m / 2, places[i].length_m / 2 + 0.01);
-    EXPECT_EQ(cars[i].form.kind, "car");
-    EXPECT_FALSE(cars[i].form.value.empty());
+  std::size_t widest = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const std::vector<things::Thing> cars = tile.cars(kMadeBox, {.share = 1}, seed);
+    ASSERT_EQ(cars.size(), places.size());
+    for (std::size_t i = 0; i < cars.size(); ++i) {
+      EXPECT_EQ(cars[i].form.kind, "car");
+      EXPECT_FALSE(cars[i].form.value.empty());
+      widest += cars[i].form.width_m > 1.9;
+      for (const Vec2 corner : corners_of(roadside::plan_of(cars[i]))) {
+        const Vec2 off = corner - places[i].at;
+        EXPECT_LE(std::abs(dot(off, places[i].ahead)), places[i].length_m / 2 + 0.01);
+        EXPECT_LE(std::abs(cross(off, places[i].ahead)), places[i].width_m / 2 + 0.01);
+      }
+    }
   }
+  EXPECT_GT(widest, 20u) << "minibuses and pickups are among them";
 }
 
 TEST(ParkedCars, DependOnTheSeed) {

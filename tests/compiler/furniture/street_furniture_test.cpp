@@ -9,6 +9,7 @@
 #include "compiler/furniture/stations.h"
 #include "compiler/map/things/thing_table.h"
 #include "compiler/things/catalogue.h"
+#include "compiler/things/facing.h"
 #include "compiler/things/street_kinds.h"
 
 namespace citykiln::furniture {
@@ -52,17 +53,22 @@ struct MadeStreet {
     buildings.push_back(shops);
   }
 
+  std::vector<Vec2> trunks{};
+
   std::vector<things::Thing> furniture(const Box2& box, std::uint64_t seed = 1) const {
     const ground::LandCoverIndex index = ground::index_land_cover(cover, box.widened(48));
-    const StreetRecipes recipes{.roads = roads,
-                                .junctions = {},
-                                .yards = {},
-                                .buildings = buildings,
-                                .things = things,
-                                .trees = {},
-                                .lamps = lamps,
-                                .land_cover = index};
-    return street_furniture(recipes, seed, 256, box);
+    const roadside::TileRecipes recipes{.roads = roads,
+                                        .junctions = {},
+                                        .yards = {},
+                                        .pitches = {},
+                                        .trunks = trunks,
+                                        .things = things,
+                                        .lamps = lamps,
+                                        .barriers = {},
+                                        .buildings = buildings,
+                                        .land_cover = index,
+                                        .tile_m = 256};
+    return street_furniture(recipes, roadside::clear_zones_of(recipes), seed, box);
   }
 };
 
@@ -80,9 +86,73 @@ TEST(StreetFurniture, StandsInsideTheKerbAndLeavesRoomToWalk) {
   const std::vector<things::Thing> pieces = street.furniture(kWholeStreet);
   EXPECT_GT(pieces.size(), 20u);
   for (const things::Thing& piece : pieces) {
-    EXPECT_GE(piece.at.y - piece.form.depth_m / 2, 3 + kBehindKerb_m - 0.01);
-    EXPECT_LE(piece.at.y + piece.form.depth_m / 2, 7 - kFreeWidth_m + 0.01);
+    const Box2 box = box_of(roadside::plan_of(piece));
+    EXPECT_GE(box.min.y, 3 + kBehindKerb_m - 0.02);
+    EXPECT_LE(box.max.y, 7 - kFreeWidth_m + 0.02);
   }
+}
+
+TEST(StreetFurniture, FacesTheStreetAndSignsTheTraffic) {
+  MadeStreet street;
+  street.add_shops();
+  int signs = 0, others = 0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed)
+    for (const things::Thing& piece : street.furniture(kWholeStreet, seed)) {
+      const bool is_sign = piece.form.kind == "traffic_sign";
+      ++(is_sign ? signs : others);
+      // on the left pavement, beside the lane of the other direction
+      EXPECT_NEAR(distance(things::unit_vector(piece.direction), is_sign ? Vec2{1, 0} : Vec2{0, -1}), 0, 0.01);
+    }
+  EXPECT_GT(signs, 10);
+  EXPECT_GT(others, 100);
+}
+
+// Streets that begin where others end, and one that joins at a right angle, all on one pavement with houses beside it.
+MadeStreet pieces_of_a_street() {
+  MadeStreet street;
+  street.roads.clear();
+  for (int i = 0; i < 20; ++i) {
+    roads::Road road = MadeStreet::street();
+    road.id.osm.id = 100 + i, road.axis = {{50.0 * i, 0}, {50.0 * (i + 1), 0}};
+    street.roads.push_back(road);
+    road.id.osm.id = 200 + i, road.axis = {{50.0 * i + 20, -20}, {50.0 * i + 20, 5}};
+    street.roads.push_back(road);
+  }
+  street.cover = {cover_of(7, {{0, -40}, {1000, 12}}, LandCoverClass::kPavement),
+                  cover_of(8, {{0, 12}, {1000, 20}}, LandCoverClass::kBuilding)};
+  return street;
+}
+
+TEST(StreetFurniture, OfTwoWaysDoesNotOverlap) {
+  const MadeStreet street = pieces_of_a_street();
+  std::size_t all = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const std::vector<things::Thing> pieces = street.furniture(kWholeStreet, seed);
+    all += pieces.size();
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      for (std::size_t j = i + 1; j < pieces.size(); ++j)
+        EXPECT_FALSE(overlap(roadside::plan_of(pieces[i]), roadside::plan_of(pieces[j]), 0));
+  }
+  EXPECT_GT(all, 500u);
+}
+
+TEST(StreetFurniture, OfTwoWaysIsInOneTileEach) {
+  const MadeStreet street = pieces_of_a_street();
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    std::vector<Vec2> whole, parts;
+    for (const things::Thing& piece : street.furniture(kWholeStreet, seed)) whole.push_back(piece.at);
+    for (double x = -64; x < 1100; x += 97)
+      for (const things::Thing& piece : street.furniture({{x, -64}, {x + 97, 64}}, seed)) parts.push_back(piece.at);
+    std::ranges::sort(whole), std::ranges::sort(parts);
+    EXPECT_EQ(parts, whole);
+  }
+}
+
+TEST(StreetFurniture, KeepsOffTrunks) {
+  MadeStreet street;
+  street.add_shops();
+  for (double x = 0; x < 1000; x += 1.5) street.trunks.push_back({x, 3.6});
+  EXPECT_TRUE(street.furniture(kWholeStreet).empty());
 }
 
 TEST(StreetFurniture, IsMoreBesideShops) {
@@ -128,15 +198,21 @@ TEST(StreetFurniture, IsNotNearMappedPiecesOfItsKindNorInLamps) {
   }
   for (const things::Thing& piece : street.furniture(kWholeStreet)) {
     EXPECT_NE(piece.form.kind, "bench");
-    for (const props::StreetLamp& lamp : street.lamps) EXPECT_GE(distance(lamp.at, piece.at), kFromLamp_m);
+    for (const props::StreetLamp& lamp : street.lamps) EXPECT_GE(distance(lamp.at, piece.at), roadside::kFromLamp_m);
   }
 }
 
 TEST(StreetKinds, AreRowsOfTheTableOfThings) {
   const Result<things::Catalogue> catalogue = things::read_catalogue({}, "");
   ASSERT_TRUE(catalogue);
-  for (const things::StreetKind& kind : things::kStreetKinds)
-    EXPECT_EQ(std::ranges::count(catalogue->table, kind.name, &map::ThingRow::name), 1) << kind.name;
+  for (const things::StreetKind& kind : things::kStreetKinds) {
+    const auto row = std::ranges::find(catalogue->table, kind.name, &map::ThingRow::name);
+    ASSERT_NE(row, catalogue->table.end()) << kind.name;
+    EXPECT_EQ(row->facing, kind.facing) << kind.name;
+    EXPECT_EQ(row->width.default_m, kind.width_m) << kind.name;
+    EXPECT_EQ(row->depth.default_m, kind.depth_m) << kind.name;
+    EXPECT_EQ(row->height.default_m, kind.height_m) << kind.name;
+  }
 }
 
 }  // namespace

@@ -41,16 +41,18 @@ struct LinedStreet {
 
   std::vector<plants::Tree> trees(const Box2& box, std::uint64_t seed) const {
     const ground::LandCoverIndex index = ground::index_land_cover(cover, box.widened(48));
-    const StreetRecipes recipes{.roads = roads,
-                                .junctions = {},
-                                .yards = {},
-                                .buildings = {},
-                                .things = {},
-                                .trees = mapped,
-                                .tree_rows = rows,
-                                .lamps = lamps,
-                                .land_cover = index};
-    return street_trees(recipes, seed, 256, box);
+    const roadside::TileRecipes recipes{.roads = roads,
+                                        .junctions = {},
+                                        .yards = {},
+                                        .pitches = {},
+                                        .trunks = {},
+                                        .things = {},
+                                        .lamps = lamps,
+                                        .barriers = {},
+                                        .buildings = {},
+                                        .land_cover = index,
+                                        .tile_m = 256};
+    return street_trees(recipes, roadside::clear_zones_of(recipes), {.trees = mapped, .rows = rows}, seed, box);
   }
 
   // The trees by the first seed that lines the street.

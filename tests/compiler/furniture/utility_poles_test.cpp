@@ -31,16 +31,18 @@ UtilityPoles poles_on(const roads::Road& road, const Box2& box, std::uint64_t se
       {road.id, road.surface, 0, {{{0, -3}, {1000, -3}, {1000, 3}, {0, 3}}}}};
   const ground::LandCoverIndex index = ground::index_land_cover(cover, box.widened(48));
   const std::vector<roads::Road> roads = {road};
-  const StreetRecipes recipes{.roads = roads,
-                              .junctions = {},
-                              .yards = {},
-                              .buildings = {},
-                              .things = {},
-                              .trees = {},
-                              .tree_rows = {},
-                              .lamps = {},
-                              .land_cover = index};
-  return utility_poles(recipes, seed, 256, box);
+  const roadside::TileRecipes recipes{.roads = roads,
+                                      .junctions = {},
+                                      .yards = {},
+                                      .pitches = {},
+                                      .trunks = {},
+                                      .things = {},
+                                      .lamps = {},
+                                      .barriers = {},
+                                      .buildings = {},
+                                      .land_cover = index,
+                                      .tile_m = 256};
+  return utility_poles(recipes, roadside::clear_zones_of(recipes), seed, box);
 }
 
 TEST(UtilityPoles, StandInTheEdgeOfOneSideEvery32m) {

@@ -36,9 +36,20 @@ struct MadeLot {
              {yard.building, LandCoverClass::kBuilding, 0, {rectangle_from_to({5, 6}, {15, 14})}}};
   }
 
-  std::vector<things::Thing> things(const Box2& box, const std::vector<plants::Tree>& trees = {}) const {
+  std::vector<things::Thing> things(const Box2& box, const std::vector<Vec2>& trunks = {}) const {
     const ground::LandCoverIndex index = ground::index_land_cover(cover, box.widened(48));
-    return yard_things({.yards = {&yard, 1}, .trees = trees, .land_cover = index}, 1, box);
+    const roadside::TileRecipes recipes{.roads = {},
+                                        .junctions = {},
+                                        .yards = {&yard, 1},
+                                        .pitches = {},
+                                        .trunks = trunks,
+                                        .things = {},
+                                        .lamps = {},
+                                        .barriers = {},
+                                        .buildings = {},
+                                        .land_cover = index,
+                                        .tile_m = 256};
+    return yard_things(recipes, roadside::clear_zones_of(recipes), 1, box);
   }
 };
 
@@ -76,9 +87,9 @@ TEST(YardThings, ComeInTheShareOfTheirCountry) {
 }
 
 TEST(YardThings, KeepOffTrunksAndEachOther) {
-  const std::vector<plants::Tree> trees = {{.id = house_of(0), .at = {10, 20}}};
+  const std::vector<Vec2> trunks = {{10, 20}};
   for (int n = 0; n < 100; ++n) {
-    const auto made = MadeLot(n).things(kLotBox, trees);
+    const auto made = MadeLot(n).things(kLotBox, trunks);
     for (std::size_t i = 0; i < made.size(); ++i) {
       EXPECT_GT(distance(made[i].at, {10, 20}), 0.75);
       for (std::size_t k = 0; k < i; ++k) EXPECT_GT(distance(made[i].at, made[k].at), 0.75);

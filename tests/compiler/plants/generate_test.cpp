@@ -53,12 +53,13 @@ struct PlantedWood {
     for (std::int32_t& height : field.heights) height += static_cast<std::int32_t>(base_m / map::kHeightQuantum_m);
     return field;
   }
-  PlacedPlants in(const Box2& box, Report& report) const {
+  GeneratedPlants all_in(const Box2& box, Report& report) const {
     const ground::LandCoverIndex map = index_land_cover(surfaces, box.widened(kInfluenceRadius_m));
     const ground::GradedTerrain ground(heights());
     return generate({trees, woods, plantings, rows, corridors}, {map, ground, box, 7, kWoodLatitude_deg, kWoodClimate},
                     report);
   }
+  PlacedPlants in(const Box2& box, Report& report) const { return all_in(box, report).placed; }
   PlacedPlants in(const Box2& box) const {
     Report ignored;
     return in(box, ignored);
@@ -183,6 +184,20 @@ TEST(Generate, WoodsAreLowAndThinAtTheTreeLine) {
   EXPECT_LT(tallest(high), 0.6 * tallest(low));
 }
 
+TEST(Generate, ReturnsTheTrunksOfSingleTreesAndRowsAlsoBesideTheBox) {
+  PlantedWood scene;
+  scene.woods.clear();
+  scene.trees = {{{{OsmType::kNode, 3}, 0}, {-150, 20}, 12, species_mix_of(Species::kLime)}};
+  scene.rows = {{{{OsmType::kWay, 8}, 0}, {{-200, 0}, {-200, 100}}, species_mix_of(Species::kLime), 12, 10}};
+  Report report;
+  const std::vector<Vec2> trunks = scene.all_in({{-256, -256}, {0, 40}}, report).trunks;
+  EXPECT_EQ(std::ranges::count(trunks, Vec2{-150, 20}), 1);
+  // none in the road
+  for (const double y : {10, 20, 30, 40}) EXPECT_EQ(std::ranges::count(trunks, Vec2{-200, y}), 1) << y;
+  EXPECT_EQ(std::ranges::count(trunks, Vec2{-200, 0}), 0);
+  EXPECT_EQ(std::ranges::count(trunks, Vec2{-200, 60}), 0);
+}
+
 TEST(Generate, WillowsAndPoplarsStandByWater) {
   PlantedWood scene;
   scene.woods[0].species_mix = species_mix_of(PlantCommunity::kBroadWood);
@@ -191,7 +206,8 @@ TEST(Generate, WillowsAndPoplarsStandByWater) {
   const ground::GradedTerrain ground = grade_terrain(scene.heights(), parts);
   Report report;
   const PlacedPlants placed =
-      generate({{}, scene.woods, {}, {}, {}}, {map, ground, kWoodBox, 7, kWoodLatitude_deg, kWoodClimate}, report);
+      generate({{}, scene.woods, {}, {}, {}}, {map, ground, kWoodBox, 7, kWoodLatitude_deg, kWoodClimate}, report)
+          .placed;
   std::size_t by_water = 0, elsewhere = 0;
   for (const auto& [prototype, some] : placed)
     if (prototype.species == Species::kWillow || prototype.species == Species::kPoplar)

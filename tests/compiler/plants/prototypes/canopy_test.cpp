@@ -53,7 +53,7 @@ struct WoodedSlope {
     const PlacingContext land{map, ground, box, kSeed, 42.5, kClimate};
     Report ignored;
     Made made{make_canopy(woods, corridors, land, tolerance_m, month),
-              generate({{}, woods, {}, {}, corridors}, land, ignored)};
+              generate({{}, woods, {}, {}, corridors}, land, ignored).placed};
     return made;
   }
 };

@@ -190,7 +190,7 @@ TEST(Markings, TrafficWithPriorityHasNoLineAcross) {
 
 TEST(Markings, BaysDivideTheLayout) {
   MarkingLayout strip = layout(LandCoverClass::kParking, "p -");
-  for (const auto& [width_m, bays] : std::map<double, std::size_t>{{2, 2}, {4.5, 4}, {5, 5}}) {
+  for (const auto& [width_m, bays] : std::map<double, std::size_t>{{2, 2}, {3.5, 2}, {4.5, 4}, {5, 5}}) {
     strip.lanes[0].width_m = width_m;
     EXPECT_EQ(marks_of(strip).size(), bays) << width_m;
   }

@@ -160,6 +160,42 @@ TEST(MeasureAssumed, FindsCarsBeforeDoors) {
   EXPECT_EQ(car_before_door(2).conflicts, 0u);
 }
 
+// Baskets of 0.4 by 0.4 m that descend from an element.
+bake::BakedTile tile_with_baskets(std::vector<bake::Float3> places, OsmId element = kMainStreet) {
+  bake::BakedTile tile;
+  tile.features = {{}, element};
+  tile.instanced.resize(1);
+  bake::InstancedMesh& mesh = tile.instanced[0];
+  mesh.name = "waste_basket_2", mesh.translations = std::move(places);
+  mesh.rotations.assign(mesh.translations.size(), {0, 0, 0, 1}), mesh.features.assign(mesh.translations.size(), 1);
+  mesh.primitives.resize(1);
+  mesh.primitives[0].positions = {{-0.2f, -0.2f, 0}, {0.2f, -0.2f, 0}, {0.2f, 0.2f, 1}};
+  return tile;
+}
+
+TEST(MeasureAssumed, FindsFurnitureOnCarriagewaysBeforeDoorsAndInOtherFurniture) {
+  scene::Chunk chunk = street_with_pavements();
+  buildings::Building house;
+  house.id = {kMappedWay, 0};
+  house.footprint.outer = {{20, 58}, {40, 58}, {40, 68}, {20, 68}};
+  house.facade_edges.resize(4);
+  house.facade_edges[0].doors = 1;
+  chunk.buildings = {house};
+  const std::vector<ground::LandCoverPolygon> surfaces = {
+      {{kMainStreet, 0}, LandCoverClass::kResidentialRoad, 1, {{{0, 47}, {120, 47}, {120, 53}, {0, 53}}}}};
+  const ground::LandCoverIndex cover = ground::index_land_cover(surfaces, kTile);
+  const auto conflicts = [&](std::vector<bake::Float3> places) {
+    return measure_street_furniture(tile_with_baskets(std::move(places)), chunk, cover).conflicts;
+  };
+  EXPECT_EQ(conflicts({{60, 54, 0}, {62, 54, 0}}), 0u);
+  EXPECT_EQ(conflicts({{60, 53, 0}, {62, 54, 0}}), 1u) << "a corner on the carriageway";
+  EXPECT_EQ(conflicts({{60, 54, 0}, {60.3f, 54, 0}}), 1u);
+  const Vec2 door = buildings::door_positions(house).front();
+  EXPECT_EQ(conflicts({{static_cast<float>(door.x), 57.5f, 0}}), 1u);
+  EXPECT_EQ(measure_street_furniture(tile_with_baskets({{60, 53, 0}}, kMappedWay), chunk, cover).tested, 0u)
+      << "mapped";
+}
+
 // A house of 20 by 10 m with an assumed front on its southern wall, from 5 to 11 m.
 scene::Chunk house_with_front() {
   buildings::Building house;

@@ -1,12 +1,9 @@
-#include "compiler/bake/place_poles.h"
+#include "compiler/bake/pole_wires.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/furniture/utility_poles.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/things/generate.h"
-#include "compiler/things/street_kinds.h"
 #include "compiler/wires/sag.h"
 #include "compiler/wires/supports.h"
 
@@ -50,26 +47,6 @@ wires::WireSpan wires_between(const PlacedPoleSpan& span, const std::vector<thin
 }
 
 }  // namespace
-
-PlacedPoles place_poles(const scene::Header& header, const scene::Chunk& chunk,
-                        const ground::LandCoverIndex& land_cover, const ground::GradedTerrain& graded,
-                        const Box2& box) {
-  const bool has_rules = std::ranges::any_of(
-      header.things, [](const buildings::RuleText& text) { return text.name == things::kUtilityPole; });
-  if (!header.has_street_furniture || !has_rules) return {};
-  const furniture::StreetRecipes recipes = street_recipes_of(chunk, chunk.trees, {}, land_cover);
-  const furniture::UtilityPoles made = furniture::utility_poles(recipes, header.seed, header.tile_m, box);
-  PlacedPoles placed;
-  std::vector<Placement> placements;
-  for (const things::Thing& pole : made.poles) {
-    placements.push_back(things::place(pole, graded));
-    if (box.contains_half_open(pole.at))
-      placed.standing.push_back({.form = pole.form, .placement = placements.back(), .is_parked = true});
-  }
-  for (const furniture::PoleSpan& span : made.spans)
-    placed.spans.push_back({span.id, made.poles[span.from].form, placements[span.from], placements[span.to]});
-  return placed;
-}
 
 std::vector<wires::WireSpan> wires_of(std::span<const PlacedPoleSpan> spans, const PrototypeCache& prototypes) {
   std::vector<wires::WireSpan> made;
