@@ -152,21 +152,17 @@ struct LaneBays {
   }
 };
 
-// The part of a stretch whose bays are painted.
-std::optional<Run> painted_run(const roads::RoadStretch& stretch) {
-  Run run{stretch.from_m, stretch.to_m, stretch.zero_m};
-  switch (stretch.stretch) {
-    case roads::StretchKind::kAlong:
-      return run;
-    case roads::StretchKind::kStart:
-      run.from_m = std::max(run.from_m, run.zero_m + roads::kLastBayEnds_m);
-      return run;
-    case roads::StretchKind::kEnd:
-      run.to_m = std::min(run.to_m, run.zero_m + roads::kLayoutLength_m - roads::kLastBayEnds_m);
-      return run;
-    default:
-      return std::nullopt;
-  }
+// The part of a stretch in which bays are painted whole: lines lean over its ends by half of their rise.
+std::optional<Run> painted_run(const roads::RoadStretch& stretch, double rise_m) {
+  if (stretch.stretch == roads::StretchKind::kZebra || stretch.stretch == roads::StretchKind::kCrossing)
+    return std::nullopt;
+  const double lean_m = std::abs(rise_m) / 2;
+  Run run{stretch.from_m + lean_m, stretch.to_m - lean_m, stretch.zero_m};
+  if (stretch.stretch == roads::StretchKind::kStart)
+    run.from_m = std::max(run.from_m, run.zero_m + roads::kLastBayEnds_m);
+  if (stretch.stretch == roads::StretchKind::kEnd)
+    run.to_m = std::min(run.to_m, run.zero_m + roads::kLayoutLength_m - roads::kLastBayEnds_m);
+  return run;
 }
 
 // Places in the i-th lane of the section.
@@ -186,7 +182,7 @@ void add_lane(const Road& road, std::size_t i, std::span<const roads::RoadStretc
   };
   const Row row{.number = static_cast<std::uint32_t>(i), .step_m = bays.row.step_m, .kind = PlaceKind::kLane};
   for (const roads::RoadStretch& stretch : stretches)
-    if (const std::optional<Run> run = painted_run(stretch)) rows.add(row, *run, stance_at, finish);
+    if (const std::optional<Run> run = painted_run(stretch, bays.row.rise_m)) rows.add(row, *run, stance_at, finish);
 }
 
 // The width between the kerbs that is not for parking.

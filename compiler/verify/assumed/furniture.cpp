@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 
@@ -25,7 +26,9 @@ std::vector<StreetPiece> street_pieces(const bake::BakedTile& tile, const scene:
   for (const roads::Road& road : chunk.roads) roads.insert(road.id.osm);
   std::vector<StreetPiece> pieces;
   for (const bake::InstancedMesh& mesh : tile.instanced) {
-    if (!things::is_street_kind(kind_of_mesh(mesh.name))) continue;
+    if (std::ranges::find(things::kStreetKinds, kind_of_mesh(mesh.name), &things::StreetKind::name) ==
+        std::end(things::kStreetKinds))
+      continue;
     for (std::size_t i = 0; i < mesh.translations.size(); ++i) {
       const OsmId road = tile.features[mesh.features[i]];
       if (roads.contains(road)) pieces.push_back({plan_of_copy(mesh, i, tile.origin, kPieceEdge_m), road});

@@ -151,7 +151,7 @@ TEST(StreetFurniture, OfTwoWaysIsInOneTileEach) {
 TEST(StreetFurniture, KeepsOffTrunks) {
   MadeStreet street;
   street.add_shops();
-  for (double x = 0; x < 1000; x += 1.5) street.trunks.push_back({x, 3.6});
+  for (double x = 0; x < 1000; x += 0.5) street.trunks.push_back({x, 3.6});
   EXPECT_TRUE(street.furniture(kWholeStreet).empty());
 }
 
