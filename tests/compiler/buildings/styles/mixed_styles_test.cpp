@@ -27,13 +27,13 @@ struct MixedCase {
   double depth_m = 14;
 };
 
-struct MadeBuilding {
+struct MixedBuilding {
   map::Footprint footprint;
   Building building;
 };
 
-MadeBuilding made(const MixedCase& of, std::int64_t id) {
-  MadeBuilding b{rectangle(id, {0, 0}, 18, of.depth_m, 3.2 * of.levels), {}};
+MixedBuilding mixed_building(const MixedCase& of, std::int64_t id) {
+  MixedBuilding b{rectangle(id, {0, 0}, 18, of.depth_m, 3.2 * of.levels), {}};
   b.footprint.country = of.country, b.footprint.tradition = of.tradition;
   b.footprint.building_class = static_cast<std::uint8_t>(of.building_class);
   b.footprint.year = of.year, b.footprint.assumed = bit_of(Assumption::kStyles);
@@ -48,7 +48,7 @@ MadeBuilding made(const MixedCase& of, std::int64_t id) {
 std::map<Style, double> shares(const MixedCase& of) {
   std::map<Style, double> shares;
   for (std::int64_t id = 1; id <= 200; ++id) {
-    const MadeBuilding b = made(of, id);
+    const MixedBuilding b = mixed_building(of, id);
     shares[style_of(b.footprint, b.building)] += 1 / 200.0;
   }
   return shares;
@@ -76,7 +76,7 @@ TEST(MixedStyles, OfOldBlocksFollowTheYear) {
 }
 
 TEST(MixedStyles, OfOldBlocksHaveMansards) {
-  MadeBuilding b = made({.tradition = BuildingTradition::kFrance, .levels = 5}, 1);
+  MixedBuilding b = mixed_building({.tradition = BuildingTradition::kFrance, .levels = 5}, 1);
   for (std::int64_t id = 1; id <= 40; ++id) {
     b.footprint.id = b.building.id = {{OsmType::kWay, id}, 0};
     b.building.roof_shape.form = roofs::RoofForm::kMansard;
@@ -102,7 +102,7 @@ TEST(MixedStyles, OfTowersFollowTheYear) {
 
 TEST(MixedStyles, OfTowersKeepTaggedGlass) {
   for (std::int64_t id = 1; id <= 20; ++id) {
-    MadeBuilding b = made({.country = CountryGroup::kNorthAmerica, .levels = 25, .year = 1968}, id);
+    MixedBuilding b = mixed_building({.country = CountryGroup::kNorthAmerica, .levels = 25, .year = 1968}, id);
     b.footprint.wall_material = Material::kGlassFacade, b.building.wall = Material::kGlassFacade;
     EXPECT_EQ(style_of(b.footprint, b.building), Style::kGlassTower);
   }
@@ -119,7 +119,7 @@ TEST(MixedStyles, OfAsiaAreNarrowAndOfMiddleHeight) {
 
 TEST(MixedStyles, AreThoseOfAssumedStylesAlone) {
   for (std::int64_t id = 1; id <= 20; ++id) {
-    MadeBuilding b = made({.tradition = BuildingTradition::kGermany, .levels = 5, .year = 1895}, id);
+    MixedBuilding b = mixed_building({.tradition = BuildingTradition::kGermany, .levels = 5, .year = 1895}, id);
     b.footprint.assumed = kNoAssumptions;
     EXPECT_EQ(style_of(b.footprint, b.building), Style::kOldTownHouse);
   }
@@ -130,7 +130,7 @@ TEST(MixedStyles, AreOneForAllPartsOfABuilding) {
   const MixedCase of{.country = CountryGroup::kNorthAmerica, .levels = 25, .attached = false};
   std::map<Style, int> styles;
   for (std::int64_t id = 1; id <= 20; ++id) {
-    MadeBuilding b = made(of, id);
+    MixedBuilding b = mixed_building(of, id);
     b.footprint.outline = ObjectId{{OsmType::kWay, 7}, 0};
     ++styles[style_of(b.footprint, b.building)];
   }
@@ -138,7 +138,7 @@ TEST(MixedStyles, AreOneForAllPartsOfABuilding) {
 }
 
 TEST(MixedStyles, HaveWallsOfTheirOwn) {
-  const MadeBuilding b = made({.country = CountryGroup::kNorthAmerica, .levels = 25}, 3);
+  const MixedBuilding b = mixed_building({.country = CountryGroup::kNorthAmerica, .levels = 25}, 3);
   ASSERT_EQ(building_materials(b.footprint, roofs::RoofForm::kFlat).wall, Material::kGlassFacade);
   const auto wall_of = [&](Style style) { return regional_materials(b.footprint, roofs::RoofForm::kFlat, style).wall; };
   EXPECT_EQ(wall_of(Style::kGlassTower), Material::kGlassFacade);

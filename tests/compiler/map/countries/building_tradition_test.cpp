@@ -11,7 +11,8 @@ struct TownInTradition {
   const char* name;
 };
 
-using enum BuildingTradition;
+constexpr BuildingTradition kFrance = BuildingTradition::kFrance, kBelgium = BuildingTradition::kBelgium,
+                            kGermany = BuildingTradition::kGermany, kNoTradition = BuildingTradition::kOther;
 constexpr TownInTradition kTownsInTraditions[] = {
     {2.35, 48.86, kFrance, "Paris"},      {4.83, 45.76, kFrance, "Lyon"},       {7.27, 43.70, kFrance, "Nice"},
     {7.42, 43.74, kFrance, "Monaco"},     {-0.58, 44.84, kFrance, "Bordeaux"},  {-4.49, 48.39, kFrance, "Brest"},
@@ -21,10 +22,10 @@ constexpr TownInTradition kTownsInTraditions[] = {
     {9.99, 53.55, kGermany, "Hamburg"},   {11.58, 48.14, kGermany, "Munich"},   {14.42, 50.09, kGermany, "Prague"},
     {19.04, 47.50, kGermany, "Budapest"}, {17.03, 51.11, kGermany, "Wrocław"},  {6.96, 50.94, kGermany, "Cologne"},
     {7.85, 48.00, kGermany, "Freiburg"},  {17.11, 48.15, kGermany, "Bratislava"},
-    {21.01, 52.23, kOther, "Warsaw"},     {4.90, 52.37, kOther, "Amsterdam"},   {1.52, 42.51, kOther, "Andorra la Vella"},
-    {8.54, 47.37, kOther, "Zürich"},      {9.19, 45.46, kOther, "Milan"},       {2.17, 41.38, kOther, "Barcelona"},
-    {-0.13, 51.51, kOther, "London"},     {12.57, 55.68, kOther, "Copenhagen"}, {7.68, 45.07, kOther, "Turin"},
-    {9.10, 39.22, kOther, "Cagliari"},    {14.51, 46.05, kOther, "Ljubljana"},  {135.77, 35.0, kOther, "Kyoto"},
+    {21.01, 52.23, kNoTradition, "Warsaw"},     {4.90, 52.37, kNoTradition, "Amsterdam"},   {1.52, 42.51, kNoTradition, "Andorra la Vella"},
+    {8.54, 47.37, kNoTradition, "Zürich"},      {9.19, 45.46, kNoTradition, "Milan"},       {2.17, 41.38, kNoTradition, "Barcelona"},
+    {-0.13, 51.51, kNoTradition, "London"},     {12.57, 55.68, kNoTradition, "Copenhagen"}, {7.68, 45.07, kNoTradition, "Turin"},
+    {9.10, 39.22, kNoTradition, "Cagliari"},    {14.51, 46.05, kNoTradition, "Ljubljana"},  {135.77, 35.0, kNoTradition, "Kyoto"},
 };
 
 TEST(BuildingTraditions, AreThoseOfTheTownsCountry) {
