@@ -54,7 +54,8 @@ std::string blocks_in_a_row(int count) {
 
 TEST(AssumedRoofs, OfFrenchBlocksAreOftenMansardsBetweenPartyWalls) {
   map::Features features = map::features_of(blocks_in_a_row(12));
-  for (Footprint& f : features.footprints) f.tradition = map::BuildingTradition::kFrance;
+  for (Footprint& f : features.footprints)
+    f.country = CountryGroup::kCentralEurope, f.tradition = map::BuildingTradition::kFrance;
   int mansards = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Report report;
@@ -67,7 +68,11 @@ TEST(AssumedRoofs, OfFrenchBlocksAreOftenMansardsBetweenPartyWalls) {
     }
   }
   EXPECT_GT(mansards, 6);
-  EXPECT_EQ(share_of(RoofForm::kGambrel, with_roofs(blocks_in_a_row(12), CountryGroup::kCentralEurope)), 0);
+  for (Footprint& f : features.footprints) f.tradition = map::BuildingTradition::kOther;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Report report;
+    EXPECT_NE(assume_roofs(features, seed, report)[5].roof.form, RoofForm::kGambrel);
+  }
 }
 
 TEST(AssumedRoofs, LeaveTaggedShapesAlone) {

@@ -44,12 +44,12 @@ MixedBuilding mixed_building(const MixedCase& of, std::int64_t id) {
   return b;
 }
 
-// The share of each style among two hundred buildings.
+// The share of each style among 256 buildings: a sum of 256ths is exact.
 std::map<Style, double> shares(const MixedCase& of) {
   std::map<Style, double> shares;
-  for (std::int64_t id = 1; id <= 200; ++id) {
+  for (std::int64_t id = 1; id <= 256; ++id) {
     const MixedBuilding b = mixed_building(of, id);
-    shares[style_of(b.footprint, b.building)] += 1 / 200.0;
+    shares[style_of(b.footprint, b.building)] += 1 / 256.0;
   }
   return shares;
 }
