@@ -16,6 +16,7 @@ namespace citykiln::assume {
 namespace {
 
 using map::BuildingClass;
+using map::BuildingTradition;
 using map::CountryGroup;
 using materials::Material;
 using roofs::RoofForm;
@@ -33,13 +34,27 @@ struct RoofRow {
   std::array<std::uint32_t, kForms.size()> percent{};
   double pitch_deg = 0;
   Material pitched{};
+  BuildingTradition tradition = BuildingTradition::kOther;  // kOther: any
+  double storeys_from = 0;
 };
 
 constexpr RoofRow kRoofRows[] = {
 #define ROOFS(group, kind, storeys, area, flat, gabled, hipped, half_hipped, mansard, skillion, pitch, material)      \
   {CountryGroup::group, RoofKind::kind, storeys, area, {flat, gabled, hipped, half_hipped, mansard, skillion}, pitch, \
    Material::material},
+#define ROOFS_OF(tradition, from, group, kind, to, area, flat, gabled, hipped, half_hipped, mansard, skillion, pitch, \
+                 material)                                                                                            \
+  {CountryGroup::group,                                                                                               \
+   RoofKind::kind,                                                                                                    \
+   to,                                                                                                                \
+   area,                                                                                                              \
+   {flat, gabled, hipped, half_hipped, mansard, skillion},                                                            \
+   pitch,                                                                                                             \
+   Material::material,                                                                                                \
+   BuildingTradition::tradition,                                                                                      \
+   from},
 #include "compiler/assume/roofs.inc"
+#undef ROOFS_OF
 #undef ROOFS
 };
 static_assert(std::ranges::all_of(kRoofRows, [](const RoofRow& row) {
@@ -82,7 +97,9 @@ const RoofRow& roof_row(const map::Footprint& f, const HeightFacts& facts) {
                                                            : RoofKind::kAlone;
   const auto row = std::ranges::find_if(kRoofRows, [&](const RoofRow& each) {
     return each.group == f.country && (each.kind == kind || each.kind == RoofKind::kAny) &&
-           storeys_below_roof(f) <= each.storeys_to && facts.area_m2 <= each.area_to_m2;
+           (each.tradition == BuildingTradition::kOther || each.tradition == f.tradition) &&
+           storeys_below_roof(f) >= each.storeys_from && storeys_below_roof(f) <= each.storeys_to &&
+           facts.area_m2 <= each.area_to_m2;
   });
   // the last row of each group holds for nearly all
   return row != std::end(kRoofRows) ? *row : kRoofRows[std::size(kRoofRows) - 1];
@@ -115,9 +132,19 @@ std::optional<Vec2> party_wall_direction(std::uint32_t entry, const map::Feature
   return direction;
 }
 
+// Between party walls a mansard has slopes on two sides only. Both forms are covered with zinc.
+void set_mansard(const std::optional<Vec2>& party_wall, map::Footprint& f) {
+  constexpr double kPitch_deg = 36;
+  f.roof.form = party_wall ? RoofForm::kGambrel : RoofForm::kMansard;
+  if (f.roof.angle_deg == 0) f.roof.angle_deg = kPitch_deg;
+  if (!f.roof.direction) f.roof.direction = party_wall;
+  if (!f.roof_material && !f.roof_colour) f.roof_material = Material::kMetalRoof;
+}
+
 void set_roof(const RoofRow& row, RoofForm form, const std::optional<Vec2>& party_wall, map::Footprint& f) {
   f.has_roof_shape = true;
   f.roof.form = form;
+  if (form == RoofForm::kMansard && row.tradition != BuildingTradition::kOther) set_mansard(party_wall, f);
   if (has_row_pitch(form) && f.roof.angle_deg == 0) f.roof.angle_deg = row.pitch_deg;
   if (form == RoofForm::kGabled && !f.roof.direction) f.roof.direction = party_wall;
   if (!f.roof_material && !f.roof_colour && form != RoofForm::kFlat) f.roof_material = row.pitched;

@@ -12,6 +12,7 @@
 #include "compiler/contract/findings/assumption.h"
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/polygon.h"
+#include "compiler/map/countries/building_tradition.h"
 #include "compiler/map/countries/country_group.h"
 #include "compiler/map/cross_section.h"
 #include "compiler/map/element_text.h"
@@ -132,6 +133,7 @@ struct Footprint {
   bool has_tagged_layer = false;         ///< True if layer=* is tagged.
   bool has_shop = false;                 ///< True if something is sold or served in it.
   CountryGroup country{};                ///< The group at its first point.
+  BuildingTradition tradition{};         ///< The tradition at its first point.
   Assumptions assumed = kNoAssumptions;  ///< The assumptions made of it.
 };
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <iterator>
 
+#include "compiler/buildings/styles/mixed_styles.h"
 #include "compiler/buildings/styles/paint_colour.h"
 #include "compiler/buildings/styles/regional_styles.h"
 #include "compiler/contract/random_sequence.h"
@@ -57,11 +58,12 @@ std::uint32_t percent_drawn(const map::Footprint& footprint, const char* purpose
   return static_cast<std::uint32_t>(RandomSequence(0, stable_id(footprint.id), purpose).below(100, 0));
 }
 
-// Glass stays: towers look alike everywhere.
+// Styles of glass keep it: towers of glass look alike everywhere.
 Material regional_untagged_wall(const map::Footprint& footprint, Style style) {
-  const Material usual = untagged_wall(footprint);
+  const std::uint32_t percent = percent_drawn(footprint, "regional wall");
+  const Material usual = mixed_wall(style, untagged_wall(footprint), percent);
   if (usual == Material::kGlassFacade) return usual;
-  return regional_wall(footprint.country, style, usual, percent_drawn(footprint, "regional wall"));
+  return regional_wall(footprint.country, style, usual, percent);
 }
 
 Material regional_untagged_roof(const map::Footprint& footprint, roofs::RoofForm form) {

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <iterator>
 
+#include "compiler/buildings/styles/mixed_styles.h"
 #include "compiler/buildings/styles/regional_styles.h"
 #include "compiler/map/buildings/building_classes.h"
 
@@ -99,8 +100,9 @@ Style style_of(const map::Footprint& footprint, const Building& building) {
     return Style::kPlain;
   const bool is_glass = building.wall == materials::Material::kGlassFacade;
   const bool is_greenhouse = footprint.building_class == static_cast<std::uint8_t>(BuildingClass::kGreenhouse);
-  if (is_glass && !is_greenhouse) return wall_m > kMinTower_m ? Style::kGlassTower : Style::kOfficeSlab;
-  return style_of_class(footprint, building);
+  if (!is_glass || is_greenhouse) return mixed_style(footprint, building, style_of_class(footprint, building));
+  const Style of_glass = wall_m > kMinTower_m ? Style::kGlassTower : Style::kOfficeSlab;
+  return footprint.wall_material ? of_glass : mixed_style(footprint, building, of_glass);
 }
 
 }  // namespace citykiln::buildings

@@ -7,8 +7,9 @@
 
 namespace citykiln::buildings {
 
-/// Returns the style by class, year, size and party walls (walls shared with a neighbour), and for dwellings by country
-/// group if Assumption::kStyles is among those of the footprint; kPlain for walls too small for a window.
+/// Returns the style by class, year, size and party walls (walls shared with a neighbour), and if Assumption::kStyles is
+/// among those of the footprint, for dwellings by country group and for tall and old buildings by share
+/// (mixed_styles.h); kPlain for walls too small for a window.
 Style style_of(const map::Footprint& footprint, const Building& building);
 
 /// Returns the rule file of a style without extension ("old_town_house"); "" for kPlain.

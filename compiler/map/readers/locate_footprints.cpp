@@ -55,7 +55,9 @@ std::vector<Footprint> locate_footprints(const ReadContext& context) {
       make_shell(is_ruin(context.osm, area.tags), states_height(context.osm, area.tags), footprint);
     for_each_near_polygon(context, area.from, polygons, account, [&](const LocatedPolygon& polygon) {
       footprint.id = {area.from, polygon.part};
-      footprint.country = country_group_at(context.plane.backward(polygon.polygon.outer.front()));
+      const LonLat place = context.plane.backward(polygon.polygon.outer.front());
+      footprint.country = country_group_at(place);
+      footprint.tradition = building_tradition_at(place);
       footprint.polygon = standing.presence == Presence::kShell ? shell_walls(polygon.polygon) : polygon.polygon;
       footprints.push_back(footprint);
     });

@@ -44,6 +44,37 @@ TEST(AssumedRoofs, AreFlatInTheMiddleEastAndPitchedInCentralEurope) {
   EXPECT_LT(share_of(RoofForm::kFlat, with_roofs(text, CountryGroup::kCentralEurope)), 0.3);
 }
 
+// Houses of 18 m by 14 m and of six storeys in a row.
+std::string blocks_in_a_row(int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i)
+    text += fmt::format("a{0} {1}:0 {2}:0 {2}:14 {1}:14 building=apartments building:levels=6\n", i + 1, 18 * i, 18 * i + 18);
+  return text;
+}
+
+TEST(AssumedRoofs, OfFrenchBlocksAreOftenMansardsBetweenPartyWalls) {
+  map::Features features = map::features_of(blocks_in_a_row(12));
+  for (Footprint& f : features.footprints)
+    f.country = CountryGroup::kCentralEurope, f.tradition = map::BuildingTradition::kFrance;
+  int mansards = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Report report;
+    const std::vector<Footprint> roofed = assume_roofs(features, seed, report);
+    mansards += roofed[5].roof.form == RoofForm::kGambrel;
+    if (roofed[5].roof.form == RoofForm::kGambrel) {
+      EXPECT_EQ(roofed[5].roof_material, materials::Material::kMetalRoof);
+      ASSERT_TRUE(roofed[5].roof.direction);
+      EXPECT_NEAR(std::abs(roofed[5].roof.direction->y), 1, 1e-9);
+    }
+  }
+  EXPECT_GT(mansards, 6);
+  for (Footprint& f : features.footprints) f.tradition = map::BuildingTradition::kOther;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Report report;
+    EXPECT_NE(assume_roofs(features, seed, report)[5].roof.form, RoofForm::kGambrel);
+  }
+}
+
 TEST(AssumedRoofs, LeaveTaggedShapesAlone) {
   const map::Features features =
       with_roofs("a1 0:0 10:0 10:8 0:8 building=house building:levels=2 roof:shape=pyramidal", CountryGroup::kJapan);

@@ -51,6 +51,12 @@ constexpr ShippedStyle kStyles[] = {
     {"tropical_house", 10, 8, 3.2, 1, "hipped", 1300, 2.2, 0.5},
     {"south_asian_house", 8, 10, 9.3, 3, "flat", 4200, 1.15, 2.6},
     {"chinese_slab", 22, 11, 16.8, 6, "flat", 9000, 1.25, 2.6},
+    {"tower_1960", 36, 16, 48, 15, "flat", 18000, 1.3, 2.6},
+    {"tower_1990", 28, 26, 70, 19, "flat", 21000, 0.5, 2.6},
+    {"tower_2015", 28, 26, 70, 20, "flat", 13000, 1.4, 2.6},
+    {"haussmann", 18, 13, 19, 6, "gambrel", 9000, 0.75, 1.6},
+    {"gruenderzeit", 18, 13, 16.5, 5, "gabled", 7000, 0.95, 1.6},
+    {"asian_midrise", 9, 13, 20, 6, "flat", 4500, 0.95, 2.6},
 };
 
 void PrintTo(const ShippedStyle& style, std::ostream* out) { *out << style.name; }

@@ -116,7 +116,10 @@ TEST(Doors, AreMadeByEveryStyleThatHasDoors) {
                             Style::kFlatRoofHouse,
                             Style::kTropicalHouse,
                             Style::kSouthAsianHouse,
-                            Style::kChineseSlab}) {
+                            Style::kChineseSlab,
+                            Style::kHaussmann,
+                            Style::kGruenderzeit,
+                            Style::kAsianMidrise}) {
     const Rulebook rulebook = parse_rulebook(shipped_rules());
     const auto expanded = [&](const std::vector<std::uint16_t>& told) {
       Building building = building_with(told, style);

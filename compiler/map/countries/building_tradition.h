@@ -1,0 +1,23 @@
+// Chooses the country whose flats of 1850 to 1914 the old blocks of a place are like.
+#pragma once
+
+#include <cstdint>
+
+#include "compiler/map/plane/plane.h"
+
+namespace citykiln::map {
+
+/// A way to build blocks of flats, before about 1914, in part of one or more country groups.
+enum class BuildingTradition : std::uint8_t {
+  kOther,    ///< The practice of the country group.
+  kFrance,   ///< France and Monaco.
+  kBelgium,  ///< Belgium, which builds narrow houses besides.
+  kGermany,  ///< Germany, Austria, the Czech lands, western Poland, Slovakia, Hungary.
+  kCount
+};
+
+/// Returns the tradition by the rings of building_traditions.inc; kOther outside of all rings. Land borders are
+/// accurate to about 30 km; at sea they lie anywhere between the coasts. O(rings).
+BuildingTradition building_tradition_at(LonLat place);
+
+}  // namespace citykiln::map
