@@ -268,6 +268,60 @@ TEST(GlassTower, StandsBackWhereItStandsAlone) {
   EXPECT_LT(stands_back_m(*program, 40, false), 0.5);
 }
 
+// ---- parts that styles share ----------------------------------------------------------------------------------------
+
+// The number of faces of terminals whose path of rules has this part, such as "/Gutter/".
+std::size_t count_below(const char* style, const MadeMass& made, std::map<std::string, Value> attributes,
+                        const char* part, double tolerance_m = 0) {
+  const Result<Program> program = read_rules(std::string(style) + ".cga", shipped);
+  if (!program) return 0;
+  roofs::RoofForm became{};
+  const Shape mass = mass_model_of(made, &became);
+  DeriveOptions options;
+  options.attributes = std::move(attributes);
+  options.attributes["height"] = made.height_m, options.attributes["roof"] = std::string(name_of(became));
+  options.tolerance_m = tolerance_m, options.roofs = form_roofs(0.02);
+  const Derivation derivation = derive(*program, mass, options);
+  std::size_t faces = 0;
+  for (const Terminal& terminal : derivation.terminals)
+    if (path_name(derivation, terminal.path).find(part) != std::string::npos) faces += terminal.faces.size();
+  return faces;
+}
+
+TEST(SharedParts, DrainSteepRoofsAndNoLevelOnes) {
+  MadeMass house = made_of({"row_house", 8, 9, 6, 2, "gabled", 0, 0, 0});
+  EXPECT_GT(count_below("row_house", house, {{"levels", 2.0}}, "/Gutter/"), 8u);
+  EXPECT_GT(count_below("row_house", house, {{"levels", 2.0}}, "/Downpipe/"), 2u);
+  EXPECT_EQ(count_below("row_house", house, {{"levels", 2.0}, {"lifted", true}}, "/Downpipe/"), 0u);
+  // without eaves the gutter of a house between neighbours hangs on its wall
+  house.roof.overhang_m = 0;
+  EXPECT_EQ(count_below("row_house", house, {{"levels", 2.0}}, "/Gutter/"), 0u);
+  EXPECT_GT(count_below("row_house", house, {{"levels", 2.0}, {"attached", true}}, "/Gutter/"), 4u);
+  house.roof.form = roofs::RoofForm::kFlat;
+  EXPECT_EQ(count_below("row_house", house, {{"levels", 2.0}, {"attached", true}}, "/Gutter/"), 0u);
+}
+
+TEST(SharedParts, HaveADoorEveryFewWindowsOfALongWall) {
+  const auto doors = [](double width_m) {
+    return count_below("balcony_flats", made_of({"balcony_flats", width_m, 10, 12.6, 4, "flat", 0, 0, 0}),
+                       {{"levels", 4.0}}, "/DoorLeaf/");
+  };
+  EXPECT_GT(doors(14), 0u);
+  EXPECT_GE(doors(70), 2 * doors(14));
+}
+
+// A part far smaller than the wall it is put on is not kept by levels that leave out a balcony.
+TEST(SharedParts, LeaveOutSmallPartsAtCoarseLevels) {
+  for (std::uint64_t id = 1; id <= 12; ++id) {
+    MadeMass flats = made_of({"balcony_flats", 26, 10, 12.6, 4, "flat", 0, 0, 0});
+    flats.id = StableId{id};
+    const std::map<std::string, Value> given{{"levels", 4.0}, {"entrances", 0.0}};
+    EXPECT_GT(count_below("balcony_flats", flats, given, "/Plate/"), 0u) << id;
+    for (const char* part : {"/Plate/", "/Vent/", "/Plants/", "/Aerial/", "/Dish/"})
+      EXPECT_EQ(count_below("balcony_flats", flats, given, part, 2.5), 0u) << part << id;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, ShippedStyles, testing::ValuesIn(kStyles),
                          [](const auto& info) { return std::string(info.param.name); });
 
