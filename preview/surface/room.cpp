@@ -11,7 +11,7 @@ namespace citykiln::preview {
 namespace {
 
 // Reflectances of plaster, wood and white paint.
-constexpr Rgb kWall = {0.55, 0.50, 0.42}, kFloor = {0.16, 0.11, 0.07}, kCeiling = {0.75, 0.73, 0.68};
+constexpr Rgb kWall = {0.58, 0.56, 0.52}, kFloor = {0.20, 0.17, 0.14}, kCeiling = {0.75, 0.74, 0.71};
 
 // A box in the pane's frame: x across, y up, z inward from the pane's corner.
 struct Room {

@@ -168,7 +168,8 @@ TEST(RowsOf, ShowWindowsOfHousesAtCoarseLevels) {
       const GeneratedBuilding made =
           generate(house, book, {.seed = 1, .night = {}, .pictures = &pictures}, tolerance_m, report);
       EXPECT_LE(made.error_m, tolerance_m);
-      const auto is_pane = [](const Texel& texel) { return texel.roughness < 60; };
+      // texels mix panes, which have 15 to 26, with frames, which have 191 as walls have
+      const auto is_pane = [](const Texel& texel) { return texel.roughness < 110; };
       EXPECT_TRUE(std::ranges::any_of(
           made.textured_faces,
           [&](const TexturedFace& face) { return std::ranges::any_of(unpacked(*face.picture).texels, is_pane); }))

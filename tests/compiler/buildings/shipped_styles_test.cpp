@@ -25,27 +25,27 @@ struct ShippedStyle {
 };
 
 constexpr ShippedStyle kStyles[] = {
-    {"old_town_house", 9, 10, 13, 4, "gabled", 5500, 0.45, 1.6},
-    {"courtyard_block", 24, 20, 19, 5, "flat", 16000, 0.95, 2.6},
-    {"row_house", 6, 9, 6, 2, "gabled", 1600, 0.75, 1.6},
-    {"villa", 11, 9, 5.6, 2, "hipped", 2200, 1.15, 1.6},
-    {"panel_block", 45, 12, 16.8, 6, "flat", 12000, 1.45, 2.6},
+    {"old_town_house", 9, 10, 13, 4, "gabled", 5500, 0.55, 1.95},
+    {"courtyard_block", 24, 20, 19, 5, "flat", 16000, 1.15, 2.6},
+    {"row_house", 6, 9, 6, 2, "gabled", 1600, 0.85, 1.95},
+    {"villa", 11, 9, 5.6, 2, "hipped", 2200, 1.15, 1.95},
+    {"panel_block", 45, 12, 16.8, 6, "flat", 17000, 1.45, 2.6},
     {"office_slab", 32, 14, 22, 6, "flat", 12000, 0.25, 2.6},
     {"glass_tower", 26, 26, 110, 30, "flat", 15000, 0.3, 2.6},
     {"shop", 22, 16, 4.5, 1, "flat", 1300, 1.65, 2.6},
-    {"warehouse", 36, 24, 8, 1, "gabled", 5000, 0.45, 1.6},
+    {"warehouse", 36, 24, 8, 1, "gabled", 5000, 0.55, 1.6},
     {"church", 12, 26, 10, 1, "gabled", 2600, 0.85, 1.6},
-    {"barn", 18, 10, 4.5, 1, "gabled", 1100, 0.45, 1.6},
+    {"barn", 18, 10, 4.5, 1, "gabled", 1100, 0.55, 1.6},
     {"garage", 12, 6, 2.6, 1, "flat", 450, 0.1, 0.2},
     {"castle", 14, 14, 16, 4, "flat", 3000, 0.35, 1.3},
-    {"north_american_house", 12, 9, 5.6, 2, "gabled", 2900, 1.8, 1.6},
+    {"north_american_house", 12, 9, 5.6, 2, "gabled", 2900, 1.8, 1.95},
     {"north_american_row", 12, 12, 11, 3, "flat", 5000, 1.9, 2.6},
     {"japanese_house", 9, 8, 5.8, 2, "gabled", 1700, 1.15, 0.5},
-    {"japanese_apartments", 24, 11, 14.5, 5, "flat", 12000, 1.35, 2.6},
-    {"british_terrace", 10.4, 8, 5.4, 2, "gabled", 2600, 0.75, 1.9},
-    {"mediterranean_house", 9, 9, 9.4, 3, "gabled", 3200, 0.75, 1.6},
-    {"balcony_flats", 13, 10, 12.6, 4, "flat", 7000, 1.25, 2.6},
-    {"nordic_wood", 10, 8, 5.6, 2, "gabled", 2900, 1.6, 1.6},
+    {"japanese_apartments", 24, 11, 14.5, 5, "flat", 15000, 1.35, 2.6},
+    {"british_terrace", 10.4, 8, 5.4, 2, "gabled", 2600, 0.75, 2.45},
+    {"mediterranean_house", 9, 9, 9.4, 3, "gabled", 3500, 0.85, 1.95},
+    {"balcony_flats", 13, 10, 12.6, 4, "flat", 7000, 1.35, 2.6},
+    {"nordic_wood", 10, 8, 5.6, 2, "gabled", 2900, 1.6, 1.95},
     {"latin_american_house", 8, 9, 6.2, 2, "flat", 1800, 1.0, 2.6},
     {"flat_roof_house", 9, 9, 6.2, 2, "flat", 1700, 1.25, 2.6},
     {"tropical_house", 10, 8, 3.2, 1, "hipped", 1300, 2.2, 0.5},
@@ -272,6 +272,60 @@ TEST(GlassTower, StandsBackWhereItStandsAlone) {
   EXPECT_GT(stands_back_m(*program, 110, false), 2);
   EXPECT_LT(stands_back_m(*program, 110, true), 0.5);
   EXPECT_LT(stands_back_m(*program, 40, false), 0.5);
+}
+
+// ---- parts that styles share ----------------------------------------------------------------------------------------
+
+// The number of faces of terminals whose path of rules has this part, such as "/Gutter/".
+std::size_t count_below(const char* style, const MadeMass& made, std::map<std::string, Value> attributes,
+                        const char* part, double tolerance_m = 0) {
+  const Result<Program> program = read_rules(std::string(style) + ".cga", shipped);
+  if (!program) return 0;
+  roofs::RoofForm became{};
+  const Shape mass = mass_model_of(made, &became);
+  DeriveOptions options;
+  options.attributes = std::move(attributes);
+  options.attributes["height"] = made.height_m, options.attributes["roof"] = std::string(name_of(became));
+  options.tolerance_m = tolerance_m, options.roofs = form_roofs(0.02);
+  const Derivation derivation = derive(*program, mass, options);
+  std::size_t faces = 0;
+  for (const Terminal& terminal : derivation.terminals)
+    if (path_name(derivation, terminal.path).find(part) != std::string::npos) faces += terminal.faces.size();
+  return faces;
+}
+
+TEST(SharedParts, DrainSteepRoofsAndNoLevelOnes) {
+  MadeMass house = made_of({"row_house", 8, 9, 6, 2, "gabled", 0, 0, 0});
+  EXPECT_GT(count_below("row_house", house, {{"levels", 2.0}}, "/Gutter/"), 8u);
+  EXPECT_GT(count_below("row_house", house, {{"levels", 2.0}}, "/Downpipe/"), 2u);
+  EXPECT_EQ(count_below("row_house", house, {{"levels", 2.0}, {"lifted", true}}, "/Downpipe/"), 0u);
+  // without eaves the gutter of a house between neighbours hangs on its wall
+  house.roof.overhang_m = 0;
+  EXPECT_EQ(count_below("row_house", house, {{"levels", 2.0}}, "/Gutter/"), 0u);
+  EXPECT_GT(count_below("row_house", house, {{"levels", 2.0}, {"attached", true}}, "/Gutter/"), 4u);
+  house.roof.form = roofs::RoofForm::kFlat;
+  EXPECT_EQ(count_below("row_house", house, {{"levels", 2.0}, {"attached", true}}, "/Gutter/"), 0u);
+}
+
+TEST(SharedParts, HaveADoorEveryFewWindowsOfALongWall) {
+  const auto doors = [](double width_m) {
+    return count_below("balcony_flats", made_of({"balcony_flats", width_m, 10, 12.6, 4, "flat", 0, 0, 0}),
+                       {{"levels", 4.0}}, "/DoorLeaf/");
+  };
+  EXPECT_GT(doors(14), 0u);
+  EXPECT_GE(doors(70), 2 * doors(14));
+}
+
+// A part far smaller than the wall it is put on is not kept by levels that leave out a balcony.
+TEST(SharedParts, LeaveOutSmallPartsAtCoarseLevels) {
+  for (std::uint64_t id = 1; id <= 12; ++id) {
+    MadeMass flats = made_of({"balcony_flats", 26, 10, 12.6, 4, "flat", 0, 0, 0});
+    flats.id = StableId{id};
+    const std::map<std::string, Value> given{{"levels", 4.0}, {"entrances", 0.0}};
+    EXPECT_GT(count_below("balcony_flats", flats, given, "/Plate/"), 0u) << id;
+    for (const char* part : {"/Plate/", "/Vent/", "/Plants/", "/Aerial/", "/Dish/"})
+      EXPECT_EQ(count_below("balcony_flats", flats, given, part, 2.5), 0u) << part << id;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedStyles, testing::ValuesIn(kStyles),
