@@ -17,13 +17,13 @@ struct PlacedThing {
   int number = 1;          ///< The number of its form among the forms of its kind in the tile, from 1, in the order of
                            ///< Form. The name of the mesh has it.
   Vec3 up{0, 0, 1};        ///< The direction of the mesh's z axis, of unit length.
-  bool is_parked = false;  ///< True for parked cars and street furniture, which are not recipes.
+  bool is_parked = false;  ///< True for parked cars, street furniture and people, which are not recipes.
 };
 
 /// Returns the things of a tile with their placements (things::place()), one per thing, in their order: on the ground,
-/// or at Thing::foot_m on a building; then the parked cars and the street furniture. Mapped parking spaces are left
+/// or at Thing::foot_m on a building; then the parked cars, the street furniture and the people. Mapped parking spaces are left
 /// out. O(n log n).
-/// @param cars    Results of place_cars() and place_furniture().
+/// @param cars    Results of place_cars(), place_furniture() and place_people().
 /// @param graded  Must cover the bases of the things.
 std::vector<PlacedThing> place_things(const std::vector<things::Thing>& things, const ground::GradedTerrain& graded,
                                       std::vector<PlacedThing> cars);

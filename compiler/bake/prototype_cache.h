@@ -68,7 +68,7 @@ class PrototypeCache {
   /// @param height_m, tolerance_m  > 0.
   const BakedPrototype& prototype(plants::Prototype prototype, double height_m, double tolerance_m) const;
 
-  /// The mesh of a form of things, within the tolerance. The reference is valid as long as the cache.
+  /// The mesh of a form of things, or of a person (people::form_of()), within the tolerance. The reference is valid as long as the cache.
   const BakedThing& thing(const things::Form& form, double tolerance_m) const;
 
   /// The header's species, and the shipped ones.

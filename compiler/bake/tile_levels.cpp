@@ -9,6 +9,7 @@
 #include "compiler/bake/ground/skirt.h"
 #include "compiler/bake/place_cars.h"
 #include "compiler/bake/place_furniture.h"
+#include "compiler/bake/place_people.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/plants/placing/placing_steps.h"
 
@@ -30,9 +31,25 @@ std::vector<Placement> joined(const plants::PlacedPlants& placed) {
 
 // Objects that only some levels need.
 struct Wanted {
-  bool blades = false, hedge_plants = false, cars = false, furniture = false;
+  bool blades = false, hedge_plants = false, cars = false, furniture = false, people = false;
   std::vector<double> canopies_m{};
 };
+
+// The parked cars, the street furniture and the people of a tile.
+std::vector<PlacedThing> drawn_things(const scene::Header& header, const scene::Chunk& chunk,
+                                      const SharedByLevels& shared, const ground::LandCoverIndex& map,
+                                      const Wanted& wanted) {
+  const Box2 box = scene::box_of(header, chunk.tile);
+  std::vector<PlacedThing> drawn, furniture, people;
+  if (wanted.cars) drawn = place_cars(header, chunk, map, *shared.graded, box);
+  const bool has_people = wanted.people && people::has_people(header.people);
+  if (wanted.furniture || has_people)
+    furniture = place_furniture(header, chunk, shared.lamps, map, *shared.graded, box);
+  if (has_people) people = place_people(header, chunk, furniture, shared.lamps, map, *shared.graded, box);
+  if (wanted.furniture) std::ranges::move(furniture, std::back_inserter(drawn));
+  std::ranges::move(people, std::back_inserter(drawn));
+  return drawn;
+}
 
 SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m,
                                 const Wanted& wanted) {
@@ -42,13 +59,7 @@ SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk&
   SharedByLevels shared{
       .graded = std::make_shared<ground::GradedTerrain>(scene::graded_terrain_of(header, chunk, tolerance_m)),
       .lamps = place_lamps(chunk, map, box)};
-  std::vector<PlacedThing> drawn;
-  if (wanted.cars) drawn = place_cars(header, chunk, map, *shared.graded, box);
-  if (wanted.furniture) {
-    std::vector<PlacedThing> furniture = place_furniture(header, chunk, shared.lamps, map, *shared.graded, box);
-    std::ranges::move(furniture, std::back_inserter(drawn));
-  }
-  shared.things = place_things(chunk.things, *shared.graded, std::move(drawn));
+  shared.things = place_things(chunk.things, *shared.graded, drawn_things(header, chunk, shared, map, wanted));
   const plants::SpeciesTable species(header.species);
   const plants::PlacingContext land{
       map,    *shared.graded, box, header.seed, header.origin.lat_deg, header.climate, scene::local_month_of(header),
@@ -92,7 +103,8 @@ struct SharedParts {
     Wanted wanted{.blades = has_roads && has_detail(Detail::kGrassBlades, std::ranges::min(tolerances_m)),
                   .hedge_plants = is_view || has_detail(Detail::kHedgePlants, tolerance_m),
                   .cars = shows(kShowsCars_m, has_roads),
-                  .furniture = shows(kShowsFurniture_m, has_roads)};
+                  .furniture = shows(kShowsFurniture_m, has_roads),
+                  .people = shows(kShowsPeople_m, has_roads)};
     if (!has_roads && !is_view) std::ranges::copy_if(tolerances_m, std::back_inserter(wanted.canopies_m), has_canopy);
     return shared = std::make_shared<SharedByLevels>(make_shared_part(header, chunk, tolerance_m, wanted));
   }

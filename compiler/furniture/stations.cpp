@@ -45,14 +45,14 @@ bool has_pavement(const roads::Road& road) {
 
 }  // namespace
 
-std::vector<Station> stations_along(const roads::Road& road, const Box2& box) {
+std::vector<Station> stations_along(const roads::Road& road, const Box2& box, double step_m) {
   std::vector<Station> stations;
   const Box2 about = box.widened(kStationStep_m);
   if (!has_pavement(road) || !box_of(road.axis).widened(roads::max_offset_m(road)).touches(about)) return stations;
   const std::vector<double> along = roads::distances_along(road);
-  const auto first = static_cast<std::int64_t>(std::ceil(along.front() / kStationStep_m));
-  for (std::int64_t k = first; static_cast<double>(k) * kStationStep_m < along.back(); ++k) {
-    const double at_m = static_cast<double>(k) * kStationStep_m;
+  const auto first = static_cast<std::int64_t>(std::ceil(along.front() / step_m));
+  for (std::int64_t k = first; static_cast<double>(k) * step_m < along.back(); ++k) {
+    const double at_m = static_cast<double>(k) * step_m;
     const Vec2 at = point_at(road.axis, along, at_m);
     if (!about.widened(roads::max_offset_m(road)).contains(at)) continue;
     const Vec2 ahead = unit(point_at(road.axis, along, std::min(at_m + 1, along.back())) - at);

@@ -30,6 +30,7 @@ struct Station {
 /// Returns the stations of a road's pavements whose kerb lies in a box widened by 8 m, in order along the way. They are
 /// numbered from the start of the whole way, so the parts of a trimmed way have the stations of the whole, bit for bit.
 /// Pavements of less than kFreeWidth_m have none. O(points + stations · lanes).
-std::vector<Station> stations_along(const roads::Road& road, const Box2& box);
+/// @param step_m  Their distance along the way; of furniture kStationStep_m.
+std::vector<Station> stations_along(const roads::Road& road, const Box2& box, double step_m);
 
 }  // namespace citykiln::furniture

@@ -128,7 +128,7 @@ std::vector<things::Thing> street_furniture(const StreetRecipes& recipes, std::u
       .fronts = lots::index_capsules(fronts_of(recipes.buildings))};
   std::vector<things::Thing> pieces;
   for (const roads::Road& road : recipes.roads)
-    for (const Station& station : stations_along(road, box)) {
+    for (const Station& station : stations_along(road, box, kStationStep_m)) {
       const StreetKind* kind = furnisher.drawn(station, furnisher.use_at(station));
       if (kind && furnisher.may_stand(station, *kind))
         pieces.push_back(furnisher.piece(station, *kind, road, static_cast<std::uint32_t>(pieces.size())));

@@ -55,8 +55,9 @@ constexpr Check CheckResults::*kChecks[] = {&CheckResults::files,          &Chec
                                             &CheckResults::assumed_masts,  &CheckResults::assumed_yards,
                                             &CheckResults::assumed_hedges, &CheckResults::assumed_houses,
                                             &CheckResults::assumed_fronts, &CheckResults::parked_cars,
-                                            &CheckResults::tileset,        &CheckResults::tileset_boxes,
-                                            &CheckResults::tileset_errors, &CheckResults::tileset_seams};
+                                            &CheckResults::people,         &CheckResults::tileset,
+                                            &CheckResults::tileset_boxes,  &CheckResults::tileset_errors,
+                                            &CheckResults::tileset_seams};
 // Printed if something was tested.
 constexpr Check CheckResults::*kOptionalChecks[] = {&CheckResults::bend, &CheckResults::usd_layers,
                                                     &CheckResults::usd_same, &CheckResults::usd_scene};

@@ -111,6 +111,7 @@ struct CheckResults {
   Check assumed_lamps{"no assumed lamp stands on a carriageway, a railway, a building or water", 0, {}};
   Check parked_cars{
       "no parked car stands before a door, in a building, a railway or water, or off the paved ground", 0, {}};
+  Check people{"nobody stands in a carriageway, a railway, a building or water, or in a thing or lamp", 0, {}};
   Check assumed_railings{
       "no assumed railing stands in a carriageway, on steps, across a way, before a door, in a building or water",
       0,

@@ -299,6 +299,7 @@ void check_assumed(TileUnderCheck& tile, const bake::BakedTile& level, const std
               tile.results().assumed_pavements);
   add_assumed(measure_assumed_lamps(level, tile.chunk, tile.cover), "lamps", name, tile.results().assumed_lamps);
   add_assumed(measure_parked_cars(level, tile.chunk, tile.cover), "cars", name, tile.results().parked_cars);
+  add_assumed(measure_people(level, tile.cover), "people", name, tile.results().people);
   add_assumed(measure_assumed_railings(tile.chunk, tile.cover, tile.box), "places of railings", name,
               tile.results().assumed_railings);
   add_assumed(measure_assumed_masts(tile.chunk, tile.cover, tile.box), "feet of masts", name,
