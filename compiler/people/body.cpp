@@ -62,7 +62,7 @@ constexpr auto kHairs = std::to_array<Colour<kRegions>>({
 });
 
 // Draws of a body.
-enum : std::uint32_t { kDrawTop, kDrawBottom, kDrawSkin, kDrawHair, kDrawShoes, kDrawBag, kDrawCap };
+enum : std::uint32_t { kDrawTop, kDrawBottom, kDrawSkin, kDrawHair, kDrawShoes, kDrawBag, kDrawCap, kDrawHasCap };
 
 Region region_of(map::CountryGroup country) {
   using enum map::CountryGroup;
@@ -137,6 +137,7 @@ Look look_of(const Body& body, std::uint64_t seed) {
   const RandomSequence draw(seed, stable_id(stable_id(ObjectId{}), "person", body.number), "look");
   const Region region = region_of(body.country);
   const auto season = static_cast<std::size_t>(body.season);
+  const bool has_cap = body.season == Season::kCold && model.hair_cut != HairCut::kBun && draw.unit(kDrawHasCap) < 0.45;
   Look look{.pose = model.pose,
             .figure = model.figure,
             .height_m = model.height_m,
@@ -144,6 +145,7 @@ Look look_of(const Body& body, std::uint64_t seed) {
             .hair_cut = model.hair_cut,
             .bag = model.bag,
             .season = body.season,
+            .has_cap = has_cap,
             .top = picked_tint(kClothes, season, draw.unit(kDrawTop)),
             .bottom = picked_tint(kClothes, kLegs, draw.unit(kDrawBottom)),
             .skin = picked_tint(kSkins, region, draw.unit(kDrawSkin)),

@@ -19,7 +19,7 @@ enum class Bag : std::uint8_t { kNone, kBackpack, kShoulderBag, kCarrierBag };
 /// The clothes of a season: thin ones, a jacket, or a coat with a cap.
 enum class Season : std::uint8_t { kWarm, kMild, kCold };
 
-/// What a spot asks of its people.
+/// The stance that a spot asks of its people.
 enum class Stance : std::uint8_t { kWalking, kStanding, kSitting };
 
 /// All that decides the mesh of a body. Colours are tints of Material::kPaint.
@@ -31,6 +31,7 @@ struct Look {
   HairCut hair_cut{};
   Bag bag{};
   Season season{};
+  bool has_cap = false;
   materials::Tint top{}, bottom{}, skin{}, hair{}, shoes{}, bag_colour{}, cap{};
 };
 

@@ -14,8 +14,9 @@ using materials::Tint;
 
 // Lengths are those of a person of this height; all is scaled.
 constexpr double kModel_m = 1.75;
-// Errors of the three levels for a person of 1 m.
-constexpr std::array<double, 3> kErrors = {0, 0.2, 0.3};
+// Errors of the three levels for a person of 1 m, and the least tolerances at which they are shown: at the usual one of
+// 0.5 m a person still has two legs.
+constexpr std::array<double, 3> kErrors = {0, 0.2, 0.21}, kShownFrom = {0, 0.2, 0.35};
 
 // The joints of one side. The upper body of a pose is moved by `lift`.
 struct LegJoints {
@@ -25,7 +26,7 @@ struct ArmJoints {
   Vec3 shoulder, elbow, wrist;
 };
 struct Skeleton {
-  std::array<LegJoints, 2> legs;  // left (x > 0 seen from behind is right; here x > 0 comes first)
+  std::array<LegJoints, 2> legs;  // at x > 0, the left one of who faces -y, then the other
   std::array<ArmJoints, 2> arms;
   Vec3 lift{};
 };
@@ -43,7 +44,7 @@ Trunk trunk_of(const Look& look) {
               .chest = 0.185,
               .chest_deep = 0.128,
               .shoulders = 0.185,
-              .arms_at = 0.205};
+              .arms_at = 0.193};
   if (look.figure == Figure::kWoman)
     trunk = {.hips = 0.172,
              .hips_deep = 0.122,
@@ -52,7 +53,7 @@ Trunk trunk_of(const Look& look) {
              .chest = 0.16,
              .chest_deep = 0.128,
              .shoulders = 0.155,
-             .arms_at = 0.176};
+             .arms_at = 0.166};
   if (look.figure == Figure::kChild)
     trunk = {.hips = 0.165,
              .hips_deep = 0.125,
@@ -61,7 +62,7 @@ Trunk trunk_of(const Look& look) {
              .chest = 0.168,
              .chest_deep = 0.122,
              .shoulders = 0.155,
-             .arms_at = 0.182};
+             .arms_at = 0.17};
   const double wide = look.season == Season::kCold ? 1.12 : look.season == Season::kMild ? 1.05 : 1;
   for (double* m : {&trunk.hips, &trunk.hips_deep, &trunk.waist, &trunk.waist_deep, &trunk.chest, &trunk.chest_deep})
     *m *= wide;
@@ -80,7 +81,7 @@ LegJoints straight_leg(double x) { return leg(x, -0.012, 0.49, {0.1, 0.025, 0.08
 LegJoints eased_leg(double x) { return leg(x, -0.09, 0.5, {0.15, -0.05, 0.085}, {0.4, -1, 0}); }
 
 ArmJoints arm(double x, double at_m, Vec3 elbow, Vec3 wrist) {
-  return {{at_m * x, 0, 1.405}, {(at_m + elbow.x) * x, elbow.y, elbow.z}, {(at_m + wrist.x) * x, wrist.y, wrist.z}};
+  return {{at_m * x, 0, 1.385}, {(at_m + elbow.x) * x, elbow.y, elbow.z}, {(at_m + wrist.x) * x, wrist.y, wrist.z}};
 }
 
 ArmJoints hanging_arm(double x, double at_m) { return arm(x, at_m, {0.045, 0.02, 1.12}, {0.04, -0.05, 0.87}); }
@@ -140,18 +141,16 @@ struct BodyMaker {
 
   void add_leg(const LegJoints& joints) {
     const bool is_bare = has_bare_legs(look);
-    const double loose = is_bare ? 1 : 1.12;
+    const double loose = is_bare ? 1 : 1.12, thigh = has_skirt(look) ? 0.074 : 0.088;
     const auto between = [](Vec3 a, Vec3 b, double share) { return a + (b - a) * share; };
-    const std::array<Joint, 5> lower = {{{joints.ankle, 0.043 * loose},
+    const std::array<Joint, 4> lower = {{{joints.ankle, 0.043 * loose},
                                          {between(joints.knee, joints.ankle, 0.3), 0.06 * loose},
-                                         {joints.knee, 0.058 * loose},
-                                         {between(joints.hip, joints.knee, 0.45), 0.078 * loose},
-                                         {joints.hip, 0.088}}};
-    const Tint cloth = look.bottom, skin = look.skin;
-    add_limb(lower, 7, 1.06, is_bare ? skin : cloth, mesh);
+                                         {joints.knee, 0.059 * loose},
+                                         {joints.hip, thigh}}};
+    add_limb(lower, 6, 1.06, is_bare ? look.skin : look.bottom, mesh);
     if (look.legs == LegWear::kShorts && is_bare)
-      add_limb(std::array<Joint, 2>{{{between(joints.hip, joints.knee, 0.72), 0.09}, {joints.hip, 0.095}}}, 7, 1.06,
-               cloth, mesh);
+      add_limb(std::array<Joint, 2>{{{between(joints.hip, joints.knee, 0.72), 0.086}, {joints.hip, 0.095}}}, 6, 1.06,
+               look.bottom, mesh);
     add_shoe(joints);
   }
 
@@ -161,14 +160,12 @@ struct BodyMaker {
       const Vec3 at = joints.ankle + toes * ahead + up * ((low + high) / 2);
       return Ring3{at, across * -half_width, up * ((high - low) / 2)};
     };
-    // the sole is 8 cm below the ankle
-    const std::array<Ring3, 4> rings = {{ring(-0.065, 0.03, -0.084, 0.0), ring(0.02, 0.041, -0.086, 0.012),
-                                         ring(0.12, 0.047, -0.084, -0.03), ring(0.2, 0.028, -0.08, -0.05)}};
-    std::array<Ring3, 4> turned = rings;
-    // across and up must turn about the toes
-    for (Ring3& r : turned)
-      if (dot(cross(r.u, r.v), toes) < 0) r.u = r.u * -1.0;
-    add_loft(turned, 6, look.shoes, mesh);
+    std::array<Ring3, 3> rings = {
+        {ring(-0.065, 0.034, -0.084, 0.004), ring(0.08, 0.047, -0.086, -0.012), ring(0.2, 0.028, -0.08, -0.05)}};
+    // the ankle is 8 cm above the sole; rings turn about the toes
+    for (Ring3& turned : rings)
+      if (dot(cross(turned.u, turned.v), toes) < 0) turned.u = turned.u * -1.0;
+    add_loft(rings, 5, look.shoes, mesh);
   }
 
   void add_hips() {
@@ -178,7 +175,7 @@ struct BodyMaker {
     const std::array<Ring3, 3> rings = {{level_ring({seat.x, seat.y, z + 0.79}, 0.12, 0.085),
                                          level_ring({seat.x, seat.y, z + 0.87}, trunk.hips, trunk.hips_deep),
                                          level_ring({seat.x, seat.y, z + 1.0}, trunk.waist * 1.03, trunk.waist_deep)}};
-    add_loft(rings, 9, look.bottom, mesh);
+    add_loft(rings, 8, look.bottom, mesh);
   }
 
   void add_skirt() {
@@ -192,18 +189,20 @@ struct BodyMaker {
           {trunk_ring(0.8, 0.17, 0.12), trunk_ring(1.02, trunk.waist, trunk.waist_deep)}};
       return add_loft(rings, 9, look.bottom, mesh);
     }
-    const double stride = look.pose == Pose::kWalk ? 0.07 : 0;
+    const double stride = look.pose == Pose::kWalk ? 0.11 : 0.02;
     const std::array<Ring3, 4> rings = {
-        {trunk_ring(0.53, 0.2, 0.16 + stride), trunk_ring(0.72, 0.19, 0.145 + stride / 2),
-         trunk_ring(0.88, trunk.hips, trunk.hips_deep), trunk_ring(1.04, trunk.waist, trunk.waist_deep)}};
-    add_loft(rings, 10, look.bottom, mesh);
+        {trunk_ring(0.53, 0.215, 0.165 + stride), trunk_ring(0.72, 0.205, 0.15 + stride / 2),
+         trunk_ring(0.88, trunk.hips * 1.04, trunk.hips_deep * 1.04), trunk_ring(1.04, trunk.waist, trunk.waist_deep)}};
+    add_loft(rings, 8, look.bottom, mesh);
   }
 
   // From the hem to the neck.
   void add_top() {
     std::vector<Ring3> rings;
     const bool has_coat = look.season == Season::kCold && look.pose != Pose::kSit && look.figure != Figure::kChild;
-    if (has_coat) rings.push_back(trunk_ring(0.64, trunk.hips * 1.12, trunk.hips_deep * 1.35));
+    if (has_coat)
+      rings.push_back(
+          trunk_ring(0.64, trunk.hips * 1.15, trunk.hips_deep * 1.3 + (look.pose == Pose::kWalk ? 0.08 : 0.02)));
     const double hem = look.season == Season::kWarm ? 0.93 : 0.85;
     if (!has_coat) rings.push_back(trunk_ring(hem, trunk.hips * 1.04, trunk.hips_deep * 1.05));
     if (has_coat) rings.push_back(trunk_ring(0.86, trunk.hips * 1.06, trunk.hips_deep * 1.1));
@@ -212,47 +211,46 @@ struct BodyMaker {
     rings.push_back(trunk_ring(1.385, trunk.shoulders * 1.06, trunk.chest_deep * 0.86, 0.004));
     rings.push_back(trunk_ring(1.44, trunk.shoulders * 0.74, trunk.chest_deep * 0.62, 0.012));
     rings.push_back(trunk_ring(1.475, 0.072, 0.068, 0.012));
-    add_loft(rings, 10, look.top, mesh);
+    add_loft(rings, 8, look.top, mesh);
   }
 
   void add_arm(const ArmJoints& joints) {
     const Vec3 shoulder = joints.shoulder + bones.lift, elbow = joints.elbow + bones.lift,
                wrist = joints.wrist + bones.lift;
-    const double thick = look.season == Season::kWarm ? 1 : look.season == Season::kMild ? 1.15 : 1.3;
-    const Vec3 middle = elbow + (shoulder - elbow) * 0.45;
     const bool is_bare = look.season == Season::kWarm;
-    const std::array<Joint, 4> sleeve = {
-        {{wrist, 0.028 * thick}, {elbow, 0.041 * thick}, {middle, 0.05 * thick}, {shoulder, 0.058 * thick}}};
-    add_limb(sleeve, 6, 1.05, is_bare ? look.skin : look.top, mesh);
-    if (is_bare)
-      add_limb(std::array<Joint, 2>{{{middle + (elbow - middle) * 0.3, 0.06},
-                                     {shoulder + (shoulder - middle) * 0.1, 0.062}}},
-               6, 1.05, look.top, mesh);
+    const double thick = is_bare ? 1 : look.season == Season::kMild ? 1.15 : 1.3;
+    const Vec3 middle = elbow + (shoulder - elbow) * 0.4;
+    // the sleeve ends in the trunk, below the neck
+    const Joint top{shoulder + Vec3{shoulder.x * -0.28, 0.004, 0.045}, 0.03};
+    const Joint round{shoulder, 0.056 * thick}, fore{elbow, 0.041 * thick}, end{wrist, 0.029 * thick};
+    if (is_bare) {
+      add_limb(std::array<Joint, 3>{{end, fore, {middle, 0.043}}}, 5, 1.05, look.skin, mesh);
+      add_limb(std::array<Joint, 3>{{{middle, 0.056}, round, top}}, 6, 1.05, look.top, mesh);
+    } else {
+      add_limb(std::array<Joint, 4>{{end, fore, round, top}}, 6, 1.05, look.top, mesh);
+    }
     const Vec3 ahead = unit(wrist - elbow);
-    add_limb(
-        std::array<Joint, 3>{
-            {{wrist + ahead * 0.165, 0.016}, {wrist + ahead * 0.085, 0.036}, {wrist - ahead * 0.01, 0.025}}},
-        5, 1.4, look.skin, mesh);
+    add_limb(std::array<Joint, 3>{{{wrist + ahead * 0.17, 0.016}, {wrist + ahead * 0.09, 0.036}, {wrist, 0.026}}}, 4,
+             1.4, look.skin, mesh);
   }
 
   void add_head() {
     const bool is_child = look.figure == Figure::kChild;
-    const double size = is_child ? 1.3 : look.figure == Figure::kWoman ? 0.96 : 1;
+    const double size = is_child ? 1.32 : look.figure == Figure::kWoman ? 1 : 1.04;
     const auto ring = [&](double z, double wide, double deep, double y) {
       return level_ring(bones.lift + Vec3{0, y * size, 1.5 + (z - 1.5) * size - (is_child ? 0.07 : 0)}, wide * size,
                         deep * size);
     };
     const double neck = look.figure == Figure::kWoman ? 0.046 : 0.056;
-    add_loft(std::array<Ring3, 2>{{trunk_ring(1.42, neck * 1.15, neck * 1.1, 0.012), ring(1.57, neck, neck, 0.008)}}, 7,
+    add_loft(std::array<Ring3, 2>{{trunk_ring(1.42, neck * 1.15, neck * 1.1, 0.012), ring(1.57, neck, neck, 0.008)}}, 6,
              look.skin, mesh);
     const std::array<Ring3, 6> head = {{ring(1.513, 0.03, 0.036, -0.05), ring(1.545, 0.055, 0.07, -0.022),
                                         ring(1.6, 0.071, 0.092, -0.008), ring(1.66, 0.076, 0.098, 0),
                                         ring(1.715, 0.066, 0.086, 0.004), ring(1.745, 0.036, 0.046, 0.006)}};
-    add_loft(head, 9, look.skin, mesh);
+    add_loft(head, 8, look.skin, mesh);
     const std::array<Ring3, 2> nose = {{ring(1.592, 0.017, 0.026, -0.098), ring(1.645, 0.008, 0.01, -0.09)}};
-    add_loft(nose, 4, look.skin, mesh);
-    const bool has_cap = look.season == Season::kCold && look.hair_cut != HairCut::kBun;
-    if (has_cap) return add_cap(ring), add_hair_below(ring);
+    add_loft(nose, 3, look.skin, mesh);
+    if (look.has_cap) return add_cap(ring), add_hair_below(ring);
     if (look.hair_cut == HairCut::kBald) return;
     add_hair(ring);
     add_hair_below(ring);
@@ -262,7 +260,7 @@ struct BodyMaker {
   void add_cap(RingAt ring) {
     const std::array<Ring3, 4> rings = {{ring(1.662, 0.083, 0.106, 0.004), ring(1.7, 0.084, 0.107, 0.006),
                                          ring(1.745, 0.062, 0.08, 0.008), ring(1.772, 0.026, 0.032, 0.01)}};
-    add_loft(rings, 9, look.cap, mesh);
+    add_loft(rings, 8, look.cap, mesh);
   }
 
   // Hair lies about the back of the head; its front is within the face.
@@ -271,7 +269,7 @@ struct BodyMaker {
     const std::array<Ring3, 5> rings = {{ring(1.575, 0.058, 0.06, 0.048), ring(1.625, 0.082, 0.082, 0.038),
                                          ring(1.685, 0.087, 0.098, 0.022), ring(1.735, 0.071, 0.096, 0.008),
                                          ring(1.764, 0.034, 0.05, 0.006)}};
-    add_loft(rings, 9, look.hair, mesh);
+    add_loft(rings, 8, look.hair, mesh);
   }
 
   template <typename RingAt>
@@ -357,7 +355,7 @@ struct BodyMaker {
 
 int level_of(double height_m, double tolerance_m) {
   int level = 2;
-  while (kErrors[static_cast<std::size_t>(level)] * height_m > tolerance_m) --level;
+  while (kShownFrom[static_cast<std::size_t>(level)] * height_m > tolerance_m) --level;
   return level;
 }
 

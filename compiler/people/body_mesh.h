@@ -13,7 +13,7 @@ struct BodyMesh {
 };
 
 /// Returns the mesh of a look. The origin is on the ground below the hips, and the person faces -y. There are three
-/// levels: some 600 triangles with limbs, shoes, hair and bag, 60, without arms; and 16.
+/// levels: some 650 triangles with limbs, shoes, hair and bag; 72, without arms; and 16.
 ///
 /// Guarantees: the same bytes on every CPU; error_m <= tolerance_m. Errors are shares of the height: Hausdorff
 /// distances to the first level, both ways, measured by body_mesh_test.cpp and rounded up. O(triangles).

@@ -177,7 +177,7 @@ std::vector<Spot> spots_in(const StreetLife& life, const PeopleWish& wish, const
   const SpotFinder finder{life, wish};
   std::vector<Spot> spots = first_of_crowded(finder.shared_spots(box.widened(kSpotOverlap_m)), box);
   const std::vector<Spot> own = finder.own_spots(box);
-  // seats first: nobody stands in them
+  // those of things come first
   std::vector<Spot> all = own;
   std::ranges::copy_if(spots, std::back_inserter(all), [&](const Spot& spot) {
     return std::ranges::none_of(own, [&](const Spot& o) { return distance(o.at, spot.at) < kSpotOverlap_m; });

@@ -28,7 +28,7 @@ struct Spot {
   OsmId feature{};    ///< The way, area or thing to which it belongs.
   Vec2 at{};          ///< Plane metres.
   Vec2 along{};       ///< The way that people walk here, length 1.
-  Vec2 towards{};     ///< What they look at who stand: the houses, the street, the crossing. Length 1.
+  Vec2 towards{};     ///< The way that standing people look: to the houses, the street, the crossing. Length 1.
   double extent = 0;  ///< How much ground is its own: metres of way, square metres of a square, 1 for others.
   SpotUse use{};
   map::CountryGroup country{};

@@ -16,7 +16,7 @@ namespace citykiln::people {
 /// The distance of spots along pavements, along paths, and on squares, in metres.
 inline constexpr double kPavementStep_m = 3, kPathStep_m = 6, kSquareStep_m = 4;
 
-/// What stands on the ground: a thing, or a lamp.
+/// A thing or a lamp on the ground.
 struct Solid {
   Vec2 at{}, right{};  ///< Its middle, and the direction of its width, length 1.
   double width_m = 0, depth_m = 0;

@@ -28,7 +28,7 @@ struct Copy {
   OsmId feature{};
 };
 
-Vec2 plan_of(const bake::InstancedMesh& mesh, std::size_t copy, Vec3 origin) {
+Vec2 place_of_copy(const bake::InstancedMesh& mesh, std::size_t copy, Vec3 origin) {
   const bake::Float3& offset = mesh.translations[copy];
   return in_plan(Vec3{offset[0], offset[1], offset[2]} + origin);
 }
@@ -40,7 +40,7 @@ Copy copy_of(const bake::InstancedMesh& mesh, std::size_t copy, const bake::Bake
   for (const bake::Primitive& primitive : mesh.primitives)
     for (const bake::Float3& p : primitive.positions)
       if (p[2] * scale < kBodies_m) plan.grow(Vec2{p[0], p[1]} * scale);
-  return {plan_of(mesh, copy, tile.origin),
+  return {place_of_copy(mesh, copy, tile.origin),
           {(w * w - z * z) / norm, 2 * z * w / norm},
           plan,
           tile.features[mesh.features[copy]]};
@@ -113,7 +113,7 @@ AssumedTests measure_people(const bake::BakedTile& tile, const ground::LandCover
   for (const bake::InstancedMesh& mesh : tile.instanced) {
     if (!is_person(mesh)) continue;
     for (std::size_t i = 0; i < mesh.translations.size(); ++i) {
-      const Vec2 at = plan_of(mesh, i, tile.origin);
+      const Vec2 at = place_of_copy(mesh, i, tile.origin);
       ++found.tested;
       std::optional<OsmId> bar = ground_that_bars(land_cover, at);
       if (!bar) bar = thing_about(copies, at);
