@@ -276,7 +276,7 @@ struct ThingFeature {
   std::string material{};               ///< material=*, by thing_materials.inc; other words in lower case.
   std::string text{};                   ///< Digits that it shows, such as those of maxspeed=*.
   std::uint16_t capacity = 0;           ///< 0: untagged.
-  std::uint8_t stop_has = 0;            ///< Of stops, by shelter=yes, bench=yes, bin=yes: bits of StopEquipment.
+  std::uint8_t stop_has = 0;            ///< Bits of StopEquipment, by shelter=yes, bench=yes, bin=yes of stops.
   std::optional<double> bearing_deg{};  ///< direction=*, clockwise of north.
   std::int8_t facing = 0;               ///< 1 if it is for traffic along its way, -1 against it, 0 unknown.
   ThingWay way{};
