@@ -161,7 +161,8 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
                        .climate = climate_of(plane, extent),
                        .has_wild_slopes = has(spec.assume, Assumption::kSurfaces),
                        .cars = car_share_of(spec),
-                       .has_street_furniture = has(spec.assume, Assumption::kRoadsides)};
+                       .has_street_furniture = has(spec.assume, Assumption::kRoadsides),
+                       .people = spec.people};
   if (!header.snow_line_m && climate::is_under_snow(header.climate.origin_class, scene::local_month_of(header)))
     header.snow_line_m = kBelowAllLand_m;
   for (const source::RasterSpec& raster : spec.rasters) header.sources.push_back(file_name_of(raster.path));

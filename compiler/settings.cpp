@@ -295,14 +295,27 @@ Result<Done> set_fill(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
-Result<Done> set_cars(CompileSpec& spec, std::string_view text) {
-  if (text == "usual" || text == "true") return spec.cars = cars::kUsualCars, Done{};
-  if (text == "none" || text == "false") return spec.cars = cars::kNoCars, Done{};
+// A share of places: cars::CarShare or people::PeopleShare.
+template <typename Share>
+Result<Share> share_in(double step, std::string_view text) {
+  if (text == "usual" || text == "true") return Share{.is_by_table = true};
+  if (text == "none" || text == "false") return Share{};
   const auto share = number_in<double>(text);
   if (!share || !(*share >= 0 && *share <= 1))
     return expected("usual, none, or a share from 0 to 1, such as 0.7", text);
-  spec.cars = cars::CarShare{.share = snapped_to(cars::kShareStep, *share)};
-  return Done{};
+  return Share{.share = snapped_to(step, *share)};
+}
+
+Result<Done> set_cars(CompileSpec& spec, std::string_view text) {
+  const Result<cars::CarShare> share = share_in<cars::CarShare>(cars::kShareStep, text);
+  if (!share) return share.error();
+  return spec.cars = *share, Done{};
+}
+
+Result<Done> set_people(CompileSpec& spec, std::string_view text) {
+  const Result<people::PeopleShare> share = share_in<people::PeopleShare>(people::kPeopleStep, text);
+  if (!share) return share.error();
+  return spec.people = *share, Done{};
 }
 
 Result<Done> set_strict(CompileSpec& spec, std::string_view text) {
@@ -433,6 +446,10 @@ constexpr Setting kSettings[] = {
      "the share of parking places with a parked car, from 0 to 1; usual: by country, kind of place and hour (default: "
      "usual where parking is assumed, else none)",
      false, set_cars},
+    {"people", "[usual|none|SHARE]",
+     "the share of spots on pavements, squares and paths with somebody, from 0 to 1; usual: by country, use of the "
+     "ground and hour (default: none)",
+     false, set_people},
     {"tags", "", "keep all tags of the map's elements, in the manifest and as a property of each feature in .glb files",
      false, [](CompileSpec& spec, std::string_view text) { return put(parse_switch(text), spec.map.keeps_tags); }},
     {"threads", "N", "number of threads; 0 uses all processors (default: {})", false,

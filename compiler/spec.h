@@ -24,6 +24,7 @@
 #include "compiler/map/locate.h"
 #include "compiler/map/plane/cylinder.h"
 #include "compiler/map/plane/geoid.h"
+#include "compiler/people/recipe.h"
 #include "compiler/scene/scene.h"
 #include "compiler/sky/air_settings.h"
 #include "compiler/sky/clouds/read_clouds.h"
@@ -98,10 +99,11 @@ struct CompileSpec {
   std::string things_folder;   ///< A folder with a table of things and rule files; "" for none.
   std::string species_folder;  ///< A folder of user-defined species; "" for none.
   bool fill_lots = false;      ///< Houses on residential land without buildings (lots/fill_lots.h).
-  std::optional<cars::CarShare> cars;  ///< Parked cars (cars/parked_cars.h). Empty: car_share_of() decides.
-  World world = World::kByOutput;      ///< 3D Tiles need the ellipsoid or a cylinder, others the plane or a cylinder.
-  map::Cylinder cylinder{};            ///< For World::kCylinder.
-  std::optional<sky::Moment> time;     ///< The time of the sky; see sky::plan().
+  std::optional<cars::CarShare> cars;            ///< Parked cars (cars/parked_cars.h). Empty: car_share_of() decides.
+  people::PeopleShare people = people::kNobody;  ///< People in the streets (people/people.h).
+  World world = World::kByOutput;   ///< 3D Tiles need the ellipsoid or a cylinder, others the plane or a cylinder.
+  map::Cylinder cylinder{};         ///< For World::kCylinder.
+  std::optional<sky::Moment> time;  ///< The time of the sky; see sky::plan().
   sky::AirSettings air;
   /// The layers of clouds. Empty: fair weather, which previews show; outputs then have no files of clouds.
   std::optional<std::vector<sky::CloudRequest>> clouds;

@@ -23,7 +23,7 @@ class TagIndex(unittest.TestCase):
     def test_values_and_other_words_are_no_keys(self):
         keys = set(tag_index.index())
         self.assertEqual(keys & {"yes", "no", "water", "underground", "zebra", "coastline", "building_passage", "track", "area", "footprint",
-                                 "inner", "left", "lane", "tree", "bench", "residential", "encoding", "pbf"},
+                                 "inner", "left", "lane", "tree", "hedge", "residential", "encoding", "pbf"},
                          {"water", "area"})  # both are keys too
 
     def test_every_lookup_is_read(self):

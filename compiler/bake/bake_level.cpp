@@ -79,7 +79,7 @@ std::string name_of_form(const PlacedThing& thing) {
 
 // The accounts of things by their source. Drawn things are not diagnosed when they are dropped.
 constexpr std::array<const char*, static_cast<std::size_t>(ThingSource::kCount)> kThingAccounts = {
-    "thing", "parked car", "street furniture"};
+    "thing", "parked car", "street furniture", "person"};
 using ThingAccounts = std::array<Account, kThingAccounts.size()>;
 
 void count_things(const std::vector<const PlacedThing*>& things, const BakedThing& baked, ThingAccounts& accounts,

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <optional>
 
+#include "compiler/bake/ground_on_top.h"
 #include "compiler/cars/parked_cars.h"
 #include "compiler/furniture/street_furniture.h"
 #include "compiler/furniture/street_trees.h"
 #include "compiler/furniture/utility_poles.h"
 #include "compiler/furniture/yard_things.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/ground/height_layer.h"
 #include "compiler/map/countries/country_group.h"
 #include "compiler/things/facing.h"
 #include "compiler/things/generate.h"
@@ -35,13 +35,6 @@ roadside::TileRecipes recipes_of(const scene::Header& header, const scene::Chunk
           .tile_m = header.tile_m};
 }
 
-// The height of the ground on top.
-double ground_m(const ground::LandCoverIndex& land_cover, const ground::GradedTerrain& graded, Vec2 p) {
-  const std::uint32_t top = ground::land_cover_at(land_cover, p);
-  if (top == ground::kNoLandCover) return land_m(graded, p);
-  return ground::layer_height_m(ground::heights_at(graded, p), ground::face_height_of(land_cover.surfaces[top]));
-}
-
 // The steepest ground on which cars stand, along them and across.
 constexpr double kSteepestAlong = 0.25, kSteepestAcross = 0.125;
 
@@ -55,7 +48,7 @@ std::optional<PlacedThing> stand(const things::Thing& car, const ground::LandCov
   std::array<double, 4> z_m{};  // front left, front right, rear left, rear right
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec2 wheel = ahead * (i < 2 ? axle_m : -axle_m) + left * (i % 2 == 0 ? wheel_m : -wheel_m);
-    z_m[i] = ground_m(land_cover, graded, car.at + wheel);
+    z_m[i] = ground_on_top_m(land_cover, graded, car.at + wheel);
   }
   const double along = (z_m[0] + z_m[1] - z_m[2] - z_m[3]) / (4 * axle_m),
                across = (z_m[0] + z_m[2] - z_m[1] - z_m[3]) / (4 * wheel_m);

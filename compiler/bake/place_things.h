@@ -12,7 +12,7 @@
 namespace citykiln::bake {
 
 /// Where a thing comes from: a recipe, or what is drawn when a tile is baked.
-enum class ThingSource : std::uint8_t { kRecipe, kCar, kFurniture, kCount };
+enum class ThingSource : std::uint8_t { kRecipe, kCar, kFurniture, kPerson, kCount };
 
 /// A thing where it stands. Things of one form show one mesh, as instances.
 struct PlacedThing {
@@ -26,7 +26,7 @@ struct PlacedThing {
 
 /// Returns the things of a tile with their placements (things::place()), one per thing, in their order: on the ground,
 /// or at Thing::foot_m on a building; then what is drawn. Mapped parking spaces are left out. O(n log n).
-/// @param drawn   Result of place_generated().
+/// @param drawn   Results of place_generated() and place_people().
 /// @param graded  Must cover the bases of the things.
 std::vector<PlacedThing> place_things(const std::vector<things::Thing>& things, const ground::GradedTerrain& graded,
                                       std::vector<PlacedThing> drawn);

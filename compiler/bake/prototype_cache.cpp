@@ -4,6 +4,7 @@
 
 #include "compiler/bake/image_uvs.h"
 #include "compiler/bake/merge.h"
+#include "compiler/people/body_mesh.h"
 #include "compiler/things/generate.h"
 
 namespace citykiln::bake {
@@ -80,10 +81,13 @@ std::vector<things::WireHold> PrototypeCache::wire_holds(const things::Form& for
 const BakedThing& PrototypeCache::thing(const things::Form& form, double tolerance_m) const {
   ThingSlot& slot = thing_slot(form, tolerance_m);
   std::call_once(slot.once, [&] {
-    const auto kind = kinds_.find(form.kind);
-    if (kind == kinds_.end()) return;
-    things::GeneratedThing thing = things::generate(form, kind->second, seed_, is_night_, tolerance_m);
-    slot.baked = {instanced_primitives(thing.meshes, Layer::kProps), thing.error_m, std::move(thing.rule_faults)};
+    if (const std::optional<people::Body> body = people::body_of(form)) {
+      people::BodyMesh person = people::body_mesh(people::look_of(*body, seed_), tolerance_m);
+      slot.baked = {instanced_primitives(std::span(&person.mesh, 1), Layer::kProps), person.error_m};
+    } else if (const auto kind = kinds_.find(form.kind); kind != kinds_.end()) {
+      things::GeneratedThing thing = things::generate(form, kind->second, seed_, is_night_, tolerance_m);
+      slot.baked = {instanced_primitives(thing.meshes, Layer::kProps), thing.error_m, std::move(thing.rule_faults)};
+    }
     for (Primitive& primitive : slot.baked.primitives) bytes_ += trimmed_bytes_of(primitive);
   });
   return slot.baked;

@@ -69,7 +69,8 @@ class PrototypeCache {
   /// @param height_m, tolerance_m  > 0.
   const BakedPrototype& prototype(plants::Prototype prototype, double height_m, double tolerance_m) const;
 
-  /// The mesh of a form of things, within the tolerance. The reference is valid as long as the cache.
+  /// The mesh of a form of things, or of a person (people::form_of()), within the tolerance. The reference is valid as
+  /// long as the cache.
   const BakedThing& thing(const things::Form& form, double tolerance_m) const;
 
   /// The places where wires hang on a form of things; none if its rules are missing. Derived at each call.

@@ -8,6 +8,7 @@
 #include "compiler/bake/ground/ground_beyond.h"
 #include "compiler/bake/ground/skirt.h"
 #include "compiler/bake/place_generated.h"
+#include "compiler/bake/place_people.h"
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/plants/placing/placing_steps.h"
 
@@ -29,10 +30,17 @@ std::vector<Placement> joined(const plants::PlacedPlants& placed) {
 
 // Objects that only some levels need.
 struct Wanted {
-  bool blades = false, hedge_plants = false;
+  bool blades = false, hedge_plants = false, people = false;
   WantedThings things = {};
   std::vector<double> canopies_m{};
 };
+
+// The people of a tile, who keep clear of its furniture also where a level does not show it.
+std::vector<PlacedThing> people_of(const scene::Header& header, const scene::Chunk& chunk, const TileGround& ground,
+                                   const Box2& box) {
+  const std::vector<PlacedThing> furniture = place_generated(header, chunk, ground, box, {.furniture = true}).placed;
+  return place_people(header, chunk, furniture, ground, box);
+}
 
 SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m,
                                 const Wanted& wanted) {
@@ -53,6 +61,8 @@ SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk&
   shared.trees = std::move(plants.placed);
   const TileGround on{map, *shared.graded, shared.lamps, plants.trunks};
   GeneratedThings drawn = place_generated(header, chunk, on, box, wanted.things);
+  if (wanted.people && people::has_people(header.people))
+    std::ranges::move(people_of(header, chunk, on, box), std::back_inserter(drawn.placed));
   shared.things = place_things(chunk.things, *shared.graded, std::move(drawn.placed));
   shared.pole_spans = std::move(drawn.pole_spans);
   shared.pits = props::tree_pits(joined(shared.trees), chunk.roads, map);
@@ -91,6 +101,7 @@ struct SharedParts {
     // in a view a hedge may be near and far, so all of its parts have hedge plants
     Wanted wanted{.blades = has_roads && has_detail(Detail::kGrassBlades, std::ranges::min(tolerances_m)),
                   .hedge_plants = is_view || has_detail(Detail::kHedgePlants, tolerance_m),
+                  .people = shows(kShowsPeople_m, has_roads),
                   .things = {.cars = shows(kShowsCars_m, has_roads), .furniture = shows(kShowsFurniture_m, has_roads)}};
     if (!has_roads && !is_view) std::ranges::copy_if(tolerances_m, std::back_inserter(wanted.canopies_m), has_canopy);
     return shared = std::make_shared<SharedByLevels>(make_shared_part(header, chunk, tolerance_m, wanted));

@@ -66,7 +66,7 @@ double usual_share(const Place& place, buildings::WeekTime time) {
 }
 
 bool is_taken(const Place& place, const CarShare& cars, buildings::WeekTime time, std::uint64_t seed) {
-  const double share = cars.is_by_occupancy ? usual_share(place, time) : cars.share;
+  const double share = cars.is_by_table ? usual_share(place, time) : cars.share;
   return RandomSequence(seed, place.key, "parked").unit(0) < share;
 }
 

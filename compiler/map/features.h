@@ -263,6 +263,9 @@ struct ThingWay {
   bool is_nearer_to_end = false;  ///< True if the end of the way is nearer to the node than its start.
 };
 
+/// Bits: the equipment of a stop of buses or trams.
+enum StopEquipment : std::uint8_t { kStopShelter = 1, kStopBench = 2, kStopBin = 4 };
+
 /// A thing, by a row of the table of things (things/thing_table.h): a point, or a part of a line or an area.
 struct ThingFeature {
   ObjectId id;
@@ -275,6 +278,7 @@ struct ThingFeature {
   std::string material{};               ///< material=*, by thing_materials.inc; other words in lower case.
   std::string text{};                   ///< Digits that it shows, such as those of maxspeed=*.
   std::uint16_t capacity = 0;           ///< 0: untagged.
+  std::uint8_t stop_has = 0;            ///< Bits of StopEquipment, by shelter=yes, bench=yes, bin=yes of stops.
   std::optional<double> bearing_deg{};  ///< direction=*, clockwise of north.
   std::int8_t facing = 0;               ///< 1 if it is for traffic along its way, -1 against it, 0 unknown.
   ThingWay way{};

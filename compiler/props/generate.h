@@ -41,7 +41,8 @@ GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& grou
 /// Guarantee: error_m, which is that of the scaled lamp, is at most tolerance_m. O(1).
 /// @param height_m     The height by which the mesh will be scaled, > 0.
 /// @param tolerance_m  Largest deviation of the scaled lamp, > 0.
-GeneratedProp lamp_mesh(LampKind kind, double height_m, double tolerance_m);
+/// @param is_lit       True by night: its glass shines.
+GeneratedProp lamp_mesh(LampKind kind, double height_m, double tolerance_m, bool is_lit);
 
 /// Returns the placement of a lamp's mesh: its foot on the ground, +x in the direction that the lamp faces, scaled by
 /// lamp.height_m.

@@ -101,7 +101,7 @@ void add_arm(Mesh& metal, Mesh& glass, int detail) {
 
 }  // namespace
 
-GeneratedProp lamp_mesh(LampKind kind, double height_m, double tolerance_m) {
+GeneratedProp lamp_mesh(LampKind kind, double height_m, double tolerance_m, bool is_lit) {
   assert(height_m >= 0 && tolerance_m >= 0);
   if (height_m <= tolerance_m) return {{}, height_m};
   const bool has_arm = kind == LampKind::kArm;
@@ -109,7 +109,7 @@ GeneratedProp lamp_mesh(LampKind kind, double height_m, double tolerance_m) {
   int detail = 2;
   while (errors[detail] * height_m > tolerance_m) --detail;
   MaterialMesh metal{{}, Material::kPaintedMetal, materials::kNoTint, {}},
-      glass{{}, Material::kLampGlass, materials::kNoTint, {}};
+      glass{{}, is_lit ? Material::kLitLampGlass : Material::kLampGlass, materials::kNoTint, {}};
   add_pole(metal.mesh, detail, has_arm ? 0.955 : 0.91);
   has_arm ? add_arm(metal.mesh, glass.mesh, detail) : add_lantern(metal.mesh, glass.mesh, detail);
   GeneratedProp lamp{{std::move(metal)}, errors[detail] * height_m};

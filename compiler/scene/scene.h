@@ -18,6 +18,7 @@
 #include "compiler/map/element_text.h"
 #include "compiler/map/plane/heightfield.h"
 #include "compiler/map/plane/plane.h"
+#include "compiler/people/recipe.h"
 #include "compiler/pitches/recipe.h"
 #include "compiler/plants/recipe.h"
 #include "compiler/plants/season.h"
@@ -68,6 +69,7 @@ struct Header {
   cars::CarShare cars = cars::kNoCars;  ///< How many parking places have a car.
   /// Pavements have benches, bins and signs where none are mapped (--assume roadsides).
   bool has_street_furniture = false;
+  people::PeopleShare people = people::kNobody;  ///< How many people are in the streets.
   bool operator==(const Header&) const = default;
 };
 

@@ -17,6 +17,7 @@
 #include "compiler/things/guard_rails.h"
 #include "compiler/things/junction_signals.h"
 #include "compiler/things/on_roofs.h"
+#include "compiler/things/stop_equipment.h"
 #include "compiler/things/street_kinds.h"
 #include "compiler/things/yard_kinds.h"
 
@@ -77,6 +78,15 @@ Form form_of(const map::ThingFeature& thing, const Kind& kind, std::uint64_t see
   if (kind.used.draws)
     form.variant = static_cast<std::uint8_t>(RandomSequence(seed, stable_id(thing.id), "variant").below(kVariants, 0));
   return form;
+}
+
+// A thing with a place and a direction of its own.
+Thing thing_at(const map::ThingFeature& thing, const Kind& kind, std::uint64_t seed) {
+  return {.id = thing.id,
+          .at = thing.at,
+          .direction = nearest_direction(thing.faces.value_or(Vec2{0, -1})),
+          .is_in_way = false,
+          .form = form_of(thing, kind, seed)};
 }
 
 std::optional<Stance> stance_of(const map::ThingFeature& thing, const map::ThingRow& row, const Axes& axes,
@@ -150,7 +160,10 @@ std::set<std::string> kind_names(const map::FeatureView& features, const map::Th
       std::ranges::any_of(features.tracks, [](const map::Track& track) { return map::is_street(track.surface); });
   for (const map::ThingRow& row : table)
     if (has_streets && map::role_of(row.name) == map::ThingRole::kCar) names.insert(row.name);
-  for (const map::ThingFeature& thing : features.things) names.insert(thing.kind);
+  for (const map::ThingFeature& thing : features.things) {
+    names.insert(thing.kind);
+    for (const std::string_view kind : kinds_at_stop(thing)) names.emplace(kind);
+  }
   for (const map::ThingFeature& thing : features.supports_beyond) names.insert(thing.kind);
   return names;
 }
@@ -167,6 +180,7 @@ std::vector<Thing> plan_mapped(const map::FeatureView& features, std::span<const
   Account account;
   const std::vector<map::ThingFeature> all = with_derived(features, {roads, junctions}, kinds);
   count_derived(features, all, report, account);
+  const std::vector<map::ThingFeature> at_stops = mapped_equipment(all);
   for (map::ThingFeature thing : all) {
     const Kind& kind = kinds.find(thing.kind)->second;
     const map::ThingRow& row = kind.row;
@@ -193,6 +207,13 @@ std::vector<Thing> plan_mapped(const map::FeatureView& features, std::span<const
                       .is_in_way = thing.is_in_way,
                       .form = form_of(thing, kind, seed),
                       .foot_m = on_roof ? on_roof->foot_m : std::nullopt});
+    if (thing.stop_has == 0) continue;
+    for (const map::ThingFeature& each : equipment_of_stop(thing, stance->at, stance->facing, at_stops, places)) {
+      const auto kind_of_each = kinds.find(each.kind);
+      if (kind_of_each == kinds.end() || !features.extent.contains(each.at)) continue;
+      account.split += counts, account.out += counts;
+      things.push_back(thing_at(each, kind_of_each->second, seed));
+    }
   }
   std::ranges::sort(things, {}, &Thing::id);
   report.account("things", "thing") = account;

@@ -116,6 +116,7 @@ struct CheckResults {
       "furniture",
       0,
       {}};
+  Check people{"nobody stands in a carriageway, a railway, a building or water, or in a thing or lamp", 0, {}};
   Check assumed_railings{
       "no assumed railing stands in a carriageway, on steps, across a way, before a door, in a building or water",
       0,

@@ -301,6 +301,7 @@ void check_assumed(TileUnderCheck& tile, const bake::BakedTile& level, const std
   add_assumed(measure_parked_cars(level, tile.chunk, tile.cover), "cars", name, tile.results().parked_cars);
   add_assumed(measure_street_furniture(level, tile.chunk, tile.cover), "pieces of street furniture", name,
               tile.results().street_furniture);
+  add_assumed(measure_people(level, tile.cover), "people", name, tile.results().people);
   add_assumed(measure_assumed_railings(tile.chunk, tile.cover, tile.box), "places of railings", name,
               tile.results().assumed_railings);
   add_assumed(measure_assumed_masts(tile.chunk, tile.cover, tile.box), "feet of masts", name,

@@ -152,17 +152,20 @@ flatbuffers::Offset<fbs::Climate> climate_of(flatbuffers::FlatBufferBuilder& bui
                                   field.first_row, field.columns, &classes, &shares);
 }
 
-// 0: no cars; 1 to 1,024: their share in 1,024ths; kUsual: the usual share.
+// Shares of cars and people. 0: none; 1 to 1,024: their share in 1,024ths; kUsualShare: the usual share.
 constexpr std::uint16_t kUsualShare = 0xffff, kFullShare = 1024;
+static_assert(cars::kShareStep * kFullShare == 1 && people::kPeopleStep * kFullShare == 1);
 
-std::uint16_t number_of(const cars::CarShare& cars) {
-  return cars.is_by_occupancy ? kUsualShare : static_cast<std::uint16_t>(cars.share / cars::kShareStep);
+template <typename Share>
+std::uint16_t number_of(const Share& wish) {
+  return wish.is_by_table ? kUsualShare : static_cast<std::uint16_t>(wish.share * kFullShare);
 }
 
-std::optional<cars::CarShare> car_share(std::uint16_t number) {
-  if (number == kUsualShare) return cars::kUsualCars;
+template <typename Share>
+std::optional<Share> share_of(std::uint16_t number) {
+  if (number == kUsualShare) return Share{.is_by_table = true};
   if (number > kFullShare) return std::nullopt;
-  return cars::CarShare{.share = number * cars::kShareStep};
+  return Share{.share = static_cast<double>(number) / kFullShare};
 }
 
 RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, const RawBytes& dictionary) {
@@ -182,11 +185,11 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
              things = rules_of(builder, h.things);
   const auto around = surroundings_of(builder, h.around);
   const auto climate = climate_of(builder, h.climate);
-  builder.Finish(fbs::CreateHeaderDirect(builder, kVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg, &extent,
-                                         h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions, kLicence,
-                                         index, dictionary.empty() ? nullptr : &dictionary, snow_line_m, &rules,
-                                         &species, around, things.empty() ? nullptr : &things, climate,
-                                         h.has_wild_slopes, number_of(h.cars), h.has_street_furniture));
+  builder.Finish(fbs::CreateHeaderDirect(
+      builder, kVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg, &extent, h.tile_m, h.seed,
+      h.resampling_error_m, sky, &sources, &attributions, kLicence, index, dictionary.empty() ? nullptr : &dictionary,
+      snow_line_m, &rules, &species, around, things.empty() ? nullptr : &things, climate, h.has_wild_slopes,
+      number_of(h.cars), h.has_street_furniture, number_of(h.people)));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -404,9 +407,10 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   if (!climate) return damaged;
   header.climate = std::move(*climate);
   header.has_wild_slopes = h.has_wild_slopes();
-  const std::optional<cars::CarShare> cars = car_share(h.cars());
-  if (!cars) return damaged;
-  header.cars = *cars;
+  const auto cars = share_of<cars::CarShare>(h.cars());
+  const auto people = share_of<people::PeopleShare>(h.people());
+  if (!cars || !people) return damaged;
+  header.cars = *cars, header.people = *people;
   header.has_street_furniture = h.has_street_furniture();
   if (h.around() == nullptr) return header;
   std::optional<surroundings::Surroundings> around = plain(*h.around());

@@ -81,6 +81,7 @@ TEST(Spec, ParsesEverySetting) {
                                                       {"things", "t"},
                                                       {"species", "s"},
                                                       {"cars", "0.5"},
+                                                      {"people", "0.5"},
                                                       {"drive-on", "left"},
                                                       {"seed", "18446744073709551615"},
                                                       {"threads", "2"},
@@ -108,7 +109,7 @@ TEST(Spec, ErrorsSayTheExpectedValue) {
       {"lods", ""},         {"lods", "0.1,500"},      {"lods", "1e9"},       {"target", "maya"}, {"split", "road"},
       {"drive-on", "top"},  {"seed", "-1"},           {"threads", "-1"},     {"threads", "1.5"}, {"strict", "yes"},
       {"dem", "a,bound=1"}, {"time", "noon"},         {"snow-line", "high"}, {"world", "torus"}, {"compress", "zip"},
-      {"fill", "all"},      {"surroundings", "some"}, {"cars", "some"},      {"cars", "2"}};
+      {"fill", "all"},      {"surroundings", "some"}, {"cars", "some"},      {"cars", "2"},      {"people", "many"}};
   for (const auto& [name, text] : rows) {
     EXPECT_NE(objection(name, text).find("expected "), std::string::npos)
         << name << " " << text << ": " << objection(name, text);

@@ -139,6 +139,9 @@ class SceneMaker {
     h.has_wild_slopes = h.seed % 3 != 0;
     h.cars = h.seed % 5 == 0 ? cars::kNoCars : h.seed % 5 == 1 ? cars::CarShare{.share = 0.5} : cars::kUsualCars;
     h.has_street_furniture = h.seed % 2 == 1;
+    h.people = h.seed % 3 == 0   ? people::kNobody
+               : h.seed % 3 == 1 ? people::PeopleShare{.share = 0.25}
+                                 : people::kUsualPeople;
     if (h.seed % 4 < 2) h.around = surroundings();
     h.rules = {{"house.cga", "Building --> Wall."}, {"parts/door.cga", "Door --> NIL\n"}};
     if (h.seed % 3 < 2) h.things = {{"bench", "bench amenity=bench"}, {"bench.cga", "Thing --> Seat."}};

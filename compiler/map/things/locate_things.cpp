@@ -262,6 +262,16 @@ bool is_on_roof(const ReadContext& context, const FoundThing& found) {
   return may_be_on_roof(*found.match.row) || is_located_on_roof(context.osm, found.tags);
 }
 
+bool is_stop(const ThingRow& row) { return row.name == "bus_stop" || row.name == "tram_stop"; }
+
+std::uint8_t stop_equipment(const ReadContext& context, source::Range tags) {
+  std::uint8_t has = 0;
+  if (says_yes(context.tag(tags, "shelter"))) has |= kStopShelter;
+  if (says_yes(context.tag(tags, "bench"))) has |= kStopBench;
+  if (says_yes(context.tag(tags, "bin"))) has |= kStopBin;
+  return has;
+}
+
 ThingFeature thing_of(const ReadContext& context, const FoundThing& found, const ThingWay& way) {
   const OsmId id = found.id.osm;
   ThingFeature thing{.id = found.id,
@@ -281,6 +291,7 @@ ThingFeature thing_of(const ReadContext& context, const FoundThing& found, const
   thing.has_height = found.has_height;
   thing.min_height_m = snapped(tagged_length_m(context, id, found.tags, "min_height", 0, kHighestFoot_m).value_or(0));
   thing.is_on_roof = is_on_roof(context, found);
+  if (is_stop(*found.match.row)) thing.stop_has = stop_equipment(context, found.tags);
   read_direction(context, id, found.tags, thing);
   thing.way = way;
   thing.country = country_group_at(LonLat{found.where.lon_deg(), found.where.lat_deg()});

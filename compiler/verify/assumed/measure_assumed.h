@@ -1,6 +1,6 @@
 // Finds assumed objects that conflict with mapped ones: assumed pavements, lamps, railings, masts and street furniture
-// in water, buildings, railways and carriageways; parked cars off the paved ground; shop fronts on walls that are not
-// free; yards over mapped land; and houses that fill lots on roads or other buildings.
+// in water, buildings, railways and carriageways; parked cars off the paved ground; people in the carriageway; shop
+// fronts on walls that are not free; yards over mapped land; and houses that fill lots on roads or other buildings.
 //
 // Each function tests the assumed objects of one kind in one tile. Where it takes the land cover of the tile, this must
 // cover the box; places outside of the box are not tested. Pedestrian streets are no obstacle, except for pavements.
@@ -59,6 +59,13 @@ AssumedTests measure_parked_cars(const bake::BakedTile& tile, const scene::Chunk
 /// @param land_cover  Land cover of the tile.
 AssumedTests measure_street_furniture(const bake::BakedTile& tile, const scene::Chunk& chunk,
                                       const ground::LandCoverIndex& land_cover);
+
+/// Tests every person, by the middle and four places 0.2 m about it. One conflicts on a carriageway (not of a street
+/// for walkers), a railway, a building or water, and with the middle in a thing or lamp of another mesh; who sits on a
+/// bench does not. People are recognised by the name of their mesh. O(people · things).
+/// @param tile        A baked level of the chunk that shows people.
+/// @param land_cover  Land cover of the tile.
+AssumedTests measure_people(const bake::BakedTile& tile, const ground::LandCoverIndex& land_cover);
 
 /// Tests every railing, all of which are assumed. Each segment is tested once against the axes of the other roads and
 /// paths on the ground, which it must not cross, and each of its places, at most 1 m apart, which must not lie on a

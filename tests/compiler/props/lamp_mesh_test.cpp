@@ -62,9 +62,9 @@ bool is_within(double limit, const std::vector<Corners>& from, const std::vector
 
 TEST(LampMesh, DeviatesByNoMoreThanItsError) {
   for (const LampKind kind : kAll) {
-    const auto full = triangles_of(lamp_mesh(kind, 1, kDetails[0]));
+    const auto full = triangles_of(lamp_mesh(kind, 1, kDetails[0], false));
     for (const double tolerance : {kDetails[1], kDetails[2]}) {
-      const GeneratedProp cut = lamp_mesh(kind, 1, tolerance);
+      const GeneratedProp cut = lamp_mesh(kind, 1, tolerance, false);
       EXPECT_GT(cut.error_m, 0);
       EXPECT_LE(cut.error_m, tolerance);
       EXPECT_TRUE(is_within(cut.error_m, full, triangles_of(cut)));
@@ -76,12 +76,12 @@ TEST(LampMesh, DeviatesByNoMoreThanItsError) {
 TEST(LampMesh, NeedsFewTrianglesAndFewerOnCoarserLevels) {
   for (const LampKind kind : kAll) {
     std::vector<std::size_t> counts;
-    for (const double tolerance : kDetails) counts.push_back(triangles_of(lamp_mesh(kind, 1, tolerance)).size());
+    for (const double tolerance : kDetails) counts.push_back(triangles_of(lamp_mesh(kind, 1, tolerance, false)).size());
     EXPECT_LE(counts[0], 80u);
     EXPECT_GE(counts[0], 2 * counts[1]);
     EXPECT_GT(counts[1], counts[2]);
-    EXPECT_EQ(triangles_of(lamp_mesh(kind, 10, 0.02)).size(), counts[0]);
-    EXPECT_LE(triangles_of(lamp_mesh(kind, 12, 0.5)).size(), 20u);
+    EXPECT_EQ(triangles_of(lamp_mesh(kind, 10, 0.02, false)).size(), counts[0]);
+    EXPECT_LE(triangles_of(lamp_mesh(kind, 12, 0.5, false)).size(), 20u);
   }
 }
 
@@ -89,7 +89,7 @@ TEST(LampMesh, KeepsWithinEachLevelOfTheLadder) {
   for (const LampKind kind : kAll)
     for (const double height_m : {4.0, 6.0, 8.0, 10.0, 12.0})
       for (const double tolerance : {0.02, 0.1, 0.5, 2.5, 12.5}) {
-        const GeneratedProp lamp = lamp_mesh(kind, height_m, tolerance);
+        const GeneratedProp lamp = lamp_mesh(kind, height_m, tolerance, false);
         EXPECT_LE(lamp.error_m, tolerance);
         EXPECT_EQ(lamp.meshes.empty(), height_m <= tolerance);
         EXPECT_TRUE(!lamp.meshes.empty() || lamp.error_m == height_m);
@@ -101,7 +101,7 @@ TEST(LampMesh, IsOneMetreTallWithItsHeadTowardsX) {
     for (const double tolerance : kDetails) {
       Box2 plan;
       double top = 0, foot = 0;
-      for (const auto& part : lamp_mesh(kind, 1, tolerance).meshes)
+      for (const auto& part : lamp_mesh(kind, 1, tolerance, false).meshes)
         for (const Vec3 p : part.mesh.positions) {
           EXPECT_EQ(p, snapped(p));
           plan.grow(in_plan(p));
@@ -118,7 +118,7 @@ TEST(LampMesh, IsOneMetreTallWithItsHeadTowardsX) {
 TEST(LampMesh, ClosesAllItsParts) {
   for (const LampKind kind : kAll)
     for (const double tolerance : kDetails) {
-      const GeneratedProp lamp = lamp_mesh(kind, 1, tolerance);
+      const GeneratedProp lamp = lamp_mesh(kind, 1, tolerance, false);
       ASSERT_FALSE(lamp.meshes.empty());
       for (const auto& part : lamp.meshes) {
         const Mesh& mesh = part.mesh;

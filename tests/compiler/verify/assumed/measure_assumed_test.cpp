@@ -140,6 +140,35 @@ TEST(MeasureAssumed, FindsCarsOffThePavedGroundAndInBuildings) {
   EXPECT_EQ(measure_parked_cars(tile_with_car({90, 50, 0}), chunk, cover).obstacle, kMappedWay);
 }
 
+// A person at a place, and a box of 1 m for a thing at another.
+bake::BakedTile tile_with_person(bake::Float3 person, bake::Float3 thing, const char* name) {
+  bake::BakedTile tile = tile_with_car(person);
+  tile.instanced[0].name = "person_3";
+  bake::InstancedMesh other = tile.instanced[0];
+  other.name = name, other.translations = {thing};
+  other.primitives[0].layer = bake::Layer::kProps;
+  other.primitives[0].positions = {{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 1}};
+  tile.instanced.push_back(other);
+  return tile;
+}
+
+TEST(MeasureAssumed, FindsPeopleInTheCarriagewayAndInThings) {
+  const std::vector<ground::LandCoverPolygon> surfaces = {
+      {{kMainStreet, 0}, LandCoverClass::kResidentialRoad, 1, {{{0, 47}, {120, 47}, {120, 53}, {0, 53}}}},
+      {{kMainStreet, 0}, LandCoverClass::kPavement, 1, {{{0, 53}, {120, 53}, {120, 56}, {0, 56}}}},
+      {{kMappedWay, 0}, LandCoverClass::kBuilding, 1, {{{60, 56}, {120, 56}, {120, 80}, {60, 80}}}}};
+  const ground::LandCoverIndex cover = ground::index_land_cover(surfaces, kTile);
+  const auto conflicts = [&](bake::Float3 person, const char* thing = "planter") {
+    return measure_people(tile_with_person(person, {20, 54.5, 0}, thing), cover).conflicts;
+  };
+  EXPECT_EQ(measure_people(tile_with_person({30, 54, 0}, {20, 54.5, 0}, "planter"), cover).tested, 1u);
+  EXPECT_EQ(conflicts({30, 54, 0}), 0u);
+  EXPECT_EQ(conflicts({30, 50, 0}), 1u);
+  EXPECT_EQ(conflicts({90, 55.9F, 0}), 1u) << "a shoulder in the wall";
+  EXPECT_EQ(conflicts({20.25F, 54.75F, 0}), 1u);
+  EXPECT_EQ(conflicts({20.25F, 54.75F, 0}, "bench_2"), 0u);
+}
+
 TEST(MeasureAssumed, FindsCarsBeforeDoors) {
   scene::Chunk chunk = street_with_pavements();
   buildings::Building house;

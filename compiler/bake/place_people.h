@@ -1,0 +1,23 @@
+// Places the people of a tile on the ground. They have no recipes: people/people.h draws them from those of streets.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compiler/bake/place_generated.h"
+#include "compiler/people/body.h"
+#include "compiler/scene/scene.h"
+
+namespace citykiln::bake {
+
+/// People are shown below this tolerance, in metres: none is higher.
+inline constexpr double kShowsPeople_m = people::kTallestPerson_m;
+
+/// Returns the people of a tile by the header's wish. Who sits is on the ground below the bench.
+/// @param furniture  What place_generated() returns but for cars; people keep clear of it.
+/// @param box        The tile.
+std::vector<PlacedThing> place_people(const scene::Header& header, const scene::Chunk& chunk,
+                                      std::span<const PlacedThing> furniture, const TileGround& ground,
+                                      const Box2& box);
+
+}  // namespace citykiln::bake
