@@ -11,7 +11,7 @@ namespace {
 
 using map::LandCoverClass;
 
-ground::LandCoverPolygon cover_of(std::int64_t id, const Box2& box, LandCoverClass surface) {
+ground::LandCoverPolygon stop_cover(std::int64_t id, const Box2& box, LandCoverClass surface) {
   return {{{OsmType::kWay, id}, 0}, surface, 1, {{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}}};
 }
 
@@ -21,9 +21,9 @@ struct StopInStreet {
   std::vector<map::ThingFeature> mapped{};
 
   explicit StopInStreet(double pavement_m)
-      : cover{cover_of(1, {{-50, -6}, {50, 0}}, LandCoverClass::kTertiaryRoad),
-              cover_of(2, {{-50, 0}, {50, pavement_m}}, LandCoverClass::kPavement),
-              cover_of(3, {{-50, pavement_m}, {50, 20}}, LandCoverClass::kBuilding)} {}
+      : cover{stop_cover(1, {{-50, -6}, {50, 0}}, LandCoverClass::kTertiaryRoad),
+              stop_cover(2, {{-50, 0}, {50, pavement_m}}, LandCoverClass::kPavement),
+              stop_cover(3, {{-50, pavement_m}, {50, 20}}, LandCoverClass::kBuilding)} {}
 
   std::vector<map::ThingFeature> equipment(std::uint8_t has) const {
     FreePlaces places(cover);
