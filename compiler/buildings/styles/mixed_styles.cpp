@@ -23,7 +23,7 @@ constexpr Bits bit(CountryGroup group) { return Bits{1} << static_cast<int>(grou
 constexpr Bits bit(BuildingTradition tradition) { return Bits{1} << static_cast<int>(tradition); }
 static_assert(static_cast<int>(Style::kChineseSlab) < std::numeric_limits<Bits>::digits);
 
-enum class Standing : std::uint8_t { kAnywhere, kInRow };
+enum class Standing : std::uint8_t { kAnywhere, kInRow, kAlone };
 
 struct MixedRow {
   Style style{};
@@ -39,7 +39,7 @@ struct MixedRow {
 
 // The table with the names of its sets.
 struct MixedTable {
-  static constexpr auto kInRow = Standing::kInRow;
+  static constexpr auto kInRow = Standing::kInRow, kAlone = Standing::kAlone;
   static constexpr Bits kFrance = bit(BuildingTradition::kFrance), kBelgium = bit(BuildingTradition::kBelgium),
                         kGermany = bit(BuildingTradition::kGermany);
   static constexpr Bits kSouthernEurope = bit(CountryGroup::kSouthernEurope),
@@ -82,13 +82,17 @@ bool has_mansard(const Building& building) {
   return form == roofs::RoofForm::kMansard || form == roofs::RoofForm::kGambrel;
 }
 
+bool stands_so(Standing wanted, const Building& building) {
+  return wanted == Standing::kAnywhere || (wanted == Standing::kInRow) == !building.party_walls.empty();
+}
+
 bool fits(const MixedRow& row, const map::Footprint& footprint, const Building& building, Style usual) {
   const double area = area_m2(footprint.polygon);
   return (row.replaced & bit(usual)) != 0 && (row.groups & bit(footprint.country)) != 0 &&
          (row.traditions & bit(footprint.tradition)) != 0 && building.levels >= row.from_levels &&
          building.levels <= row.to_levels && footprint.year >= row.from_year && footprint.year <= row.to_year &&
-         area >= row.from_m2 && area <= row.to_m2 &&
-         (row.attached != Standing::kInRow || !building.party_walls.empty()) && (!row.mansard || has_mansard(building));
+         area >= row.from_m2 && area <= row.to_m2 && stands_so(row.attached, building) &&
+         (!row.mansard || has_mansard(building));
 }
 
 std::uint32_t drawn_percent(const map::Footprint& footprint) {

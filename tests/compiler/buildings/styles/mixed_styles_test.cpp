@@ -110,9 +110,11 @@ TEST(MixedStyles, OfTowersKeepTaggedGlass) {
 
 TEST(MixedStyles, OfAsiaAreNarrowAndOfMiddleHeight) {
   const MixedCase narrow{.country = CountryGroup::kJapan, .levels = 6, .depth_m = 9};
-  EXPECT_NEAR(shares(narrow)[Style::kAsianMidrise], 0.75, 0.12);
+  EXPECT_NEAR(shares(narrow)[Style::kAsianMidrise], 0.8, 0.12);
   const MixedCase wide{.country = CountryGroup::kJapan, .levels = 6, .depth_m = 30};
   EXPECT_NEAR(shares(wide)[Style::kAsianMidrise], 0.25, 0.12);
+  const MixedCase wide_alone{.country = CountryGroup::kJapan, .levels = 6, .attached = false, .depth_m = 30};
+  EXPECT_EQ(shares(wide_alone)[Style::kAsianMidrise], 0);
   EXPECT_EQ(shares({.country = CountryGroup::kJapan, .levels = 2, .depth_m = 9})[Style::kAsianMidrise], 0);
   EXPECT_EQ(shares({.country = CountryGroup::kNorthAmerica, .levels = 6, .depth_m = 9})[Style::kAsianMidrise], 0);
 }
