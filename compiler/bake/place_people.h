@@ -14,7 +14,7 @@ namespace citykiln::bake {
 inline constexpr double kShowsPeople_m = people::kTallestPerson_m;
 
 /// Returns the people of a tile by the header's wish. Who sits is on the ground below the bench.
-/// @param furniture  What place_generated() returns but for cars; people keep clear of it.
+/// @param furniture  The result of place_generated() without cars; people keep clear of it.
 /// @param box        The tile.
 std::vector<PlacedThing> place_people(const scene::Header& header, const scene::Chunk& chunk,
                                       std::span<const PlacedThing> furniture, const TileGround& ground,

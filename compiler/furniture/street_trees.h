@@ -24,7 +24,7 @@ inline constexpr double kTreeFromWall_m = 3, kTreeFromLamp_m = 2;
 
 /// The mapped trees of a tile.
 struct MappedTrees {
-  std::span<const plants::Tree> trees;  ///< Those of yards do not count.
+  std::span<const plants::Tree> trees;  ///< Trees of yards do not count.
   std::span<const plants::TreeRow> rows;
 };
 

@@ -62,7 +62,7 @@ struct MadeStreet {
     return {.roads = roads,
             .junctions = {},
             .buildings = buildings,
-            .trees = {},
+            .trunks = {},
             .barriers = {},
             .solids = solids,
             .land_cover = index};
