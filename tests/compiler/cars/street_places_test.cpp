@@ -17,13 +17,14 @@ using map::LaneDirection;
 using map::LaneKind;
 using roads::RoadStretch;
 
-// A street of two lanes with a marked parking lane on its right, which has a junction in its middle.
+// A street of two lanes with a marked parking lane on its right, which has a junction at either end.
 struct BayStreet {
   std::vector<roads::Road> roads;
   std::vector<RoadStretch> stretches;
 
   BayStreet(double lane_m, map::DrivingSide side) {
-    roads = {made_street(7, {{0, 0}, {120, 0}, {250, 0}}), made_street(8, {{120, -100}, {120, 0}, {120, 100}})};
+    roads = {made_street(7, {{20, 0}, {120, 0}, {240, 0}}), made_street(8, {{20, -100}, {20, 0}, {20, 100}}),
+             made_street(9, {{240, -100}, {240, 0}, {240, 100}})};
     roads::Road& road = roads[0];
     road.side = side, road.surface = map::LandCoverClass::kTertiaryRoad, road.kerb_parking = 0;
     const LaneDirection way = side == map::DrivingSide::kRight ? LaneDirection::kForward : LaneDirection::kBackward;
@@ -61,10 +62,12 @@ struct Paint {
   }
 
   bool covers(Vec2 p) const {
+    const double along_m = p.x - street.roads[0].axis.front().x;
     for (std::size_t i = 0; i < marks.size(); ++i) {
       const RoadStretch& stretch = street.stretches[i];
-      if (p.x < stretch.from_m || p.x > stretch.to_m) continue;
-      const double v_m = std::fmod(p.x - stretch.zero_m + 12, 12), u_m = street.roads[0].section.axis_offset_m - p.y;
+      if (along_m < stretch.from_m || along_m > stretch.to_m) continue;
+      const double v_m = std::fmod(along_m - stretch.zero_m + 12, 12),
+                   u_m = street.roads[0].section.axis_offset_m - p.y;
       return std::ranges::any_of(marks[i], [&](const roads::Mark& mark) {
         return winding_number(mark.ring, {u_m, v_m}) != 0 || winding_number(mark.ring, {u_m, v_m + 12}) != 0 ||
                winding_number(mark.ring, {u_m, v_m - 12}) != 0;
@@ -107,9 +110,9 @@ TEST(StreetPlaces, LieBetweenThePaintedLines) {
 TEST(StreetPlaces, AreAsManyAsBays) {
   for (const auto& [lane_m, step_m] : {std::pair{2.0, 6.0}, {4.5, 3.0}, {5.0, 2.4}}) {
     const double length_m = static_cast<double>(BayStreet(lane_m, map::DrivingSide::kRight).places().size()) * step_m;
-    // 250 m less the junction and what is not painted on either side of it
-    EXPECT_GT(length_m, 195) << lane_m;
-    EXPECT_LT(length_m, 232) << lane_m;
+    // 220 m less the junctions and what is not painted before them
+    EXPECT_GT(length_m, 165) << lane_m;
+    EXPECT_LT(length_m, 206) << lane_m;
   }
 }
 
