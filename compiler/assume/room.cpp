@@ -100,7 +100,7 @@ bool covers_kerb(const MappedLine& line, const Range& range, Vec2 out, double ke
 bool limits_strips(const MappedLine& line) { return line.kind != LineKind::kWall && line.kind != LineKind::kCarPark; }
 
 bool limits_over_footways(const MappedLine& line) {
-  return limits_strips(line) && (line.kind != LineKind::kPath || !is_footway(*line.way));
+  return limits_strips(line) && (line.kind != LineKind::kPath || !may_lie_on_pavement(*line.way));
 }
 
 bool runs_beside(const MappedLine& line, Vec2 along) {
@@ -206,6 +206,10 @@ Room room_beside(const Surroundings& surroundings, const map::Track& stretch) {
 
 Room room_over_footways(const Surroundings& surroundings, const map::Track& stretch) {
   return room_before(surroundings, stretch, limits_over_footways, kLeastBeforeRows_m);
+}
+
+bool may_lie_on_pavement(const map::Track& way) {
+  return is_footway(way) || way.surface == map::LandCoverClass::kCyclePath;
 }
 
 bool is_footway(const map::Track& way) {

@@ -37,9 +37,12 @@ struct Room {
 /// kLeastBeforeWalls_m. Barriers and car parks do not limit it, but see SideFacts::room_m. O(lines near it).
 Room room_beside(const Surroundings& surroundings, const map::Track& stretch);
 
-/// Returns the room as room_beside(), but before all except footways, which a pavement may cover, and with
+/// Returns the room as room_beside(), but before all except ways that may lie on a pavement, and with
 /// kLeastBeforeRows_m in place of kLeastBeforeWalls_m.
 Room room_over_footways(const Surroundings& surroundings, const map::Track& stretch);
+
+/// True for footways, which a pavement may cover, and for cycle paths, which lie on it.
+bool may_lie_on_pavement(const map::Track& way);
 
 /// True for paved footways and other footpaths without a tagged surface: the ways that are mapped for pavements.
 bool is_footway(const map::Track& way);

@@ -154,6 +154,14 @@ TEST(AssumeFrontages, AFootwayBesideTheKerbIsCoveredWhereHousesAreNear) {
   EXPECT_EQ(fronted(features).section, street_of().section);
 }
 
+TEST(AssumeFrontages, CyclePathsLieOnThePavementThatReachesTheWalls) {
+  map::Features features = fronted_town(street_of(), 2.75 + 6.1);
+  features.tracks.push_back(way_of_foot(2.75 + 2.5, 1.5, LandCoverClass::kCyclePath));
+  EXPECT_EQ(fronted(features).section.lanes.front().width_m, 6);
+  features.tracks.back() = way_of_foot(2.75 + 2.5, 1.5, LandCoverClass::kServiceRoad);
+  EXPECT_LT(fronted(features).section.lanes.front().width_m, 3);
+}
+
 TEST(AssumeFrontages, VergesLieBeforeOpenHousesOfGroupsThatHaveThem) {
   map::Features features = fronted_town(street_of(), 16, 2);
   features.tracks.front().country = map::CountryGroup::kOceania;
