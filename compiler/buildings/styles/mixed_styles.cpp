@@ -48,14 +48,15 @@ struct MixedTable {
                         kNorthAfricaAndMiddleEast = bit(CountryGroup::kNorthAfricaAndMiddleEast),
                         kChina = bit(CountryGroup::kChina), kJapan = bit(CountryGroup::kJapan),
                         kSouthEastAsia = bit(CountryGroup::kSouthEastAsia);
-  static constexpr Bits kOldBlocks = bit(Style::kOldTownHouse) | bit(Style::kCourtyardBlock) |
-                                     bit(Style::kMediterraneanHouse);
+  static constexpr Bits kOldBlocks =
+      bit(Style::kOldTownHouse) | bit(Style::kCourtyardBlock) | bit(Style::kMediterraneanHouse);
   static constexpr Bits kGlassTowers = bit(Style::kGlassTower), kOffices = bit(Style::kOfficeSlab);
   static constexpr Bits kFlats = kOldBlocks | bit(Style::kPanelBlock) | bit(Style::kBalconyFlats) |
                                  bit(Style::kNorthAmericanRow) | bit(Style::kJapaneseApartments) |
                                  bit(Style::kChineseSlab) | bit(Style::kFlatRoofHouse) | bit(Style::kSouthAsianHouse);
   static constexpr MixedRow kRows[] = {
-#define MIXED_STYLE(name, share, replaces, ...) {.style = Style::name, .percent = share, .replaced = replaces, __VA_ARGS__},
+#define MIXED_STYLE(name, share, replaces, ...) \
+  {.style = Style::name, .percent = share, .replaced = replaces, __VA_ARGS__},
 #include "compiler/buildings/styles/mixed_styles.inc"
 #undef MIXED_STYLE
   };

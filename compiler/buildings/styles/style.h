@@ -7,8 +7,8 @@
 
 namespace citykiln::buildings {
 
-/// Returns the style by class, year, size and party walls (walls shared with a neighbour), and if Assumption::kStyles is
-/// among those of the footprint, for dwellings by country group and for tall and old buildings by share
+/// Returns the style by class, year, size and party walls (walls shared with a neighbour), and if Assumption::kStyles
+/// is among those of the footprint, for dwellings by country group and for tall and old buildings by share
 /// (mixed_styles.h); kPlain for walls too small for a window.
 Style style_of(const map::Footprint& footprint, const Building& building);
 

@@ -48,7 +48,8 @@ TEST(AssumedRoofs, AreFlatInTheMiddleEastAndPitchedInCentralEurope) {
 std::string blocks_in_a_row(int count) {
   std::string text;
   for (int i = 0; i < count; ++i)
-    text += fmt::format("a{0} {1}:0 {2}:0 {2}:14 {1}:14 building=apartments building:levels=6\n", i + 1, 18 * i, 18 * i + 18);
+    text += fmt::format("a{0} {1}:0 {2}:0 {2}:14 {1}:14 building=apartments building:levels=6\n", i + 1, 18 * i,
+                        18 * i + 18);
   return text;
 }
 
