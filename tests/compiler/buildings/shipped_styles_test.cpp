@@ -54,8 +54,8 @@ constexpr ShippedStyle kStyles[] = {
     {"tower_1960", 36, 16, 48, 15, "flat", 18000, 1.3, 2.6},
     {"tower_1990", 28, 26, 70, 19, "flat", 21000, 0.5, 2.6},
     {"tower_2015", 28, 26, 70, 20, "flat", 13000, 1.4, 2.6},
-    {"haussmann", 18, 13, 19, 6, "gambrel", 9000, 0.75, 1.6},
-    {"gruenderzeit", 18, 13, 16.5, 5, "gabled", 7000, 0.95, 1.6},
+    {"haussmann", 18, 13, 19, 6, "gambrel", 10500, 0.75, 1.95},
+    {"gruenderzeit", 18, 13, 16.5, 5, "gabled", 8500, 0.95, 1.95},
     {"asian_midrise", 9, 13, 20, 6, "flat", 4500, 0.95, 2.6},
 };
 
