@@ -72,6 +72,7 @@ struct Frontage {
   double both = 0, either = 0;  // shares of the stations that have walls on both sides, and on one
   double near = 0;              // share of the first four stations that have a wall
   double even = 0;              // share of the stations on streets beside which the ground is as high
+  double walked = 0;            // share of the stations on streets that have a pavement on a side
   std::size_t buildings = 0;
   int on_street = 0, walls = 0, sunlit_left = 0, sunlit_right = 0;
   double width_m = 2 * kFarSide_m, left_m = kFarSide_m, right_m = kFarSide_m;  // the least
@@ -88,17 +89,27 @@ bool is_on_street(const ViewScene& scene, Vec3 from) {
 
 // True if the ground at both sides of a place on a street is as high as below it: no bank of a road on a slope.
 bool is_even_across(const ViewScene& scene, Vec3 from, Vec3 direction) {
-  constexpr double kAside_m = 4, kEven_m = 0.75;
+  constexpr double kEven_m = 0.75;
   const World& world = scene.look.world;
   const auto below_m = [&](Vec3 p) {
     const auto hit = world.first_hit(p + Vec3{0, 0, 8} - world.origin(), {0, 0, -1});
     return hit ? hit->distance_m : 0;
   };
-  const double here_m = below_m(from), aside_m = below_m(from + left_of(direction) * kAside_m),
-               other_m = below_m(from - left_of(direction) * kAside_m);
-  // what is much nearer is a wall, a tree or a car
-  const auto is_bank = [&](double m) { return std::abs(m - here_m) > kEven_m && m > here_m - 6; };
-  return !is_bank(aside_m) && !is_bank(other_m);
+  const double here_m = below_m(from);
+  return std::ranges::none_of(std::array{-7.5, -4.0, 4.0, 7.5}, [&](double aside_m) {
+    const double there_m = below_m(from + left_of(direction) * aside_m);
+    // what is much nearer is a wall, a tree or a car
+    return std::abs(there_m - here_m) > kEven_m && there_m > here_m - 6;
+  });
+}
+
+// True if a pavement lies beside a place of a street.
+bool has_pavement(const ViewScene& scene, Vec3 from, Vec3 direction) {
+  const World& world = scene.look.world;
+  return std::ranges::any_of(std::array{-9.0, -7.0, -5.0, -3.5, 3.5, 5.0, 7.0, 9.0}, [&](double aside_m) {
+    const auto hit = world.first_hit(from + left_of(direction) * aside_m - world.origin(), {0, 0, -1});
+    return hit && (hit->material == Material::kPaving || hit->material == Material::kKerbStone);
+  });
 }
 
 Frontage frontage_along(const ViewScene& scene, Vec3 eye, Vec3 direction, double ahead_m) {
@@ -109,6 +120,7 @@ Frontage frontage_along(const ViewScene& scene, Vec3 eye, Vec3 direction, double
     const Vec3 from = eye + direction * station_m;
     if (!is_on_street(scene, from)) continue;
     found.even += is_even_across(scene, from, direction) ? 1 : 0, found.on_street += 1;
+    found.walked += has_pavement(scene, from, direction) ? 1 : 0;
     const auto left = wall_at(scene, from, left_of(direction)), right = wall_at(scene, from, left_of(direction) * -1);
     found.both += left && right ? 1.0 / kStations_m.size() : 0;
     found.either += left || right ? 1.0 / kStations_m.size() : 0;
@@ -120,6 +132,7 @@ Frontage frontage_along(const ViewScene& scene, Vec3 eye, Vec3 direction, double
   }
   found.buildings = buildings.size();
   found.even = found.on_street == 0 ? 0 : found.even / found.on_street;
+  found.walked = found.on_street == 0 ? 0 : found.walked / found.on_street;
   return found;
 }
 
@@ -151,8 +164,8 @@ double worth_of(const ViewScene& scene, const Frontage& found, Vec3 direction) {
   const double many = 0.4 + 0.6 * std::min(static_cast<double>(found.buildings) / 8, 1.0);
   const double length = std::sqrt(std::min(found.ahead_m / kLongEnough_m, 1.0));
   // walls near the eye fill most of the picture
-  const double near = 0.3 + 0.7 * found.near, even = 0.2 + 0.8 * found.even;
-  return (found.both + 0.2 * found.either + 0.02) * near * even * width * many * length *
+  const double near = 0.3 + 0.7 * found.near, even = 0.2 + 0.8 * found.even, walked = 0.5 + 0.5 * found.walked;
+  return (found.both + 0.2 * found.either + 0.02) * near * even * walked * width * many * length *
          worth_of_light(scene, found, direction);
 }
 
