@@ -66,7 +66,8 @@ Picture halved(const Picture& picture) {
 PackedPicture packed(const Picture& picture) {
   static_assert(std::has_unique_object_representations_v<Texel>, "equal pictures have equal bytes");
   const auto size = static_cast<int>(picture.texels.size() * sizeof(Texel));
-  const auto has_slope = [](const Texel& texel) { return texel.slope != std::array<std::int16_t, 2>{}; };
+  // by members: whole arrays are compared by a call of memcmp() for each texel
+  const auto has_slope = [](const Texel& texel) { return texel.slope[0] != 0 || texel.slope[1] != 0; };
   PackedPicture small{picture.columns, picture.rows, std::ranges::any_of(picture.texels, emits),
                       std::ranges::any_of(picture.texels, has_slope),
                       std::vector<char>(static_cast<std::size_t>(LZ4_compressBound(size)))};

@@ -30,7 +30,7 @@ struct Texel {
 materials::TextureImage::Texel srgb_of(const std::array<std::uint16_t, 3>& linear);
 
 /// True if the texel emits light.
-inline bool emits(const Texel& texel) { return texel.emission != std::array<std::uint16_t, 3>{}; }
+inline bool emits(const Texel& texel) { return (texel.emission[0] | texel.emission[1] | texel.emission[2]) != 0; }
 
 /// A picture without a size in metres.
 struct Picture {
