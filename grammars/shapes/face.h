@@ -93,11 +93,11 @@ enum class FaceTag : std::uint8_t {
 /// A planar polygon, in metres on the map plane with z up. Seen from the side to which the normal points, the outer
 /// ring is counter-clockwise and holes are clockwise.
 struct Face {
-  Ring3 outer;                             ///< The outer border.
-  std::vector<Ring3> holes;                ///< The borders of holes.
-  FaceTag tag = FaceTag::kNone;            ///< Its kind.
-  bool street = false;                     ///< The face is a wall along a street.
-  std::vector<std::uint8_t> street_edges;  ///< By edge of `outer`: 1 if it is along a street; empty: none is.
+  Ring3 outer;                               ///< The outer border.
+  std::vector<Ring3> holes{};                ///< The borders of holes.
+  FaceTag tag = FaceTag::kNone;              ///< Its kind.
+  bool street = false;                       ///< The face is a wall along a street.
+  std::vector<std::uint8_t> street_edges{};  ///< By edge of `outer`: 1 if it is along a street; empty: none is.
   bool operator==(const Face&) const = default;
 };
 
