@@ -20,8 +20,8 @@ constexpr double kStreetFov_deg = 46;
 // The rise of the view over 40 m: a little more of the facades than of the road.
 constexpr double kLookUp_m = 3;
 
-constexpr double kStreetApart_m = 25;
-constexpr int kAsphaltPlaces = 170, kPavedPlaces = 90, kOtherPlaces = kAsphaltPlaces + kPavedPlaces;
+constexpr double kStreetApart_m = 10;
+constexpr int kAsphaltPlaces = 900, kPavedPlaces = 400, kOtherPlaces = kAsphaltPlaces + kPavedPlaces;
 
 // Distances ahead at which walls to both sides are looked for.
 constexpr std::array kStations_m = {4.0, 8.0, 13.0, 19.0, 26.0, 34.0, 44.0, 56.0};
@@ -57,7 +57,7 @@ std::optional<Wall> wall_at(const ViewScene& scene, Vec3 from, Vec3 side) {
   const World& world = scene.look.world;
   for (const double above_m : kWallHeights_m) {
     const Vec3 start = from + Vec3{0, 0, above_m - kEye_m};
-    const auto hit = world.first_hit(start - world.origin(), side);
+    const auto hit = scene.look.first_beyond_plants(start, side);
     if (!hit || hit->distance_m > kFarSide_m || !is_frontage(scene, *hit)) continue;
     const Vec3 before = start + side * (hit->distance_m - 0.3);
     const bool is_sunlit = scene.to_sun && !world.is_blocked(before - world.origin(), *scene.to_sun);
@@ -82,17 +82,15 @@ struct Frontage {
 
 // True if the ground below a place is a street: not a yard, a lawn or a path in it.
 bool is_on_street(const ViewScene& scene, Vec3 from) {
-  const World& world = scene.look.world;
-  const auto hit = world.first_hit(from + Vec3{0, 0, 8} - world.origin(), {0, 0, -1});
+  const auto hit = scene.look.first_beyond_plants(from + Vec3{0, 0, 8}, {0, 0, -1});
   return hit && (is_street(hit->material) || hit->material == Material::kConcrete || hit->material == Material::kPaint);
 }
 
 // True if the ground at both sides of a place on a street is as high as below it: no bank of a road on a slope.
 bool is_even_across(const ViewScene& scene, Vec3 from, Vec3 direction) {
   constexpr double kEven_m = 0.75;
-  const World& world = scene.look.world;
   const auto below_m = [&](Vec3 p) {
-    const auto hit = world.first_hit(p + Vec3{0, 0, 8} - world.origin(), {0, 0, -1});
+    const auto hit = scene.look.first_beyond_plants(p + Vec3{0, 0, 8}, {0, 0, -1});
     return hit ? hit->distance_m : 0;
   };
   const double here_m = below_m(from);
@@ -105,9 +103,8 @@ bool is_even_across(const ViewScene& scene, Vec3 from, Vec3 direction) {
 
 // True if a pavement lies beside a place of a street.
 bool has_pavement(const ViewScene& scene, Vec3 from, Vec3 direction) {
-  const World& world = scene.look.world;
   return std::ranges::any_of(std::array{-9.0, -7.0, -5.0, -3.5, 3.5, 5.0, 7.0, 9.0}, [&](double aside_m) {
-    const auto hit = world.first_hit(from + left_of(direction) * aside_m - world.origin(), {0, 0, -1});
+    const auto hit = scene.look.first_beyond_plants(from + left_of(direction) * aside_m, {0, 0, -1});
     return hit && (hit->material == Material::kPaving || hit->material == Material::kKerbStone);
   });
 }
@@ -206,6 +203,13 @@ std::vector<Vec3> places_on(const ViewScene& scene, Counts counts, int most_plac
   return places_near(scene.tiles, scene.grid.core_point(), counts, kStreetApart_m, most_places);
 }
 
+// The worth of a picture's content: many things in it, and no wall that fills it. At most 1.
+double worth_of_content(const PictureContent& content) {
+  constexpr double kVaried_bits = 3.3;
+  const double varied = std::min(content.variety_bits / kVaried_bits, 1.0);
+  return varied * varied * varied * (1 - 0.8 * std::min(content.close_walls / 0.35, 1.0));
+}
+
 // Returns the best view along streets from places on them; empty: there is none.
 std::optional<Camera> view_along(const ViewScene& scene, std::span<const Vec3> places) {
   std::optional<Camera> best;
@@ -222,7 +226,9 @@ std::optional<Camera> view_along(const ViewScene& scene, std::span<const Vec3> p
       const double wide = is_wide_area(scene, *eye, bearing(number)) ? 0.3 : 1;
       const double value = worth_of(scene, found, bearing(number)) * wide;
       if (value <= most || (wide < 1 && found.both < 0.25)) continue;
-      if (const auto camera = composed(scene, *eye, bearing(number), found)) most = value, best = camera;
+      const auto camera = composed(scene, *eye, bearing(number), found);
+      const double worth = camera ? value * worth_of_content(content_of(scene.look.world, *camera)) : 0;
+      if (worth > most) most = worth, best = camera;
     }
   }
   return best;

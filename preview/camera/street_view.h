@@ -39,13 +39,14 @@ Camera turned_by_a_third(const Camera& camera, int side);
 /// 4. over open land, towards what stands there
 /// 5. at the core (SceneGrid::core_point()), above everything that is there
 ///
-/// Kinds 1 to 4 are at eye height. The places of kinds 1 and 2 are those on asphalt nearest to the core, at most 170,
-/// 25 m apart, and those on paving, at most 90, 25 m apart. Each is tried along the directions in which one sees
+/// Kinds 1 to 4 are at eye height. The places of kinds 1 and 2 are those on asphalt nearest to the core, at most 900,
+/// 10 m apart, and those on paving, at most 400. Each is tried along the directions in which one sees
 /// farthest. The best has the largest product of: the share of the way ahead that has buildings on both sides within 18
 /// m; the walls near the eye; the number of these buildings, up to 8; the sunlit share of their walls, if the sun is
-/// up; the distance seen ahead. Alleys, and views into the sun, count less. The picture is turned to the sunlit side.
+/// up; the distance seen ahead; the variety of what the picture shows (content_of()). Alleys, views into the sun and
+/// walls that fill the picture count less. The picture is turned to the sunlit side.
 ///
-/// Deterministic. Cost: some 100,000 rays.
+/// Deterministic. Cost: some 500,000 rays.
 Camera street_view(const ViewScene& scene);
 
 }  // namespace citykiln::preview

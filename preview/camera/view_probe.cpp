@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "preview/camera/camera_rays.h"
@@ -25,6 +26,20 @@ void add_places(const std::array<Vec3, 3>& corners, double apart_m, Add add) {
   const int n = wanted >= 1 && wanted <= kMostParts ? static_cast<int>(wanted) : wanted > kMostParts ? 12 : 1;
   for (int i = 0; i < n; ++i)
     for (int j = 0; i + j < n; ++j) add(a + u * ((i + 1.0 / 3) / n) + v * ((j + 1.0 / 3) / n));
+}
+
+// Calls back with what the rays through the middles of a picture's pixels meet first, if anything.
+void for_each_ray(const World& world, const Camera& camera, int width, int height,
+                  const std::function<void(const std::optional<Hit>&)>& on_ray) {
+  // a pinhole at rest draws nothing
+  const CameraRays rays({camera.eye, camera.look_at, camera.vertical_fov_deg}, width, height);
+  const PixelSamples chances(0, 0, 0, grid_of(1, 1, 1));
+  PathDraw draw(chances, 0);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const CameraRay ray = rays.through(x + 0.5, y + 0.5, draw);
+      on_ray(world.first_hit(ray.from - world.origin(), ray.direction));
+    }
 }
 
 }  // namespace
@@ -64,6 +79,19 @@ double ViewProbe::sight_m(Vec3 from, Vec3 direction, double limit) const {
   return hit ? std::min(hit->distance_m, limit) : limit;
 }
 
+std::optional<Hit> ViewProbe::first_beyond_plants(Vec3 from, Vec3 direction) const {
+  double passed_m = 0;
+  for (int i = 0; i < 256; ++i) {
+    auto hit = world.first_hit(from + direction * passed_m - world.origin(), direction);
+    if (!hit) return std::nullopt;
+    passed_m += hit->distance_m;
+    hit->distance_m = passed_m;
+    if (!is_plant(hit->material)) return hit;
+    passed_m += 0.001;
+  }
+  return std::nullopt;
+}
+
 bool ViewProbe::meets_building(Vec3 from, Vec3 direction, double near) const {
   const auto hit = world.first_hit(from - world.origin(), direction);
   return hit && hit->distance_m < near && is_built(hit->material);
@@ -79,10 +107,13 @@ double ViewProbe::room_m(Vec3 from, double limit) const {
 bool ViewProbe::is_under_the_sky(Vec3 from) const { return !world.is_blocked(from - world.origin(), {0, 0, 1}); }
 
 std::optional<Vec3> ViewProbe::place_above_ground(Vec2 at, double above_m, double from_m) const {
-  const auto hit = world.first_hit(at_height(at, from_m) - world.origin(), {0, 0, -1});
-  if (!hit || !is_ground(hit->material)) return std::nullopt;
-  const Vec3 place = at_height(at, from_m - hit->distance_m + above_m);
-  return is_under_the_sky(place) ? std::optional(place) : std::nullopt;
+  constexpr double kBelowCrown_m = 1;
+  const auto ground = first_beyond_plants(at_height(at, from_m), {0, 0, -1});
+  if (!ground || !is_ground(ground->material)) return std::nullopt;
+  const Vec3 place = at_height(at, from_m - ground->distance_m + above_m);
+  const bool is_in_crown = sight_m(place, {0, 0, 1}, kBelowCrown_m) < kBelowCrown_m;
+  if (is_in_crown || first_beyond_plants(place, {0, 0, 1})) return std::nullopt;
+  return place;
 }
 
 double ViewProbe::walk_m(Vec3 eye, Vec3 direction, double limit) const {
@@ -97,20 +128,27 @@ double ViewProbe::walk_m(Vec3 eye, Vec3 direction, double limit) const {
 }
 
 double farthest_in_picture_m(const World& world, const Camera& camera) {
-  constexpr int kSide = 9;
-  // a pinhole at rest draws nothing
-  const CameraRays rays({camera.eye, camera.look_at, camera.vertical_fov_deg}, kSide, kSide);
-  const PixelSamples chances(0, 0, 0, grid_of(1, 1, 1));
-  PathDraw draw(chances, 0);
   double farthest = 0;
-  for (int y = 0; y < kSide; ++y)
-    for (int x = 0; x < kSide; ++x) {
-      const CameraRay ray = rays.through(x + 0.5, y + 0.5, draw);
-      const auto hit = world.first_hit(ray.from - world.origin(), ray.direction);
-      if (!hit) return std::numeric_limits<double>::infinity();
-      farthest = std::max(farthest, hit->distance_m);
-    }
+  for_each_ray(world, camera, 9, 9, [&](const std::optional<Hit>& hit) {
+    farthest = std::max(farthest, hit ? hit->distance_m : std::numeric_limits<double>::infinity());
+  });
   return farthest;
+}
+
+PictureContent content_of(const World& world, const Camera& camera) {
+  constexpr int kWide = 32, kHigh = 18;
+  constexpr double kClose_m = 7;
+  PictureContent content;
+  std::map<std::optional<Material>, int> rays;
+  for_each_ray(world, camera, kWide, kHigh, [&](const std::optional<Hit>& hit) {
+    ++rays[hit ? std::optional(hit->material) : std::nullopt];
+    if (hit && hit->distance_m < kClose_m && is_built(hit->material)) content.close_walls += 1.0 / (kWide * kHigh);
+  });
+  for (const auto& [material, count] : rays) {
+    const double share = static_cast<double>(count) / (kWide * kHigh);
+    content.variety_bits -= share * std::log2(share);
+  }
+  return content;
 }
 
 std::vector<Vec3> places_near(std::span<const bake::BakedTile> tiles, Vec3 core,

@@ -29,15 +29,16 @@ struct ViewProbe {
 
   /// Returns the distance to the first surface along a ray, at most `limit` metres.
   double sight_m(Vec3 from, Vec3 direction, double limit) const;
+  /// Returns the first surface along a ray that is no plant, with its distance from `from`. Gives up at the 256th leaf.
+  std::optional<Hit> first_beyond_plants(Vec3 from, Vec3 direction) const;
   /// True if the ray's first hit is a wall or roof nearer than `near` metres.
   bool meets_building(Vec3 from, Vec3 direction, double near) const;
   /// Returns the least sight_m() of all level directions.
   double room_m(Vec3 from, double limit) const;
   /// True if nothing is above a place: a ray upwards meets only the sky.
   bool is_under_the_sky(Vec3 from) const;
-  /// Returns the place at a height above the topmost ground at `at`, where a person or a tripod stands in the open: a
-  /// ray upwards meets only the sky, a ray downwards the ground. Empty: there is no ground, or something is above the
-  /// place.
+  /// Returns the place at a height above the topmost ground at `at`, where a person or a tripod stands: nothing but
+  /// plants is above the place, a metre or more. Empty: there is no ground, or something else is above the place.
   /// @param from_m  A height above all surfaces.
   std::optional<Vec3> place_above_ground(Vec2 at, double above_m, double from_m) const;
   /// Returns the free distance ahead of a person, at most `limit` metres: the least sight_m() at eye height, 1.2 m
@@ -48,6 +49,15 @@ struct ViewProbe {
 /// Returns the distance of the farthest surface that 9 by 9 rays through a square picture hit; infinity if any of the
 /// rays hits nothing.
 double farthest_in_picture_m(const World& world, const Camera& camera);
+
+/// What rays through a wide picture, 16 by 9, meet.
+struct PictureContent {
+  double variety_bits = 0;  ///< The entropy of the materials that the rays meet; the sky counts as a material.
+  double close_walls = 0;   ///< The share of the rays that meet a building nearer than 7 m.
+};
+/// Returns what 32 by 18 rays through a picture meet. Views with much variety show more of a scene (Vázquez et al.
+/// 2001, "Viewpoint selection using viewpoint entropy", there of faces).
+PictureContent content_of(const World& world, const Camera& camera);
 
 /// Returns places on triangles, the nearest to `core` first, at least `apart_m` apart, at most `count`. Large triangles
 /// have several places. O(n log n).

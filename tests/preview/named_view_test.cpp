@@ -6,6 +6,7 @@
 #include <string>
 
 #include "preview/camera/camera.h"
+#include "preview/camera/view_probe.h"
 #include "preview/scene/world.h"
 #include "tests/preview/solids.h"
 
@@ -179,7 +180,9 @@ TEST(NamedView, NoEyeIsBelowTheGround) {
   for (const char* name : kViews) {
     const Camera camera = *named_view(tiles, name);
     const World world(tiles, camera.eye);
-    EXPECT_FALSE(world.is_blocked(camera.eye - world.origin(), {0, 0, 1})) << name;
+    // one may stand below trees
+    const auto above = world.first_hit(camera.eye - world.origin(), {0, 0, 1});
+    EXPECT_TRUE(!above || above->material == Material::kBroadLeaf) << name;
     const auto below = world.first_hit(camera.eye - world.origin(), {0, 0, -1});
     if (name == std::string("street")) {
       ASSERT_TRUE(below);
@@ -187,6 +190,27 @@ TEST(NamedView, NoEyeIsBelowTheGround) {
       EXPECT_TRUE(below->is_front);
     }
   }
+}
+
+// Streets below crowns are as good as others: a closed roof of leaves over the only street of the village.
+TEST(NamedView, AStreetMayBeBelowTrees) {
+  bake::BakedTile place = village({0, 0, 0});
+  place.primitives.push_back(box({-30, -220, 5}, {30, 220, 7}, Material::kBroadLeaf));
+  const std::vector tiles = {place};
+  const Camera camera = *named_view(tiles, "street");
+  EXPECT_LE(std::abs(camera.eye.x), 6);
+  EXPECT_NEAR(camera.eye.z, 1.75, 0.06);  // on the street, or beside it
+}
+
+TEST(NamedView, ContentIsVariedAndCloseWallsCount) {
+  const std::vector tiles = {village({0, 0, 0})};
+  const World world(tiles, {0, 0, 2});
+  const PictureContent along = content_of(world, {{0, 0, 2}, {0, 40, 3}, 46});
+  const PictureContent at_wall = content_of(world, {{5, 0, 2}, {45, 0, 2}, 46});
+  EXPECT_GT(along.variety_bits, 1);
+  EXPECT_LT(along.variety_bits, 2.33);  // five materials at most
+  EXPECT_LT(along.close_walls, at_wall.close_walls);
+  EXPECT_GT(at_wall.close_walls, 0.5);
 }
 
 TEST(NamedView, OverviewAndLowAreOfWhatIsBuilt) {

@@ -24,7 +24,7 @@ LinearRgb paint_reflectance(const map::Srgb& colour) {
   for (std::size_t i = 0; i < 3; ++i) linear[i] = materials::linear_of_srgb(colour[i]);
   // luminance (Rec. 709)
   const double grey = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
-  for (double& c : linear) c = 0.04 + 0.72 * (0.85 * c + 0.15 * grey);
+  for (double& c : linear) c = 0.04 + 0.72 * (0.75 * c + 0.25 * grey);
   return linear;
 }
 

@@ -12,7 +12,7 @@ namespace citykiln::buildings {
 /// Linear reflectance, 0 … 1.
 using LinearRgb = std::array<double, 3>;
 
-/// Returns the reflectance of weathered paint of a colour. Each channel is moved by 15 percent towards the colour's
+/// Returns the reflectance of weathered paint of a colour. Each channel is moved by a quarter towards the colour's
 /// grey, then scaled linearly from 0 … 1 to 0.04 … 0.76.
 LinearRgb paint_reflectance(const map::Srgb& colour);
 
