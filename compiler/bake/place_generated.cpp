@@ -13,6 +13,7 @@
 #include "compiler/furniture/yard_things.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/countries/country_group.h"
+#include "compiler/plants/species_mix.h"
 #include "compiler/things/facing.h"
 #include "compiler/things/generate.h"
 
@@ -88,6 +89,15 @@ double rise_m(const things::Thing& thing, const Placement& foot, const ground::G
   return most_m;
 }
 
+// The species of a street's trees. They do not stand in groups as wild ones do.
+plants::SpeciesMix street_species(const scene::Header& header, const TileGround& ground, Vec2 foot, double street) {
+  const plants::Habitat habitat =
+      plants::habitat_at(climate::climate_mix_at(header.climate, foot), header.origin.lat_deg, {},
+                         land_m(ground.graded, foot), {0, 0, 1}, false);
+  const auto community = plants::species_mix_of(plants::PlantCommunity::kTownTrees);
+  return plants::species_mix_of(plants::draw_species(community, habitat, header.seed, street));
+}
+
 // All that a tile's things are drawn from.
 struct Generator {
   const scene::Header& header;
@@ -138,9 +148,11 @@ std::vector<plants::Tree> trees_with_street_trees(const scene::Header& header, c
   std::vector<plants::Tree> trees = chunk.trees;
   if (!header.has_street_furniture) return trees;
   const roadside::TileRecipes recipes = recipes_of(header, chunk, ground);
-  std::ranges::copy(furniture::street_trees(recipes, roadside::clear_zones_of(recipes),
-                                            {.trees = chunk.trees, .rows = chunk.tree_rows}, header.seed, box),
-                    std::back_inserter(trees));
+  const auto draw_species = [&](Vec2 foot, double street) { return street_species(header, ground, foot, street); };
+  std::ranges::copy(
+      furniture::street_trees(recipes, roadside::clear_zones_of(recipes),
+                              {.trees = chunk.trees, .rows = chunk.tree_rows}, draw_species, header.seed, box),
+      std::back_inserter(trees));
   return trees;
 }
 

@@ -6,6 +6,7 @@
 #include "compiler/contract/derived_id.h"
 #include "compiler/contract/random_sequence.h"
 #include "compiler/furniture/stations.h"
+#include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/plants/species_mix.h"
 
@@ -56,6 +57,8 @@ struct StreetTreePlanter {
   const roadside::TileRecipes& recipes;
   const roadside::ClearZones& zones;
   const MappedTrees& mapped;
+  const DrawStreetSpecies& draw_species;
+  std::uint64_t seed;
   const Box2& box;
   lots::Capsules lamps;
 
@@ -72,7 +75,7 @@ struct StreetTreePlanter {
       return !is_derived(tree.id) && distance(tree.at, at) < kMappedStreetTree_m;
     };
     const auto is_near_row = [&](const plants::TreeRow& row) {
-      return std::ranges::any_of(row.axis, [&](Vec2 p) { return distance(p, at) < kMappedStreetTree_m; });
+      return distance_to_polyline(row.axis, at) < kMappedStreetTree_m;
     };
     return std::ranges::any_of(mapped.trees, is_near_tree) || std::ranges::any_of(mapped.rows, is_near_row);
   }
@@ -83,23 +86,27 @@ struct StreetTreePlanter {
            roadside::is_clear(lamps, pit) && !overlaps_any(zones.things, pit, 0);
   }
 
-  // The height that the distance from walls leaves room for; 0: none.
-  double height_at(Vec2 at) const {
-    constexpr double kLowest_m = 5, kHighest_m = 8, kPerDistance = 2;
+  // The height that the distance from walls leaves room for; 0: none. The crowns of palms are narrow.
+  double height_at(Vec2 at, plants::SpeciesMix species) const {
+    const bool is_palm = species == plants::species_mix_of(plants::Species::kPalm);
+    const double lowest_m = 6, highest_m = is_palm ? 16 : 12, per_distance = is_palm ? 4 : 2;
     const int buildings = map::values_of(LandCoverClass::kBuilding).priority;
-    const double away_m = ground::clearance_m(recipes.land_cover, at, buildings, kHighest_m / kPerDistance);
-    return away_m < kTreeFromWall_m ? 0 : snapped(std::clamp(kPerDistance * away_m, kLowest_m, kHighest_m));
+    const double away_m = ground::clearance_m(recipes.land_cover, at, buildings, highest_m / per_distance);
+    return away_m < kTreeFromWall_m ? 0 : snapped(std::clamp(per_distance * away_m, lowest_m, highest_m));
+  }
+
+  plants::SpeciesMix species_of(const roads::Road& road, Vec2 foot) const {
+    return draw_species(foot, RandomSequence(seed, stable_id(ObjectId{road.id.osm, 0}), "street species").unit(0));
   }
 
   std::optional<plants::Tree> tree_at(const roads::Road& road, const Station& station) const {
     const std::optional<Vec2> foot = foot_after(station);
     if (!foot || !box.contains_half_open(*foot) || !lies_beside_carriageway(*foot)) return std::nullopt;
-    const double height_m = height_at(*foot);
+    const plants::SpeciesMix species = species_of(road, *foot);
+    const double height_m = height_at(*foot, species);
     if (height_m == 0 || !is_free(*foot, station) || has_mapped_trees_near(*foot)) return std::nullopt;
-    return plants::Tree{.id = roadside_id(road.id, station.number),
-                        .at = snapped(*foot),
-                        .height_m = height_m,
-                        .species_mix = plants::species_mix_of(plants::PlantCommunity::kTownTrees)};
+    return plants::Tree{
+        .id = roadside_id(road.id, station.number), .at = snapped(*foot), .height_m = height_m, .species_mix = species};
   }
 };
 
@@ -112,8 +119,10 @@ std::vector<lots::Capsule> about_lamps(std::span<const props::StreetLamp> lamps)
 }  // namespace
 
 std::vector<plants::Tree> street_trees(const roadside::TileRecipes& recipes, const roadside::ClearZones& zones,
-                                       const MappedTrees& mapped, std::uint64_t seed, const Box2& box) {
-  const StreetTreePlanter planter{recipes, zones, mapped, box, lots::index_capsules(about_lamps(recipes.lamps))};
+                                       const MappedTrees& mapped, const DrawStreetSpecies& draw_species,
+                                       std::uint64_t seed, const Box2& box) {
+  const StreetTreePlanter planter{
+      recipes, zones, mapped, draw_species, seed, box, lots::index_capsules(about_lamps(recipes.lamps))};
   std::vector<plants::Tree> trees;
   for (const roads::Road& road : recipes.roads) {
     if (!may_be_lined(road)) continue;

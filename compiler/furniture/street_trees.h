@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -19,7 +20,7 @@ namespace citykiln::furniture {
 inline constexpr double kTreeVerge_m = 1, kTreePavement_m = 2.5;
 /// No trees are assumed this near to a mapped one, in metres.
 inline constexpr double kMappedStreetTree_m = 60;
-/// The distances of trunks from walls and from lamps, in metres.
+/// The distances of trunks from walls, and of their pits from lamps, in metres.
 inline constexpr double kTreeFromWall_m = 3, kTreeFromLamp_m = 2;
 
 /// The mapped trees of a tile.
@@ -28,18 +29,23 @@ struct MappedTrees {
   std::span<const plants::TreeRow> rows;
 };
 
+/// Draws the species of a tree from its foot and a uniform random number in [0, 1) that a whole street shares, as most
+/// streets have one species.
+using DrawStreetSpecies = std::function<plants::SpeciesMix(Vec2 foot, double street)>;
+
 /// Returns the trees along the pavements of a tile, one halfway between each two stations (stations.h). Each side of a
 /// whole way is lined or not, by the shares of street_trees.inc for its country and class. A tree
 ///
 /// - stands in a verge of kTreeVerge_m or, where there is none, on a pavement of kTreePavement_m;
-/// - keeps kTreeFromWall_m from buildings; the height grows with that distance, from 5 to 8 m;
+/// - keeps kTreeFromWall_m from buildings; the height grows with that distance, from 6 to 12 m, of palms to 16 m;
 /// - is outside of the zones of streets, doors and things (roadside/clear_zones.h).
 ///
-/// All trees are of the community kTownTrees. A tree is in the tile that contains its foot. Mapped trees of the next
+/// A tree is in the tile that contains its foot. Mapped trees of the next
 /// tile do not count. O(stations · mapped trees).
 /// @param zones  clear_zones_of() the recipes.
 /// @param box    The tile.
 std::vector<plants::Tree> street_trees(const roadside::TileRecipes& recipes, const roadside::ClearZones& zones,
-                                       const MappedTrees& mapped, std::uint64_t seed, const Box2& box);
+                                       const MappedTrees& mapped, const DrawStreetSpecies& draw_species,
+                                       std::uint64_t seed, const Box2& box);
 
 }  // namespace citykiln::furniture

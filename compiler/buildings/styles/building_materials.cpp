@@ -42,10 +42,19 @@ const Row& materials_row(std::uint8_t building_class) {
   return kRows[building_class];
 }
 
+// Towns of the Netherlands are of brick, where others around are of plaster: an estimate.
+std::uint32_t other_percent(const Row& row, const map::Footprint& footprint) {
+  constexpr std::uint32_t kBrickOfNetherlands = 85;
+  const bool is_brick =
+      row.other_wall == Material::kBrick && footprint.tradition == map::BuildingTradition::kNetherlands;
+  return is_brick ? kBrickOfNetherlands : row.other_percent;
+}
+
 Material untagged_wall(const map::Footprint& footprint) {
   const Row& row = materials_row(footprint.building_class);
   if (footprint.height_m > kGlassTower_m && row.wall != Material::kStone) return Material::kGlassFacade;
-  const bool is_other = RandomSequence(0, stable_id(footprint.id), "wall").below(100, 0) < row.other_percent;
+  const bool is_other =
+      RandomSequence(0, stable_id(footprint.id), "wall").below(100, 0) < other_percent(row, footprint);
   return is_other ? row.other_wall : row.wall;
 }
 

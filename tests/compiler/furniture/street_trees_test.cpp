@@ -52,7 +52,11 @@ struct LinedStreet {
                                         .buildings = {},
                                         .land_cover = index,
                                         .tile_m = 256};
-    return street_trees(recipes, roadside::clear_zones_of(recipes), {.trees = mapped, .rows = rows}, seed, box);
+    const auto species = [](Vec2, double street) {
+      return plants::species_mix_of(street < 0.5 ? plants::Species::kLime : plants::Species::kMaple);
+    };
+    return street_trees(recipes, roadside::clear_zones_of(recipes), {.trees = mapped, .rows = rows}, species, seed,
+                        box);
   }
 
   // The trees by the first seed that lines the street.
@@ -70,7 +74,8 @@ TEST(StreetTrees, StandInTheMiddleOfTheVergeEvery8m) {
   ASSERT_GE(trees.size(), 120u);
   for (std::size_t i = 0; i < trees.size(); ++i) {
     EXPECT_EQ(trees[i].at.y, 4);
-    EXPECT_EQ(trees[i].height_m, 8) << "5 m from the wall";
+    EXPECT_EQ(trees[i].height_m, 10) << "5 m from the wall";
+    EXPECT_EQ(trees[i].species_mix, trees[0].species_mix) << "one species a street";
     if (i > 0) {
       EXPECT_EQ(std::abs(trees[i].at.x - trees[i - 1].at.x), 8);
     }
