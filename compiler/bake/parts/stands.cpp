@@ -14,15 +14,19 @@
 namespace citykiln::bake {
 namespace {
 
-// The elements with the most plants, so many that the others have at most `most`; none with few plants.
-std::set<OsmId> elements_to_take(const plants::PlacedPlants& placed, std::size_t most) {
+// The elements with the most plants, so many that the others have at most `most`; none with few plants, and no roads,
+// whose trees stand singly and are seen from below.
+std::set<OsmId> elements_to_take(const plants::PlacedPlants& placed, std::span<const roads::Road> roads,
+                                 std::size_t most) {
+  std::set<OsmId> lined;
+  for (const roads::Road& road : roads) lined.insert(road.id.osm);
   std::map<OsmId, std::size_t> plants_of;
   std::size_t left = 0;
   for (const auto& [prototype, placements] : placed)
     for (const Placement& p : placements) ++plants_of[p.feature], ++left;
   std::vector<std::pair<std::size_t, OsmId>> largest;
   for (const auto& [element, count] : plants_of)
-    if (count > kMostLoosePlants) largest.emplace_back(count, element);
+    if (count > kMostLoosePlants && !lined.contains(element)) largest.emplace_back(count, element);
   std::ranges::sort(largest, std::greater());
   std::set<OsmId> taken;
   for (const auto& [count, element] : largest) {
@@ -95,7 +99,7 @@ double stand_tolerance_m(const plants::SpeciesValues& species, double tolerance_
 
 Stands take_stands(plants::PlacedPlants& placed, const StandSurroundings& around, double tolerance_m, std::size_t most,
                    const plants::SpeciesTable& table) {
-  const std::set<OsmId> taken = elements_to_take(placed, most);
+  const std::set<OsmId> taken = elements_to_take(placed, around.roads, most);
   const WoodSquares squares = squares_of(placed, taken, around);
   Stands stands;
   for (auto& [prototype, placements] : placed) {

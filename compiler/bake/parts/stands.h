@@ -52,7 +52,8 @@ using Stands = std::map<StandKey, std::vector<Placement>>;
 double stand_tolerance_m(const plants::SpeciesValues& species, double tolerance_m, bool is_inner);
 
 /// Moves plants out of `placed` into stands, all plants of one element at a time, the elements with the most plants
-/// first. Stops when at most `most` plants are left in `placed`, or no element with more than kMostLoosePlants.
+/// first. Stops when at most `most` plants are left in `placed`, or no element with more than kMostLoosePlants. Trees
+/// of roads (tree-lined ones, street trees) stay.
 /// @param placed       The plants of a tile by prototype.
 /// @param tolerance_m  The tile's tolerance. Variants that share a mesh at stand_tolerance_m() are in one stand.
 Stands take_stands(plants::PlacedPlants& placed, const StandSurroundings& around, double tolerance_m, std::size_t most,

@@ -29,7 +29,7 @@ struct Card {
   Vec3 normal;             ///< A unit vector for shading, between the card's normal and the direction out of the crown.
   materials::Tint tint{};  ///< Multiplies the picture's colour.
   std::uint8_t spray = 0;  ///< Index into Foliage::sprays.
-  bool is_clump = false;   ///< It shows several sprays, in place of cards with a larger area together.
+  bool is_clump = false;   ///< It shows many small sprays, in place of several cards.
   std::int32_t outline = kNoOutline;  ///< Index into Foliage::outlines.
 
   Vec3 centre() const { return corner + (across + along) * 0.5; }

@@ -62,7 +62,7 @@ bool any_near(const CardIndex& index, Vec3 place, Condition condition) {
 }
 
 // Width of a cell's card, in widths of the cell.
-constexpr double kCardWidth = 1.15;
+constexpr double kCardWidth = 1.25;
 // Pieces of a card each way that bound its distance to others.
 constexpr int kCardPieces = 4;
 
@@ -102,12 +102,14 @@ Vec3 mean_normal(std::span<const Card> cards) {
   return unit(sum);
 }
 
-// @param cards  At least two.
-Card replacement_for(std::span<const Card> cards, double widest_m) {
+// @param cards       At least two.
+// @param has_leaves  False for fruit and blades.
+Card replacement_for(std::span<const Card> cards, double widest_m, bool has_leaves) {
   const Vec3 centre = weighted_centre(cards);
   Card card = *std::ranges::min_element(cards, {}, [&](const Card& c) { return length(c.centre() - centre); });
   const double area = summed_area(cards), most = std::max(widest_m * widest_m, area_of(card));
-  card.is_clump = area > most;
+  // many leaves are shown as many: one large spray in their place would be seen as such
+  card.is_clump = has_leaves || area > most;
   const double larger = std::sqrt((card.is_clump ? std::min(area / kClumpLeaves, most) : area) / area_of(card));
   card.across = card.across * larger, card.along = card.along * larger;
   card.corner = centre - (card.across + card.along) * 0.5;
@@ -118,14 +120,17 @@ Card replacement_for(std::span<const Card> cards, double widest_m) {
 }
 
 struct Clustering {
-  double width_m;             // of a cell; leaves move by at most as much
+  double width_m;  // of a cell; leaves move by at most as much
+  std::span<const std::string> sprays;
   std::vector<Card> cards;    // sorted so that each cell is a range
   std::vector<Cell> cells{};  // all of the foliage
 
   Cell cell_of(std::size_t first, std::size_t count) const {
     Cell cell{first, count};
     const std::span<const Card> own = cards_of(cell, cards);
-    cell.card = count == 1 ? own.front() : replacement_for(own, kCardWidth * width_m);
+    const std::string& spray = sprays[own.front().spray];
+    const bool has_leaves = !spray.empty() && !is_fruit(spray);
+    cell.card = count == 1 ? own.front() : replacement_for(own, kCardWidth * width_m, has_leaves);
     return cell;
   }
 
@@ -233,7 +238,7 @@ std::optional<double> refine(Clustering& state) {
 
 Clusters cluster(const Foliage& foliage, double width_m) {
   assert(width_m > 0);
-  Clustering state{width_m, foliage.cards};
+  Clustering state{width_m, foliage.sprays, foliage.cards};
   // sprays are clustered apart: no card replaces both leaves and fruit
   std::ranges::stable_sort(state.cards, {}, &Card::spray);
   for (std::size_t first = 0; first < state.cards.size();) {

@@ -101,7 +101,7 @@ void add_spray(Shaded& shaded, const Spray& spray, double leaf_share) {
 
 // Sprays that point away from the middle, evenly over the ellipse in the picture (a sunflower's seeds).
 void add_clump(Shaded& shaded, const Spray& spray, double leaf_share) {
-  constexpr double kLong = 0.34, kGoldenTurn = 0.381966;
+  constexpr double kLong = 0.28, kGoldenTurn = 0.381966;
   for (int i = 0; i < kClumpSprays; ++i) {
     const RandomSequence draw(1, stable_id(StableId{}, "clump", static_cast<std::uint64_t>(i)), "spray");
     const Vec2 round = direction_of(kGoldenTurn * i), out{round.x * spray.spread, round.y};

@@ -33,6 +33,6 @@ impostor::Picture picture_of_spray(std::string_view name, materials::Material ma
 /// The number of sprays in a clump, and the leaf area of a clump divided by that of a single spray (mean of the
 /// species).
 inline constexpr int kClumpSprays = 24;
-inline constexpr double kClumpLeaves = 1.75;
+inline constexpr double kClumpLeaves = 1.4;
 
 }  // namespace citykiln::plants

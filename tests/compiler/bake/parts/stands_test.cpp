@@ -49,6 +49,16 @@ TEST(Stands, TakeWoodsAndLeaveMappedTrees) {
   EXPECT_EQ(taken, 20u);
 }
 
+// Coarse trees beside a street were blobs of leaves as wide as a car.
+TEST(Stands, TreesOfRoadsStay) {
+  plants::PlacedPlants placed = made_plants();
+  roads::Road road;
+  road.id = {kWood, 2};
+  road.axis = {{0, 0}, {200, 0}};
+  EXPECT_TRUE(take_stands(placed, {kTile, std::span(&road, 1)}, 0.5, 0).empty());
+  EXPECT_EQ(count_of(placed), 23u);
+}
+
 // A wood of 200 by 200 m in the corner of a tile, with a glade of 40 m and a path: the inside begins 8 to 45 m behind
 // its edges, but at the tile's border, beyond which it goes on.
 TEST(Stands, PlantsAreInsideWhereTheWoodGoesOnAllAround) {
