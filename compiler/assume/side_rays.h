@@ -1,4 +1,4 @@
-// Samples along a stretch of road, from which rays go to both sides, square to the axis.
+// Sample points along a stretch of road, each with a ray to the left and a ray to the right, square to the axis.
 #pragma once
 
 #include <algorithm>
@@ -17,13 +17,13 @@ namespace citykiln::assume {
 struct SideRay {
   Vec2 at;            ///< On the axis, plane metres.
   Vec2 along, out;    ///< The direction of the axis, and that of the ray. Length 1.
-  double kerb_m = 0;  ///< The distance of the kerb along the ray.
+  double kerb_m = 0;  ///< The distance from the axis to the kerb, by the cross-section.
   bool is_left = false;
 };
 
-/// Calls look(ray, lines) for both sides of samples about every 8 m, at least one on each segment of the axis; first
-/// for the left side. `lines` are indices of Surroundings::lines: of all that touch the box of the segment widened by
-/// about_m, and some near it. O(samples · lines near).
+/// Calls look(ray, lines) for samples about every 8 m, at least one per segment of the axis, left side first. `lines`
+/// has the indices in Surroundings::lines that touch the box of the segment widened by about_m, and some near it. It is
+/// valid during the call. Segments must have a length. O(samples * lines near).
 template <typename Look>
 void for_each_side_ray(const Surroundings& surroundings, const map::Track& stretch, double about_m, Look look) {
   constexpr double kSampleEvery_m = 8;

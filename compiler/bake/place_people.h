@@ -1,4 +1,4 @@
-// Places the people of a tile on the ground. They have no recipes: people/people.h draws them from those of streets.
+// Puts the people of a tile on the ground. They have no recipes: people/people.h makes them from recipes of streets.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace citykiln::bake {
 
-/// People are shown below this tolerance, in metres: none is higher.
+/// People are baked at tolerances below the height of the tallest person, in metres.
 inline constexpr double kShowsPeople_m = people::kTallestPerson_m;
 
-/// Returns the people of a tile by the header's wish. Who sits is on the ground below the bench.
+/// Returns the people of a tile by the settings of the header. The origin of a sitting person is below the bench.
 /// @param furniture  The result of place_generated() without cars; people keep clear of it.
 /// @param box        The tile.
 std::vector<PlacedThing> place_people(const scene::Header& header, const scene::Chunk& chunk,

@@ -10,8 +10,8 @@
 
 namespace citykiln::bake {
 
-/// Returns the wires of spans: one on each insulator, and a thicker cable for telephones below them.
-/// @param prototypes  The cache of the run: its rules say where wires hang.
+/// Returns the wires of spans: one on each insulator, and below them a thicker telephone cable at 6.25 m.
+/// @param prototypes  The cache whose rules state where wires hang.
 std::vector<wires::WireSpan> wires_of(std::span<const PlacedPoleSpan> spans, const PrototypeCache& prototypes);
 
 }  // namespace citykiln::bake

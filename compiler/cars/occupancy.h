@@ -11,8 +11,8 @@ namespace citykiln::cars {
 /// (occupancy.inc). It is continuous in time and has a period of a week.
 double usual_share(const Place& place, buildings::WeekTime time);
 
-/// True if a place has a car. Each place has a rank in [0, 1) and is taken while the share is above it, so that in the
-/// course of a day cars only come while the share rises, and only leave while it falls.
+/// True if a place has a car. Each place has a random rank in [0, 1), and has a car while the share is above its rank.
+/// So cars only arrive while the share rises, and only leave while it falls.
 bool is_taken(const Place& place, const CarShare& cars, buildings::WeekTime time, std::uint64_t seed);
 
 }  // namespace citykiln::cars

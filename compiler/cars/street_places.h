@@ -25,18 +25,17 @@ inline constexpr double kFreeLane_m = 3;
 /// The width that a row of cars at a kerb takes of a carriageway.
 inline constexpr double kRow_m = 2;
 
-/// Returns the places along a road whose middles lie in a box, whatever lies there:
+/// Returns the places along a street whose middles lie in a box, before their ground is tested; none on other roads:
 ///
-/// - in its parking lanes, each within the painted lines of a bay (roads::bays_of()), or where a quiet street would
-/// have
-///   them: none on crossings and within roads::kLastBayEnds_m of a stop line;
+/// - in its parking lanes, within the bays of roads::bays_of(), painted or not. Crossings, and the last
+///   roads::kLastBayEnds_m before a stop line, have none;
 /// - at the kerbs of Road::kerb_parking, where lanes other than those for parking leave kFreeLane_m free;
 /// - beside its outer edges, square to it and along it, for car parks (Place::surface is kParking).
 ///
-/// Places are numbered from the start of the whole way, before junctions from the stop line, so the parts of a trimmed
-/// way have the places of the whole, bit for bit. None lies in a bend of more than some 10 degrees, nor where the width
-/// limits leave no room for a car. O(places + points).
-/// @param stretches  roads::stretches_of() the road.
+/// Places are counted from the start of the OSM way, near a junction from its stop line, so parts of a trimmed way have
+/// the same places, bit for bit. No place lies where the axis bends by more than 10 degrees, or where width limits
+/// leave no room for a car. O(places + points).
+/// @param stretches  The result of roads::stretches_of(road); may be empty if the road has no parking lanes.
 std::vector<Place> places_along(const roads::Road& road, std::span<const roads::RoadStretch> stretches,
                                 const Box2& box);
 

@@ -14,7 +14,7 @@ using map::LaneKind;
 
 bool is_pavement(const Lane& lane) { return lane.is_raised && lane.kind == LaneKind::kSidewalk; }
 
-// The pavement of a side: its distance from the axis on the kerb's side, to the left positive, and its width.
+// A pavement: off_m is the distance of its inner edge from the axis, positive to the left.
 struct PavementEdge {
   double off_m = 0, width_m = 0, verge_m = 0;
 };

@@ -45,7 +45,7 @@ bool is_lined(const roads::Road& road, const Station& station, std::uint64_t see
   return 100 * RandomSequence(seed, station.side, "street trees").unit(0) < percent;
 }
 
-// Where a tree stands after a station, halfway to the next, if there is room.
+// The foot of a tree 4 m beside a station, if there is room.
 std::optional<Vec2> foot_after(const Station& station) {
   const bool is_in_verge = station.verge_m >= kTreeVerge_m;
   if (!is_in_verge && station.room_m < kTreePavement_m) return std::nullopt;

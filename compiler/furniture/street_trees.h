@@ -2,7 +2,7 @@
 //
 //     houses     [#######]  [########]
 //     pavement   ─────────────────────
-//     verge        o    o    o    o      in the middle of the verge, or 0.8 m inside a broad pavement
+//     verge        o    o    o    o      every 8 m, in the middle of the verge, else 0.8 m inside the pavement
 //     ═════════ kerb ═══════════════
 #pragma once
 
@@ -33,12 +33,14 @@ struct MappedTrees {
 /// streets have one species.
 using DrawStreetSpecies = std::function<plants::SpeciesMix(Vec2 foot, double street)>;
 
-/// Returns the trees along the pavements of a tile, one halfway between each two stations (stations.h). Each side of a
-/// whole way is lined or not, by the shares of street_trees.inc for its country and class. A tree
+/// Returns the trees that are assumed along the pavements of a tile: one 4 m beside each station (stations.h). All
+/// trees of one side of an OSM way are drawn together, by the percentages of street_trees.inc for its country and
+/// class. Main streets are primary, secondary and tertiary; other streets are residential; further classes have none. A
+/// tree
 ///
 /// - stands in a verge of kTreeVerge_m or, where there is none, on a pavement of kTreePavement_m;
 /// - keeps kTreeFromWall_m from buildings; the height grows with that distance, from 6 to 12 m, of palms to 16 m;
-/// - is outside of the zones of streets, doors and things (roadside/clear_zones.h).
+/// - is outside of the clear zones of streets, doors, things and lamps, on pavement or verge.
 ///
 /// A tree is in the tile that contains its foot. Mapped trees of the next
 /// tile do not count. O(stations · mapped trees).

@@ -1,4 +1,4 @@
-// Decides where poles with wires stand along streets, where no map shows power lines.
+// Decides where utility poles with wires stand along streets. Mapped power lines are not looked at.
 //
 //     houses    [#######]  [########]
 //            o───────────o───────────o    every 32 m along the way, on one side
@@ -13,16 +13,16 @@
 
 namespace citykiln::furniture {
 
-/// The distance of poles along a way, in metres.
+/// The distance between poles along a way, in metres; an estimate.
 inline constexpr double kPoleStep_m = 32;
-/// Wires hang between neighbouring poles that are at most this far apart, in metres.
+/// Wires hang between consecutive poles up to this distance, in metres: one missing pole is bridged, two are not.
 inline constexpr double kLongestPoleSpan_m = 70;
 /// Pavements at least this wide are those of centres, which have their lines in the ground, in metres.
 inline constexpr double kCentrePavement_m = 3;
 
 /// Wires between two poles.
 struct PoleSpan {
-  ObjectId id;             ///< The id of the street, with a part for each span.
+  ObjectId id;             ///< The id of its second pole.
   std::uint32_t from, to;  ///< Indices into UtilityPoles::poles.
 };
 
@@ -32,15 +32,15 @@ struct UtilityPoles {
   std::vector<PoleSpan> spans;  ///< The spans whose middle lies in the tile.
 };
 
-/// Returns the poles whose foot lies in a box widened by kLongestPoleSpan_m / 2, and the spans of the box. Each whole
-/// way has poles or not, on its left or right, by the shares of things/utility_poles.inc for its country and class. A
-/// pole
+/// Returns the poles whose foot lies in the box widened by kLongestPoleSpan_m / 2, and the spans whose middle lies in
+/// the box. Each OSM way has poles or none, all on one side, by the percentages of things/utility_poles.inc. Main
+/// streets are secondary and tertiary; other streets are residential; further classes have none. A pole
 ///
 /// - stands 0.4 m behind the kerb, or 0.25 m inside the edge of a carriageway without kerbs;
-/// - is outside of the zones of streets (roadside/clear_zones.h), off walls and water;
+/// - is outside of the clear zones of streets, 0.4 m or more from walls, and not in water;
 /// - carries its wires along the street.
 ///
-/// Two tiles that know a place agree on its poles, since things, lamps and doors do not count. O(roads · length).
+/// Neighbouring tiles make the same poles: things, lamps, doors and trunks do not count. O(poles + roads).
 /// @param zones  clear_zones_of() the recipes.
 /// @param box    The tile.
 UtilityPoles utility_poles(const roadside::TileRecipes& recipes, const roadside::ClearZones& zones, std::uint64_t seed,

@@ -25,9 +25,9 @@ std::array<Vec2, 4> corners_of(const OrientedRect& rect);
 /// Returns the box around a rectangle.
 Box2 box_of(const OrientedRect& rect);
 
-/// True if two rectangles share a strip of more than border_m in every direction. A negative border_m is a distance:
-/// the result is true if no side of either separates them by that distance, so beside corners they may be farther
-/// apart.
+/// True if the projections of two rectangles on each of their four side directions share more than border_m. If
+/// border_m is negative, -border_m is a clearance: true if no side separates the rectangles by it. Corners may be
+/// farther apart.
 bool overlap(const OrientedRect& a, const OrientedRect& b, double border_m);
 
 /// Rectangles with a spatial index.
@@ -39,7 +39,7 @@ struct RectIndex {
 /// Returns the index of rectangles. O(n).
 RectIndex index_rects(std::vector<OrientedRect> all);
 
-/// True if a rectangle overlaps any of the index by more than border_m >= 0. O(rectangles near).
+/// True if overlap() holds for any indexed rectangle. Requires border_m >= 0. O(rectangles near).
 bool overlaps_any(const RectIndex& rects, const OrientedRect& rect, double border_m);
 
 }  // namespace citykiln

@@ -1,4 +1,4 @@
-// The bodies of people: a few, which all people of a scene share.
+// The bodies of people: 24 rows of body_models.inc, which all people of a scene share.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ enum class Bag : std::uint8_t { kNone, kBackpack, kShoulderBag, kCarrierBag };
 /// The clothes of a season: thin ones, a jacket, or a coat with a cap.
 enum class Season : std::uint8_t { kWarm, kMild, kCold };
 
-/// The stance that a spot asks of its people.
+/// The things that people do at a spot.
 enum class Stance : std::uint8_t { kWalking, kStanding, kSitting };
 
 /// All that decides the mesh of a body. Colours are tints of Material::kPaint.
@@ -35,7 +35,7 @@ struct Look {
   materials::Tint top{}, bottom{}, skin{}, hair{}, shoes{}, bag_colour{}, cap{};
 };
 
-/// One of the bodies of a place and a season.
+/// A body in the clothes of a country group and a season.
 struct Body {
   std::uint16_t number = 0;  ///< A row of body_models.inc, less than kBodies.
   map::CountryGroup country{};
@@ -44,7 +44,7 @@ struct Body {
 
 /// The number of bodies in a scene.
 inline constexpr std::uint16_t kBodies = 24;
-/// The greatest height of a body, in metres.
+/// The height of the tallest row of body_models.inc, in metres.
 inline constexpr double kTallestPerson_m = 1.90625;
 
 /// Draws a body of a stance by its weights, without children if asked.
@@ -57,7 +57,7 @@ Look look_of(const Body& body, std::uint64_t seed);
 /// Returns the form of a body, of the kind "person". It is no row of the table of things: its mesh is body_mesh().
 things::Form form_of(const Body& body);
 
-/// Returns the body of a form that form_of() made; nothing for other things.
+/// Returns the body of a form made by form_of(); nullopt for forms of other kinds.
 std::optional<Body> body_of(const things::Form& form);
 
 /// Returns the clothes of a month.

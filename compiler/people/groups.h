@@ -14,10 +14,12 @@ struct Member {
   std::uint16_t body = 0;  ///< A row of body_models.inc.
 };
 
-/// Returns the people at a spot, all within kSpotRadius_m of it, at least 0.5 m apart:
+/// Returns the people at a spot, one or two, within kSpotRadius_m of it and at least 0.5 m apart:
 ///
-/// - who waits looks at the street or the crossing, who sits looks ahead;
-/// - others walk one way side by side, look at the houses, or stand face to face. Children come with adults.
+/// - at stops, crossings and benches one person, who faces Spot::towards;
+/// - elsewhere one or two walkers along Spot::along, one person who faces Spot::towards, or two who face each other.
+///
+/// The second person of a pair may be a child. Directions are turned by up to 20 degrees at random, except on benches.
 std::vector<Member> members_at(const Spot& spot, std::uint64_t seed);
 
 }  // namespace citykiln::people

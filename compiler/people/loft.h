@@ -13,7 +13,7 @@ struct Ring3 {
   Vec3 at, u, v;
 };
 
-/// A level ring, for lofts that go up.
+/// Returns a horizontal ellipse whose normal is +z, for lofts that are listed from low to high.
 inline Ring3 level_ring(Vec3 at, double half_width_m, double half_depth_m) {
   return {at, {half_width_m, 0, 0}, {0, half_depth_m, 0}};
 }
@@ -28,12 +28,13 @@ struct Joint {
 /// own: 2 · sides · rings − 4 triangles. Positions are multiples of 2^-10 m.
 void add_loft(std::span<const Ring3> rings, int sides, materials::Tint tint, materials::MaterialMesh& mesh);
 
-/// Adds a limb through joints, from its lower end: rings lie across its direction, x first.
-/// @param flat  The depth of its rings as a share of their width.
+/// Adds a limb through joints, listed from its lower end. Each ring is square to the limb, and its u is as near to x as
+/// possible, so no part of the limb may be parallel to x. Requires two joints or more.
+/// @param flat  The depth of a ring as a share of its width.
 void add_limb(std::span<const Joint> joints, int sides, double flat, materials::Tint tint,
               materials::MaterialMesh& mesh);
 
-/// Sets the normals of all vertices: the means of the triangles about them by area.
+/// Sets the normal of each vertex to the mean of its triangles' normals, weighted by area.
 void smooth(Mesh& mesh);
 
 }  // namespace citykiln::people

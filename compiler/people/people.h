@@ -1,8 +1,9 @@
-// People of a tile: still, standing, walking or sitting, at a share of its spots.
+// The people of a tile, who do not move: they stand, walk or sit at a share of its spots.
 //
-// A spot is in the tile that contains its middle, with all of its people. It is left out if it
-//   - is not on ground for walkers: pavements, squares, paths, streets for walkers;
-//   - overlaps a spot of a lower key.
+// A spot is in the tile that contains its middle, with all of its people. A spot of a street or square is left out if
+// it
+//   - is not on ground for walkers: pavements, squares, platforms, foot paths, pedestrian streets;
+//   - overlaps a spot with a lower key, even if that one is left out itself, or a spot of a stop or bench.
 // A person is left out who would stand off that ground, in a thing, a lamp, a trunk or a barrier. Spots at stops and on
 // benches are known in the tile of the thing alone, and give way to others.
 #pragma once
@@ -44,20 +45,20 @@ struct PeopleWish {
   PeopleShare share;
   buildings::WeekTime time;
   Season season{};
-  map::CountryGroup country{};  ///< The country of the place; clothes and looks are the same in the whole scene.
+  map::CountryGroup country{};  ///< The country of the scene: of looks, and of spots of squares, stops and benches.
   std::uint64_t seed = 0;
   double tile_m = 0;  ///< Side of the tiles.
 };
 
-/// Returns the spots of a tile, with their uses, sorted by key.
+/// Returns the spots of a tile with their uses: those of stops and benches, then the others, each sorted by key.
 ///
-/// Guarantees: disjoint boxes share no spots; no two spots overlap, except those at stops and on benches beyond the
-/// border. O(spots + roads).
+/// Guarantees: disjoint boxes share no spots. Two spots of streets, crossings and squares do not overlap. Spots of
+/// stops and benches may overlap each other, and spots of other tiles. O(spots + roads).
 /// @param box  The tile; lower sides inclusive, upper sides exclusive.
 std::vector<Spot> spots_in(const StreetLife& life, const PeopleWish& wish, const Box2& box);
 
-/// Returns the people of a tile as things of form_of(), in the order of their spots. Depends on the seed, the hour and
-/// the wish; not on threads.
+/// Returns the people of a tile as things of form_of(), in the order of their spots. The result depends only on the
+/// arguments. Ids are unique in a tile only.
 std::vector<things::Thing> people_in(const StreetLife& life, const PeopleWish& wish, const Box2& box);
 
 }  // namespace citykiln::people

@@ -1,4 +1,4 @@
-// Decides at which spots somebody is at an hour.
+// Decides at which spots people are at a given hour.
 #pragma once
 
 #include "compiler/buildings/lit_windows.h"
@@ -7,8 +7,8 @@
 
 namespace citykiln::people {
 
-/// Returns the usual share of spots like this one at which somebody is, from 0 to 1: by use, extent and country group
-/// (presence.inc). It is continuous in time and has a period of a week.
+/// Returns the share of spots like this one that have people, from 0 to 1: by use, extent and country group
+/// (presence.inc). It is continuous in time with a period of one week.
 double usual_presence(const Spot& spot, buildings::WeekTime time);
 
 /// True if somebody is at a spot. Each spot has a rank in [0, 1) and is taken while the share is above it.

@@ -24,24 +24,23 @@ struct Solid {
   OsmId feature{};
 };
 
-/// Returns the spots on the pavements of a street, or on a path or a street for walkers, whose middle lies in a box.
-/// Their use is kOpen, or kSquare; people.h looks for houses. They are numbered from the start of the whole way.
-/// O(points
-/// + spots · lanes).
+/// Returns the spots whose middle lies in a box, on the pavements of a street, or on a path or a pedestrian street.
+/// Their use is kSquare on pedestrian streets, else kOpen; SpotFinder (people.cpp) sets kShops, kHouses and kPark. They
+/// are counted from the start of the OSM way. O(points + spots * lanes).
 std::vector<Spot> spots_along(const roads::Road& road, const Box2& box);
 
-/// Returns the spots of a grid in a box: those on a square are among them. O(spots).
+/// Returns the spots of a grid of kSquareStep_m in a box. The caller drops those that are not on the square. O(spots).
 std::vector<Spot> spots_of_square(OsmId square, map::CountryGroup country, const Box2& box);
 
-/// Returns the spots at the kerbs before crossings: two at each end.
-/// @param tile_m  Side of the tiles (roads::stretches_of()).
+/// Returns the spots 0.55 m behind the kerbs at painted crossings: two at each end. O(points + roads).
+/// @param tile_m  The side of the tiles, for roads::stretches_of().
 std::vector<Spot> spots_at_crossings(std::span<const roads::Road> roads, std::span<const roads::Junction> junctions,
                                      double tile_m, const Box2& box);
 
-/// Returns the spots at a stop: three on either side, behind it.
+/// Returns six spots beside a stop, three on either side, up to 3.9 m away and 0.2 to 1.2 m behind it.
 std::vector<Spot> spots_at_stop(const Solid& stop, map::CountryGroup country);
 
-/// Returns the spots on a bench: two.
+/// Returns the two spots on a bench.
 std::vector<Spot> spots_on_seat(const Solid& seat, map::CountryGroup country);
 
 }  // namespace citykiln::people

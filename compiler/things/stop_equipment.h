@@ -18,20 +18,21 @@ namespace citykiln::things {
 /// Equipment that is mapped this near to a stop replaces that of its tags, in metres.
 inline constexpr double kMappedEquipment_m = 25;
 
-/// Returns the kinds that the tags of a thing ask for; none if it is no stop.
+/// Returns the kinds of equipment that a stop is tagged with; none for other things.
 std::vector<std::string_view> kinds_at_stop(const map::ThingFeature& stop);
 
-/// Returns the things of these kinds.
+/// Returns the shelters, benches and waste baskets among things.
 std::vector<map::ThingFeature> mapped_equipment(std::span<const map::ThingFeature> things);
 
-/// Returns the equipment of a stop by ThingFeature::stop_has, with places and directions (ThingFeature::faces): a
-/// shelter beside it, first along its right side, where its whole base is free; a bench, unless the shelter has one; a
-/// basket. Equipment without a free place is left out. The kinds are "shelter", "bench" and "waste_basket", with their
-/// usual sizes.
+/// Returns the tagged equipment of a stop (ThingFeature::stop_has) with places and directions (ThingFeature::faces): a
+/// shelter, a bench if no shelter was placed, since its mesh has one, and a waste basket. Each stands beside the stop,
+/// first to the right as seen from the street, at most 2.5 m behind it, where nine points of its base are free.
+/// Equipment without a free place is left out. Pieces of one stop are not tested against each other.
 /// @param stop    A stop with equipment.
 /// @param at      Where it stands.
-/// @param facing  The way it faces, to the street; length 1.
-/// @param mapped  Result of mapped_equipment().
+/// @param facing  The direction that it faces, towards the street; length 1.
+/// @param mapped  The result of mapped_equipment().
+/// @param places  Free places on the land cover of the map; not thread-safe.
 std::vector<map::ThingFeature> equipment_of_stop(const map::ThingFeature& stop, Vec2 at, Vec2 facing,
                                                  std::span<const map::ThingFeature> mapped, FreePlaces& places);
 

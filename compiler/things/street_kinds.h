@@ -9,13 +9,12 @@
 
 namespace citykiln::things {
 
-/// A row of street_kinds.inc. Name, direction and size are those of the row of the table of things (things.txt),
-/// without tags.
+/// A row of street_kinds.inc. Name, facing and size repeat the row of things.txt for things without tags.
 struct StreetKind {
   std::string_view name;
   map::Facing facing;
   double width_m, depth_m, height_m;
-  double beside_shops_per_km, beside_houses_per_km;  ///< Pieces drawn on a kilometre of pavement.
+  double beside_shops_per_km, beside_houses_per_km;  ///< Pieces per km of one pavement; the sums are below 125.
 };
 
 inline constexpr StreetKind kStreetKinds[] = {
@@ -24,13 +23,13 @@ inline constexpr StreetKind kStreetKinds[] = {
 #undef STREET_KIND
 };
 
-/// The row of things.txt that utility poles are.
+/// The row of things.txt for utility poles.
 inline constexpr std::string_view kUtilityPole = "power_pole";
 
 /// A row of utility_poles.inc.
 struct UtilityPoleShare {
   map::CountryGroup country;
-  int main_percent, other_percent;  ///< Shares of main streets and of other streets.
+  int main_percent, other_percent;  ///< Shares of secondary and tertiary streets, of residential streets.
 };
 
 inline constexpr UtilityPoleShare kUtilityPoleShares[] = {
@@ -39,7 +38,7 @@ inline constexpr UtilityPoleShare kUtilityPoleShares[] = {
 #undef UTILITY_POLES
 };
 
-/// Returns the row of a country; null: its streets have no poles.
+/// Returns the row of a country group; nullptr if its streets have no poles.
 constexpr const UtilityPoleShare* utility_pole_share(map::CountryGroup country) {
   const auto* const row = std::ranges::find(kUtilityPoleShares, country, &UtilityPoleShare::country);
   return row == std::end(kUtilityPoleShares) ? nullptr : row;

@@ -50,7 +50,7 @@ struct ViewProbe {
 /// rays hits nothing.
 double farthest_in_picture_m(const World& world, const Camera& camera);
 
-/// What rays through a wide picture, 16 by 9, meet.
+/// The content of a wide picture, 16 by 9, by rays through it.
 struct PictureContent {
   double variety_bits = 0;  ///< The entropy of the materials that the rays meet; the sky counts as a material.
   double close_walls = 0;   ///< The share of the rays that meet a building nearer than 7 m.

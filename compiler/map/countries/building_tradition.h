@@ -7,7 +7,7 @@
 
 namespace citykiln::map {
 
-/// A way to build blocks of flats, before about 1914, in part of one or more country groups.
+/// A regional style of blocks of flats from about 1850 to 1918, in part of one or more country groups.
 enum class BuildingTradition : std::uint8_t {
   kOther,        ///< The practice of the country group.
   kFrance,       ///< France and Monaco.

@@ -12,24 +12,25 @@ namespace citykiln::roads {
 
 /// A row of parking bays.
 struct BayRow {
-  double step_m = 0;   ///< The distance of the lines between bays, along the road; divides kLayoutLength_m.
+  double step_m = 0;   ///< The distance between lines, along the road; divides kLayoutLength_m.
   double depth_m = 0;  ///< The width of the row across the road.
-  /// How much farther along the way a line is at the row's right edge than at its left one; 0 unless bays are slanted.
-  /// A line is at a multiple of step_m in the middle of the row.
+  /// The distance along the road from the left end of a line to its right end; 0 unless bays are slanted. The middle of
+  /// each line is at a multiple of step_m.
   double rise_m = 0;
   bool is_along = false;  ///< True if cars stand along the road, false if they stand along the lines.
 };
 
-/// Rows from this width on are slanted, and from the second on square; narrower ones have cars along the road. A car of
-/// 4.2 by 1.9 m takes 4 m at 60 degrees, if 0.3 m of it reach over the edges.
+/// Rows of kSlantedRow_m or more are slanted, of kSquareRow_m or more square; in narrower rows cars stand along the
+/// road. At 60 degrees a car of 4.2 by 1.9 m takes 4.6 m, of which 0.3 m may reach over each edge.
 inline constexpr double kSlantedRow_m = 4, kSquareRow_m = 4.75;
 
-/// Returns the row of bays of a parking lane, at its full width. Kerb lengths of a car after RAST 06: 5.5, 2.9 and
-/// 2.4 m, rounded up to divide kLayoutLength_m. Slanted bays lean in the direction of the traffic beside them.
+/// Returns the row of bays of a parking lane at its full width. Lengths of kerb per car: RASt 06 has 5.5, 2.9 and 2.4
+/// m, rounded up here to divide kLayoutLength_m. Slanted bays lean as traffic on the right (or left) side of a two-way
+/// street drives; beside the opposite kerb of a one-way street they lean against it.
 BayRow bays_of(const map::Lane& lane, map::DrivingSide side);
 
-/// The bays nearest to a junction are not painted, up to this distance from its stop line (StVO, paragraph 12: no
-/// parking within 5 m of a junction).
+/// Bays within this distance of a stop line are not painted, in metres: StVO, paragraph 12, forbids parking within 5 m
+/// of a junction; 6 m is half of kLayoutLength_m, which markings_parking.cpp relies on.
 inline constexpr double kLastBayEnds_m = 6;
 
 }  // namespace citykiln::roads

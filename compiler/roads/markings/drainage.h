@@ -6,14 +6,15 @@
 
 namespace citykiln::roads {
 
-/// Returns the drainage of a strip between kerbs as marks, in painting order:
-/// - gutters along each kerb: two rows of setts, 0.3 m wide; a concrete channel, 0.45 m, in America, Japan and where
-///   one drives on the left;
-/// - gullies, iron grates of 0.3 m × 0.5 m in the gutter, one a layout, so one every 12 m;
-/// - two round covers of manholes, 0.6 m wide, in the 12 m before a junction.
+/// Returns the marks of the drainage of a layout:
 ///
-/// None for strips that are not asphalt, are raised, or have no kerb. A rotated layout has rotated marks. No map has
-/// these: places and measures are usual ones (RAS-Ew; AASHTO Green Book 4.7.2).
+/// - gutters along each kerb: two rows of setts, 0.3 m wide, in countries of MarkingPractice::kVienna that drive on the
+///   right; elsewhere a concrete channel, 0.45 m wide;
+/// - gullies: iron grates as wide as the gutter and 0.5 m long, one per kerb in each layout of kLayoutLength_m (12 m);
+/// - two round manhole covers, 0.6 m wide with a frame of 0.06 m, in the 12 m before a junction.
+///
+/// There are none for strips that are not asphalt, are raised, have panels, have no kerb, or are narrower than 1.5 m. A layout
+/// that is turned by 180 degrees has turned marks. Maps do not have drainage: sizes are usual (RAS-Ew; AASHTO 4.7.2).
 Marks drainage_of(const MarkingLayout& layout);
 
 }  // namespace citykiln::roads
