@@ -28,7 +28,7 @@ Material material_of(BarrierKind kind) {
     case BarrierKind::kHedge:
       return Material::kHedge;
     case BarrierKind::kFence:
-      return Material::kTimber;
+      return Material::kLightTimber;
     case BarrierKind::kGuardRail:
       return Material::kPaintedMetal;
     case BarrierKind::kRetainingWall:
@@ -36,6 +36,10 @@ Material material_of(BarrierKind kind) {
     default:
       return Material::kStone;
   }
+}
+
+materials::Tint tint_of(const Barrier& barrier) {
+  return barrier.kind == BarrierKind::kFence ? fence_surface(barrier).tint : materials::kNoTint;
 }
 
 // The foot and the top of a barrier at a place.
@@ -93,7 +97,7 @@ void join_profiles(Mesh& band, bool is_closed, std::uint32_t faces) {
 GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& ground, double tolerance_m) {
   assert(tolerance_m > 0);
   if (barrier.kind == BarrierKind::kRailing) return railing_mesh(barrier, ground, tolerance_m);
-  if (is_barred(barrier, tolerance_m)) return fence_mesh(barrier, ground, tolerance_m);
+  if (is_sheet(barrier, tolerance_m)) return fence_mesh(barrier, ground, tolerance_m);
   if (barrier.height_m <= tolerance_m) return {{}, barrier.height_m};
   // the top of a retaining wall is that of the land at each point
   const double bend_m =
@@ -113,7 +117,7 @@ GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& grou
     add_profile(band, axis.points[i], side, {heights.foot_m - kFootDepth_m, heights.top_m});
   }
   join_profiles(band, axis.is_closed, 3);
-  GeneratedProp prop{{{std::move(band), material_of(barrier.kind), materials::kNoTint, barrier.id.osm}},
+  GeneratedProp prop{{{std::move(band), material_of(barrier.kind), tint_of(barrier), barrier.id.osm}},
                      bend_m + (has_coping && !draws_coping ? kOverhang_m : 0)};
   if (!draws_coping) return prop;
   join_profiles(coping, axis.is_closed, 4);
