@@ -142,12 +142,12 @@ struct BodyMaker {
     const std::vector<std::size_t> rows = side_rows();
     for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
       const Station &a = stations[i], &b = stations[i + 1];
-      if (a.arch != b.arch) continue;
       const Section from = side_at(a), to = side_at(b);
+      if (a.arch != 0 || b.arch != 0) add_well(std::max(a.arch, b.arch), from[kSill], to[kSill]);
+      if (a.arch != b.arch) continue;
       for (std::size_t r = 0; r + 1 < rows.size(); ++r)
         add_panel(from, to, rows[r], rows[r + 1], side_surface(rows[r], (a.along_m + b.along_m) / 2));
       add_floor(a, from[kSill], to[kSill]);
-      if (a.arch != 0) add_well(a, from[kSill], to[kSill]);
     }
   }
 
@@ -162,9 +162,9 @@ struct BodyMaker {
     facets.add(placed(from), placed({-from.x, from.y, from.z}), placed({-to.x, to.y, to.z}), placed(to), surfaces.dark);
   }
 
-  // The part of a well behind a piece of the arch, and its wall.
-  void add_well(const Station& a, Vec3 from, Vec3 to) {
-    const double axle_m = a.arch == 1 ? shape.front_axle_m : shape.rear_axle_m, x = well_x();
+  // The part of a well behind a piece of the arch, or below its ends, and its wall.
+  void add_well(int arch, Vec3 from, Vec3 to) {
+    const double axle_m = arch == 1 ? shape.front_axle_m : shape.rear_axle_m, x = well_x();
     const Vec3 inner_from{x, from.y, from.z}, inner_to{x, to.y, to.z}, foot{x, axle_m, shape.sill_m};
     facets.add_twice(placed(from), placed(inner_from), placed(inner_to), placed(to), surfaces.dark);
     facets.add_twice(placed(foot), placed(inner_to), placed(inner_from), placed(foot), surfaces.dark);
@@ -227,7 +227,7 @@ struct BodyMaker {
     if (level == CarLevel::kOutline) return surfaces.paint;
     const bool is_outer = share > 0.66;
     if (!is_front) {
-      if (row == kSill) return surfaces.dark;
+      if (row == kSill && is_full()) return surfaces.dark;
       return row == kWidest && is_outer && !is_cab() ? surfaces.tail_lamp : surfaces.paint;
     }
     if (row == kShoulder) return is_outer ? surfaces.lamp : surfaces.dark;
@@ -277,6 +277,8 @@ struct BodyMaker {
   // The gap beside a door: a thin line before the paint.
   void add_seam(double along_m) {
     constexpr double kHalf_m = 0.005, kOff_m = 0.003;
+    for (const double axle_m : {shape.front_axle_m, shape.rear_axle_m})
+      if (std::abs(along_m - axle_m) < arch_m(shape)) return;
     const Section from = sections.at(along_m - kHalf_m), to = sections.at(along_m + kHalf_m);
     const auto before = [&](Vec3 p) { return placed({p.x + kOff_m, p.y, p.z}); };
     for (const std::size_t row : {kLower, kWidest, kShoulder})
@@ -316,7 +318,8 @@ struct BodyMaker {
   void add_load() {
     const double floor_m = shape.wheel_m * 2 + 0.15, half_m = shape.width_m / 2, from_m = shape.rear_to_m + 0.12;
     facets.add_box(placed({-half_m, from_m, floor_m}), placed({half_m, shape.length_m, shape.height_m}), surfaces.load);
-    facets.add_box(placed({-0.45, from_m - 0.3, floor_m - 0.35}), placed({0.45, shape.length_m - 0.1, floor_m}),
+    const double foot_m = level == CarLevel::kOutline ? kOutlineFoot_m : floor_m - 0.35;
+    facets.add_box(placed({-0.45, from_m - 0.3, foot_m}), placed({0.45, shape.length_m - 0.1, floor_m}),
                    surfaces.dark);
   }
 

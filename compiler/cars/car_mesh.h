@@ -25,7 +25,7 @@ things::Form parts_of(const things::Form& car);
 
 /// Returns the mesh of a form of either kind whose value is a row of car_shapes.inc; std::nullopt for others. The
 /// origin is on the ground below the middle, and the car faces -y. There are three levels: some 2,000 triangles with
-/// wheel arches, lamps, mirrors and seams; 300, with wheels; and 60.
+/// wheel arches, lamps, mirrors and seams; 500, with wheels; and 100.
 ///
 /// Guarantees: the same bytes on every CPU; error_m <= tolerance_m. Errors are Hausdorff distances of whole cars to the
 /// first level, both ways, measured by car_mesh_test.cpp and rounded up. O(triangles).
