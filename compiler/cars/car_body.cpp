@@ -314,7 +314,7 @@ struct BodyMaker {
     }
   }
 
-  // What a lorry carries, on a frame.
+  // A lorry carries a box on a frame.
   void add_load() {
     const double floor_m = shape.wheel_m * 2 + 0.15, half_m = shape.width_m / 2, from_m = shape.rear_to_m + 0.12;
     facets.add_box(placed({-half_m, from_m, floor_m}), placed({half_m, shape.length_m, shape.height_m}), surfaces.load);

@@ -9,7 +9,7 @@
 
 namespace citykiln::cars {
 
-/// What a triangle shows. The paint of a car is apart from all else, which cars of every colour share.
+/// The appearance of a triangle. The paint of a car is apart from all else, which cars of every colour share.
 struct Surface {
   materials::Material material{};
   materials::Tint tint = materials::kNoTint;

@@ -18,9 +18,9 @@ using map::LaneDirection;
 using map::LaneKind;
 using roads::Road;
 
-constexpr double kDay_h = 24, kStep_h = 3;
-constexpr int kSteps = 8;
-using TrafficDay = std::array<double, kSteps>;
+constexpr double kTrafficDay_h = 24, kTrafficStep_h = 3;
+constexpr int kTrafficSteps = 8;
+using TrafficDay = std::array<double, kTrafficSteps>;
 constexpr TrafficDay kTrafficDays[] = {
 #define TRAFFIC_DAY(workday, weekend) TrafficDay workday, TrafficDay weekend
 #include "compiler/cars/traffic.inc"
@@ -126,7 +126,7 @@ struct LanesAt {
   }
 };
 
-// Parts of a way where nobody waits.
+// A part of a way without cars.
 struct Gap {
   double from_m = 0, to_m = 0;
 };
@@ -276,11 +276,11 @@ class LaneFinder {
 }  // namespace
 
 double traffic_share(buildings::WeekTime time) {
-  const double at = time.hours / kStep_h;
+  const double at = time.hours / kTrafficStep_h;
   const int before = static_cast<int>(std::floor(at));
   const auto share_at = [](int step) {
-    const bool is_weekend = step / kSteps % 7 >= 5;
-    return kTrafficDays[is_weekend ? 1 : 0][static_cast<std::size_t>(step % kSteps)];
+    const bool is_weekend = step / kTrafficSteps % 7 >= 5;
+    return kTrafficDays[is_weekend ? 1 : 0][static_cast<std::size_t>(step % kTrafficSteps)];
   };
   return share_at(before) * (1 - (at - before)) + share_at(before + 1) * (at - before);
 }
@@ -288,7 +288,7 @@ double traffic_share(buildings::WeekTime time) {
 std::vector<LanePlace> lane_places(const Road& road, std::span<const roads::JunctionInterval> intervals,
                                    std::span<const roads::RoadStretch> stretches, const TrafficSettings& settings,
                                    const Box2& box) {
-  static_assert(kDay_h == kStep_h * kSteps);
+  static_assert(kTrafficDay_h == kTrafficStep_h * kTrafficSteps);
   const TrafficRow* row = traffic_of(road);
   const bool is_near = box_of(road.axis).widened(roads::max_offset_m(road) + kQueueZone_m).touches(box);
   if (row == nullptr || !is_near || road.is_roundabout) return {};

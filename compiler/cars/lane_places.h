@@ -32,7 +32,7 @@ struct LanePlace {
 
 /// The settings of traffic.
 struct TrafficSettings {
-  CarShare share;  ///< Of slots; by the table of traffic.inc, or of all.
+  CarShare share;  ///< The share of slots with a car, or that of traffic.inc.
   buildings::WeekTime time;
   std::uint64_t seed = 0;
 };

@@ -211,7 +211,7 @@ struct Barrier {
   Polyline axis;  ///< Plane metres, snapped.
   BarrierKind kind{};
   double height_m = 0, width_m = 0;
-  FenceKind fence = FenceKind::kAny;  ///< Of kFence; not stored in manifests, whose yards draw theirs anew.
+  FenceKind fence = FenceKind::kAny;  ///< The build of a kFence.
   bool operator==(const Barrier&) const = default;
 };
 

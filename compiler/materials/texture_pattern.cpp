@@ -188,7 +188,7 @@ PatternFields pickets(std::uint32_t px, std::uint64_t) {
   return {flat_field(px), flat_field(px), combined(px, opacity)};
 }
 
-// As between bars: wires alone would be less than 1/2 on every mip level.
+// Holes are nearly 1/2 in bands, as they are between bars: wires alone would be less than 1/2 on every mip level.
 PatternFields chain_link(std::uint32_t px, std::uint64_t) {
   constexpr std::uint32_t kMesh_px = 16, kWire_px = 2, kPost_px = 12, kRail_px = 10, kBand_px = 128;
   const auto opacity = [](std::uint32_t c, std::uint32_t r) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <set>
 #include <string>
 
 #include "compiler/cars/car_models.h"
@@ -54,13 +56,14 @@ double distance_to(const Corners& t, Vec3 p) {
 
 // The greatest distance of the corners of one shape from another.
 double distance_of(const std::vector<Corners>& from, const std::vector<Corners>& to) {
+  std::set<Vec3> points;
+  for (const Corners& t : from) points.insert(t.begin(), t.end());
   double greatest = 0;
-  for (const Corners& t : from)
-    for (const Vec3 p : t) {
-      double nearest = 20;
-      for (const Corners& other : to) nearest = std::min(nearest, distance_to(other, p));
-      greatest = std::max(greatest, nearest);
-    }
+  for (const Vec3 p : points) {
+    double nearest = 20;
+    for (const Corners& other : to) nearest = std::min(nearest, distance_to(other, p));
+    greatest = std::max(greatest, nearest);
+  }
   return greatest;
 }
 
