@@ -15,7 +15,7 @@ enum : std::size_t { kSill, kLower, kWidest, kShoulder, kBelt, kPaneFoot, kPaneH
 // The radius of a wheel arch.
 double arch_m(const CarShape& shape) { return 1.13 * shape.wheel_m + 0.02; }
 constexpr double kWellDepth_m = 0.32;
-constexpr int kArchParts = 8;
+constexpr int kArchParts = 6;
 // The bottom of a shell without wheels.
 constexpr double kOutlineFoot_m = 0.0625;
 
@@ -365,7 +365,7 @@ struct WheelMaker {
 void add_wheel(Vec3 middle, double side, double radius_m, CarLevel level, const CarSurfaces& surfaces, Facets& facets) {
   constexpr double kHalf_m = 0.1;
   const double r = radius_m;
-  WheelMaker maker{facets, middle, side, level == CarLevel::kFull ? 18 : 8};
+  WheelMaker maker{facets, middle, side, level == CarLevel::kFull ? 15 : 8};
   const auto tyre = [&](int) -> const Surface& { return surfaces.dark; };
   const auto rim = [&](int) -> const Surface& { return surfaces.rim; };
   if (level != CarLevel::kFull) {
