@@ -25,8 +25,8 @@ constexpr double kFenceFoot_m = 0.03;
 // and brown as wood is after some years; the lightest is new.
 constexpr materials::Tint kBarPaints[] = {{26, 27, 29, 255}, {26, 27, 29, 255},  {22, 38, 26, 255},
                                           {92, 64, 42, 255}, {120, 92, 66, 255}, {225, 224, 218, 255}};
-constexpr materials::Tint kBoardTones[] = {{86, 77, 66, 255},  {96, 90, 81, 255}, {70, 60, 48, 255},
-                                           {104, 86, 66, 255}, {62, 57, 51, 255}, {128, 100, 70, 255}};
+constexpr materials::Tint kBoardTones[] = {{50, 45, 39, 255}, {57, 54, 49, 255}, {42, 35, 28, 255},
+                                           {61, 49, 37, 255}, {38, 35, 32, 255}, {84, 62, 42, 255}};
 constexpr materials::Tint kPicketPaints[] = {
     {236, 236, 232, 255}, {236, 236, 232, 255}, {220, 219, 212, 255}, {112, 92, 70, 255}};
 constexpr materials::Tint kMeshPaints[] = {
