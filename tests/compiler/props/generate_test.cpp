@@ -115,7 +115,8 @@ TEST(Generate, LowWallsEndInPiers) {
   Barrier low = wall({{0, 3}, {40, 3}});
   low.height_m = 1;
   double top = 0;
-  for (const Vec3 p : generate(low, ground, 0.1).meshes[0].mesh.positions) top = std::max(top, p.z);
+  const GeneratedProp fine = generate(low, ground, 0.1);
+  for (const Vec3 p : fine.meshes[0].mesh.positions) top = std::max(top, p.z);
   EXPECT_NEAR(top, 11.15, 0.01);
   const GeneratedProp coarse = generate(low, ground, 0.5);
   for (const Vec3 p : coarse.meshes[0].mesh.positions) EXPECT_LT(p.z, 11.01);
