@@ -162,7 +162,8 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
                        .has_wild_slopes = has(spec.assume, Assumption::kSurfaces),
                        .cars = car_share_of(spec),
                        .has_street_furniture = has(spec.assume, Assumption::kRoadsides),
-                       .people = spec.people};
+                       .people = spec.people,
+                       .traffic = spec.traffic};
   if (!header.snow_line_m && climate::is_under_snow(header.climate.origin_class, scene::local_month_of(header)))
     header.snow_line_m = kBelowAllLand_m;
   for (const source::RasterSpec& raster : spec.rasters) header.sources.push_back(file_name_of(raster.path));
@@ -239,7 +240,7 @@ Result<things::Catalogue> read_things(const CompileSpec& spec) {
     for (source::TextFile& file : *files) own.push_back({std::move(file.name), std::move(file.text)});
   }
   Result<things::Catalogue> catalogue = things::read_catalogue(own, spec.things_folder);
-  if (catalogue && !cars::has_cars(car_share_of(spec)))
+  if (catalogue && !cars::has_cars(car_share_of(spec)) && !cars::has_cars(spec.traffic))
     std::erase_if(catalogue->table, [](const auto& row) { return map::role_of(row.name) == map::ThingRole::kCar; });
   return catalogue;
 }

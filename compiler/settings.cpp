@@ -312,6 +312,12 @@ Result<Done> set_cars(CompileSpec& spec, std::string_view text) {
   return spec.cars = *share, Done{};
 }
 
+Result<Done> set_traffic(CompileSpec& spec, std::string_view text) {
+  const Result<cars::CarShare> share = share_in<cars::CarShare>(cars::kShareStep, text);
+  if (!share) return share.error();
+  return spec.traffic = *share, Done{};
+}
+
 Result<Done> set_people(CompileSpec& spec, std::string_view text) {
   const Result<people::PeopleShare> share = share_in<people::PeopleShare>(people::kPeopleStep, text);
   if (!share) return share.error();
@@ -446,6 +452,10 @@ constexpr Setting kSettings[] = {
      "the share of parking places with a parked car, from 0 to 1; usual: by country, kind of place and hour (default: "
      "usual where parking is assumed, else none)",
      false, set_cars},
+    {"traffic", "[usual|none|SHARE]",
+     "the share of slots of 13 m in the lanes of carriageways with a car, from 0 to 1; usual: by class of road and hour "
+     "(default: none)",
+     false, set_traffic},
     {"people", "[usual|none|SHARE]",
      "the share of spots on pavements, squares and paths with somebody, from 0 to 1; usual: by country, use of the "
      "ground and hour (default: none)",

@@ -101,6 +101,7 @@ struct CompileSpec {
   bool fill_lots = false;      ///< Houses on residential land without buildings (lots/fill_lots.h).
   std::optional<cars::CarShare> cars;            ///< Parked cars (cars/parked_cars.h). Empty: car_share_of() decides.
   people::PeopleShare people = people::kNobody;  ///< People in the streets (people/people.h).
+  cars::CarShare traffic = cars::kNoCars;        ///< Cars in the lanes of carriageways (cars/moving_cars.h).
   World world = World::kByOutput;   ///< 3D Tiles need the ellipsoid or a cylinder, others the plane or a cylinder.
   map::Cylinder cylinder{};         ///< For World::kCylinder.
   std::optional<sky::Moment> time;  ///< The time of the sky; see sky::plan().

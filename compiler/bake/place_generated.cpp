@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "compiler/bake/ground_on_top.h"
+#include "compiler/cars/car_mesh.h"
+#include "compiler/cars/moving_cars.h"
 #include "compiler/cars/parked_cars.h"
 #include "compiler/furniture/street_furniture.h"
 #include "compiler/furniture/street_trees.h"
@@ -107,10 +109,24 @@ struct Generator {
   roadside::ClearZones zones = roadside::clear_zones_of(recipes);
   GeneratedThings made{};
 
+  // A car and its parts.
+  void add_car(PlacedThing car) {
+    made.placed.push_back(car);
+    car.form = cars::parts_of(car.form);
+    made.placed.push_back(std::move(car));
+  }
+
   void add_cars() {
     for (const things::Thing& car : cars::parked_cars(recipes, zones, car_settings_of(header), box))
       if (std::optional<PlacedThing> standing = stand(car, ground.land_cover, ground.graded))
-        made.placed.push_back(std::move(*standing));
+        add_car(std::move(*standing));
+  }
+
+  void add_traffic() {
+    const cars::TrafficSettings traffic{header.traffic, scene::week_time_of(header), header.seed};
+    for (const things::Thing& car : cars::moving_cars(recipes, zones, traffic, car_settings_of(header), box))
+      if (std::optional<PlacedThing> standing = stand(car, ground.land_cover, ground.graded))
+        add_car(std::move(*standing));
   }
 
   void add_furniture() {
@@ -161,6 +177,7 @@ GeneratedThings place_generated(const scene::Header& header, const scene::Chunk&
   if (!wanted.cars && !wanted.furniture) return {};
   Generator generator{header, ground, box, recipes_of(header, chunk, ground)};
   if (wanted.cars && cars::has_cars(header.cars)) generator.add_cars();
+  if (wanted.cars && cars::has_cars(header.traffic)) generator.add_traffic();
   if (wanted.furniture) generator.add_yard_things();
   if (wanted.furniture && header.has_street_furniture) generator.add_furniture(), generator.add_poles();
   return std::move(generator.made);

@@ -14,7 +14,7 @@
 namespace citykiln::bake {
 
 /// Cars are shown at tolerances below their greatest height, furniture at tolerances below that of a bench, in metres.
-inline constexpr double kShowsCars_m = 2.25, kShowsFurniture_m = 1;
+inline constexpr double kShowsCars_m = 3, kShowsFurniture_m = 1;
 
 /// The kinds of things that are to be placed.
 struct WantedThings {

@@ -4,6 +4,7 @@
 
 #include "compiler/bake/image_uvs.h"
 #include "compiler/bake/merge.h"
+#include "compiler/cars/car_mesh.h"
 #include "compiler/people/body_mesh.h"
 #include "compiler/things/generate.h"
 
@@ -84,6 +85,8 @@ const BakedThing& PrototypeCache::thing(const things::Form& form, double toleran
     if (const std::optional<people::Body> body = people::body_of(form)) {
       people::BodyMesh person = people::body_mesh(people::look_of(*body, seed_), tolerance_m);
       slot.baked = {instanced_primitives(std::span(&person.mesh, 1), Layer::kProps), person.error_m};
+    } else if (std::optional<cars::CarMesh> car = has_own_cars_ ? std::nullopt : cars::car_mesh(form, tolerance_m)) {
+      slot.baked = {instanced_primitives(car->meshes, Layer::kProps), car->error_m};
     } else if (const auto kind = kinds_.find(form.kind); kind != kinds_.end()) {
       things::GeneratedThing thing = things::generate(form, kind->second, seed_, is_night_, tolerance_m);
       slot.baked = {instanced_primitives(thing.meshes, Layer::kProps), thing.error_m, std::move(thing.rule_faults)};

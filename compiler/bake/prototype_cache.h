@@ -12,6 +12,7 @@
 #include "compiler/bake/baked_tile.h"
 #include "compiler/buildings/facade_elements.h"
 #include "compiler/buildings/styles/rulebook.h"
+#include "compiler/cars/car_mesh.h"
 #include "compiler/materials/texture_cache.h"
 #include "compiler/plants/prototypes/grown_plant_cache.h"
 #include "compiler/plants/prototypes/prototype_mesh.h"
@@ -62,6 +63,8 @@ class PrototypeCache {
         is_night_(scene::night_of(header).has_value()),
         kinds_(things::parse_kinds(header.things)) {
     for (const auto& [name, kind] : kinds_) thing_classes_.emplace(name, kind.row.class_name);
+    const auto car = kinds_.find(cars::kCar);
+    has_own_cars_ = car != kinds_.end() && !car->second.rules.is_shipped;
   }
 
   /// The mesh of a prototype, within the tolerance when it is scaled to `height_m`. The reference is valid as long as
@@ -69,7 +72,8 @@ class PrototypeCache {
   /// @param height_m, tolerance_m  > 0.
   const BakedPrototype& prototype(plants::Prototype prototype, double height_m, double tolerance_m) const;
 
-  /// The mesh of a form of things, or of a person (people::form_of()), within the tolerance. The reference is valid as
+  /// The mesh of a form of things, of a person (people::form_of()) or of a car (cars::car_mesh()), within the
+  /// tolerance. The reference is valid as
   /// long as the cache.
   const BakedThing& thing(const things::Form& form, double tolerance_m) const;
 
@@ -126,6 +130,7 @@ class PrototypeCache {
   std::uint64_t seed_;
   bool is_night_;
   things::Kinds kinds_;
+  bool has_own_cars_ = false;  // the rules of cars replace car_mesh()
   ThingClasses thing_classes_;
   mutable std::mutex mutex_;
   mutable std::map<Key, Slot> slots_;

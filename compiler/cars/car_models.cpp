@@ -13,7 +13,7 @@ namespace citykiln::cars {
 namespace {
 
 // The regions of the weights.
-enum Market : std::uint8_t { kEurope, kAmericas, kAsia, kMarkets };
+enum Market : std::uint8_t { kEurope, kAmericas, kAsia, kJapan, kMarkets };
 using Weights = std::array<int, kMarkets>;
 
 struct Body {
@@ -22,8 +22,8 @@ struct Body {
   Weights weights;
 };
 constexpr auto kBodies = std::to_array<Body>({
-#define CAR_BODY(name, width, length, height, europe, americas, asia) \
-  {name, width, length, height, {europe, americas, asia}},
+#define CAR_BODY(name, width, length, height, europe, americas, asia, japan) \
+  {name, width, length, height, {europe, americas, asia, japan}},
 #include "compiler/cars/car_models.inc"
 #undef CAR_BODY
 });
@@ -33,7 +33,7 @@ struct Colour {
   Weights weights;
 };
 constexpr auto kColours = std::to_array<Colour>({
-#define CAR_COLOUR(name, rgb, europe, americas, asia) {rgb, {europe, americas, asia}},
+#define CAR_COLOUR(name, rgb, europe, americas, asia, japan) {rgb, {europe, americas, asia, japan}},
 #include "compiler/cars/car_models.inc"
 #undef CAR_COLOUR
 });
@@ -51,9 +51,10 @@ Market market_of(map::CountryGroup country) {
     case kTropicalAfrica:
     case kSouthAsia:
     case kChina:
-    case kJapan:
     case kSouthEastAsia:
       return kAsia;
+    case map::CountryGroup::kJapan:
+      return Market::kJapan;
     default:
       return kEurope;
   }
@@ -86,7 +87,30 @@ const Body& body_of(const Place& place, double draw) {
   return body.length_m <= place.length_m ? body : kHatchback;
 }
 
+const Body& body_named(std::string_view name) { return *std::ranges::find(kBodies, name, &Body::name); }
+
+things::Form form_with(const Body& body, std::uint32_t rgb) {
+  return {.kind = std::string(map::name_of(map::ThingRole::kCar)),
+          .width_m = body.width_m,
+          .depth_m = body.length_m,
+          .height_m = body.height_m,
+          .value = std::string(body.name),
+          .colour = srgb(rgb)};
+}
+
 }  // namespace
+
+things::Form form_of_lorry(const Place& place, std::uint64_t seed) {
+  const RandomSequence draw(seed, place.key, "car");
+  return form_with(body_named("lorry"), picked(kColours, market_of(place.country), draw.unit(kDrawColour)).rgb);
+}
+
+things::Form form_of_bus(const Place& place, std::uint64_t seed) {
+  // liveries of cities: Berlin, London, green, blue, white with few buses of each
+  constexpr std::uint32_t kLiveries[] = {0xe8c21e, 0xb5161b, 0x2f6b45, 0x2a5fa0, 0xdfe2e2, 0xd9e0e4};
+  const RandomSequence draw(seed, stable_id(StableId{}, "livery", static_cast<std::uint64_t>(place.country)), "bus");
+  return form_with(body_named("bus"), kLiveries[draw.below(std::size(kLiveries), 0)]);
+}
 
 things::Form form_of_car(const Place& place, std::uint64_t seed) {
   assert(place.length_m >= kLeastPlace_m);
@@ -95,12 +119,7 @@ things::Form form_of_car(const Place& place, std::uint64_t seed) {
   const bool is_van = body.name == "van" || body.name == "minibus";
   const bool is_white = is_van && draw.unit(kDrawIsWhite) < 0.5;
   const Colour& colour = is_white ? kColours[0] : picked(kColours, market_of(place.country), draw.unit(kDrawColour));
-  return {.kind = std::string(map::name_of(map::ThingRole::kCar)),
-          .width_m = body.width_m,
-          .depth_m = body.length_m,
-          .height_m = body.height_m,
-          .value = std::string(body.name),
-          .colour = srgb(colour.rgb)};
+  return form_with(body, colour.rgb);
 }
 
 }  // namespace citykiln::cars

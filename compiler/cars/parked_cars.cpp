@@ -138,6 +138,17 @@ std::vector<Place> places_in(const TileRecipes& recipes, const ClearZones& zones
   return places;
 }
 
+std::vector<OrientedRect> taken_places(const TileRecipes& recipes, const ClearZones& zones, const CarSettings& settings,
+                                       const Box2& box) {
+  std::vector<OrientedRect> taken;
+  if (!has_cars(settings.share)) return taken;
+  std::vector<Place> places = all_places(recipes, settings, box);
+  drop_unsuitable(recipes, zones, places);
+  for (const Place& place : places)
+    if (is_taken(place, settings.share, settings.time, settings.seed)) taken.push_back(rect_of(place));
+  return taken;
+}
+
 std::vector<things::Thing> parked_cars(const TileRecipes& recipes, const ClearZones& zones, const CarSettings& settings,
                                        const Box2& box) {
   std::vector<things::Thing> cars;

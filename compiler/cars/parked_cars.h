@@ -38,6 +38,11 @@ struct CarSettings {
 std::vector<Place> places_in(const roadside::TileRecipes& recipes, const roadside::ClearZones& zones,
                              const CarSettings& settings, const Box2& box);
 
+/// Returns the rectangles of all taken places whose middles lie in a box, also of those that places_in() leaves out for
+/// what one tile alone knows: a superset of the parked cars there, equal in all tiles near the box.
+std::vector<OrientedRect> taken_places(const roadside::TileRecipes& recipes, const roadside::ClearZones& zones,
+                                       const CarSettings& settings, const Box2& box);
+
 /// Returns the cars of a tile as things, in the order of their places. A car stands within its place, to 0.01 m, at
 /// most 1 degree askew. Depends on the seed, the hour and the settings; not on threads.
 std::vector<things::Thing> parked_cars(const roadside::TileRecipes& recipes, const roadside::ClearZones& zones,

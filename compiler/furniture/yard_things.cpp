@@ -15,6 +15,7 @@ namespace {
 
 using lots::Yard;
 using map::LandCoverClass;
+using roadside::is_clear;
 using things::YardKind;
 using things::YardSpot;
 
@@ -67,6 +68,45 @@ struct YardFurnisher {
            std::ranges::all_of(taken, [&](const YardRectangle& other) { return place.is_apart(other); });
   }
 
+  bool is_own_land(Vec2 p) const {
+    if (!recipes.land_cover.box.contains(p)) return false;
+    const std::uint32_t top = ground::land_cover_at(recipes.land_cover, p);
+    if (top == ground::kNoLandCover) return false;
+    const ground::LandCoverPolygon& area = recipes.land_cover.surfaces[top];
+    return area.id.osm == yard.building.osm && map::values_of(area.surface).group != map::LandCoverGroup::kBuilding;
+  }
+
+  // True if a rectangle lies on ground of the yard, drives included, off trunks, doors and other things.
+  bool is_open(const YardRectangle& place) const {
+    constexpr int kParts = 4;
+    for (int x = -kParts; x <= kParts; ++x)
+      for (int y = -kParts; y <= kParts; ++y)
+        if (!is_own_land(place.at + place.right * (x * place.width_m / (2 * kParts)) +
+                         place.back * (y * place.depth_m / (2 * kParts))))
+          return false;
+    const OrientedRect rect{place.at, place.back, place.depth_m, place.width_m};
+    return is_clear(zones.trunks, rect) && is_clear(zones.doors, rect) &&
+           std::ranges::all_of(taken, [&](const YardRectangle& other) { return place.is_apart(other); });
+  }
+
+  // A place at the inner end of a drive, before or behind it.
+  std::optional<YardRectangle> place_at_drive(const YardKind& kind) const {
+    constexpr double kDriveBefore_m = 0.5, kBehindEnd_m = 0.125;
+    const bool is_over = kind.spot == YardSpot::kOverDrive;
+    for (const lots::YardStrip& strip : yard.strips) {
+      const double inner_m = std::max(strip.from.y, strip.to.y), outer_m = std::min(strip.from.y, strip.to.y);
+      if (!strip.is_drive || (is_over && inner_m - outer_m < kind.depth_m + kDriveBefore_m)) continue;
+      const double y = is_over ? inner_m - kind.depth_m / 2 : inner_m + kBehindEnd_m + kind.depth_m / 2;
+      const YardRectangle place{.at = frame.plane({strip.from.x, y}),
+                                .right = frame.along * -1.0,
+                                .back = frame.inward,
+                                .width_m = kind.width_m,
+                                .depth_m = kind.depth_m};
+      if (is_open(place)) return place;
+    }
+    return std::nullopt;
+  }
+
   double to_wall_m(Vec2 p, double search_m) const {
     const int buildings = map::values_of(LandCoverClass::kBuilding).priority;
     return ground::clearance_m(recipes.land_cover, p, buildings, search_m);
@@ -100,6 +140,7 @@ struct YardFurnisher {
   }
 
   std::optional<YardRectangle> place_for(const YardKind& kind) const {
+    if (kind.spot == YardSpot::kBehindDrive || kind.spot == YardSpot::kOverDrive) return place_at_drive(kind);
     const RandomSequence draw = draws(kind.name);
     for (std::uint32_t i = 0; i < kTries; ++i)
       if (const YardRectangle place = drawn_place(kind, draw, 1 + 3 * i); suits(kind, place)) return place;
@@ -124,12 +165,14 @@ things::Thing thing_at(const YardFurnisher& furnisher, const YardRectangle& plac
 
 void add_kinds(YardFurnisher furnisher, std::vector<things::Thing>& made) {
   std::uint32_t number = 0;
+  bool has_garage = false;
   for (const YardKind& kind : things::kYardKinds) {
     ++number;
-    if (!furnisher.has(kind)) continue;
+    if (!furnisher.has(kind) || (has_garage && kind.spot == YardSpot::kOverDrive)) continue;
     const std::optional<YardRectangle> place = furnisher.place_for(kind);
     if (!place) continue;
     furnisher.taken.push_back(*place);
+    has_garage = has_garage || kind.spot == YardSpot::kBehindDrive;
     made.push_back(thing_at(furnisher, *place, kind.name, kind.height_m, number));
   }
 }

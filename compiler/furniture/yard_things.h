@@ -1,4 +1,4 @@
-// Decides what stands in the yards of houses: gates, bins, sheds, pools, terraces, vegetable beds, washing lines.
+// Decides what stands in the yards of houses: gates, bins, garages, carports, sheds, pools, terraces, vegetable beds, washing lines.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,8 @@ namespace citykiln::furniture {
 /// things/yard_kinds.inc, and up to 12 places for each: the first that is free is taken, else the yard has none. A
 /// place
 ///
-/// - lies wholly on lawn, gravel, earth or paving of its own yard, off paths and drives;
+/// - of a garage is behind the inner end of a drive, that of a carport over it, where that is open ground of the yard;
+/// - else lies wholly on lawn, gravel, earth or paving of its own yard, off paths and drives;
 /// - keeps 0.75 m from buildings, trunks and other things of the yard; bins stand at a wall instead.
 ///
 /// Gates stand where a path or drive leaves a yard that has a wall or fence along the street, in six yards of ten; they

@@ -101,7 +101,8 @@ struct Drawer {
                                 .axis = border_line(segments, run),
                                 .kind = *border.kind,
                                 .height_m = border.height_m,
-                                .width_m = width_of(*border.kind)});
+                                .width_m = width_of(*border.kind),
+                                .fence = border.fence});
       part += kPartsOfBarrier;
     }
   }

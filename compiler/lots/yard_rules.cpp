@@ -7,9 +7,16 @@ using map::CountryGroup;
 using map::LandCoverClass;
 
 // The words for borders in yards.inc.
+struct BorderWord {
+  std::optional<map::BarrierKind> barrier{};
+  map::FenceKind fence = map::FenceKind::kAny;
+};
 namespace borders {
-using enum map::BarrierKind;
-constexpr std::optional<map::BarrierKind> kNone;
+using map::BarrierKind;
+using map::FenceKind;
+constexpr BorderWord kNone, kHedge{BarrierKind::kHedge}, kWall{BarrierKind::kWall}, kFence{BarrierKind::kFence},
+    kBoards{BarrierKind::kFence, FenceKind::kBoards}, kPickets{BarrierKind::kFence, FenceKind::kPickets},
+    kMesh{BarrierKind::kFence, FenceKind::kMesh};
 }  // namespace borders
 
 // The group of rows for all groups without rows of their own.
@@ -35,8 +42,8 @@ struct YardRow {
    LandCoverClass::path,                                                                                          \
    LandCoverClass::drive,                                                                                         \
    percent,                                                                                                       \
-   {borders::street, street_m},                                                                                   \
-   {borders::sides, sides_m},                                                                                     \
+   {borders::street.barrier, street_m, borders::street.fence},                                                    \
+   {borders::sides.barrier, sides_m, borders::sides.fence},                                                       \
    trees,                                                                                                         \
    shrubs},
 #define YARD(group, ...) YARD_ROW(CountryGroup::group, __VA_ARGS__)

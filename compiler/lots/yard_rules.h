@@ -14,6 +14,7 @@ namespace citykiln::lots {
 struct BorderRule {
   std::optional<map::BarrierKind> kind;  ///< Empty: nothing.
   double height_m = 0;
+  map::FenceKind fence = map::FenceKind::kAny;
 };
 
 /// Houses of towns with a smaller setback have no garden before them, in metres.

@@ -202,12 +202,16 @@ constexpr std::string_view name_of(BarrierKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
+/// The build of a fence. Fences of the map are kAny: bars up to props::kMaxRailingFence_m, boards above.
+enum class FenceKind : std::uint8_t { kAny, kBoards, kPickets, kMesh };
+
 /// A wall, fence, hedge or similar as a line.
 struct Barrier {
   ObjectId id;
   Polyline axis;  ///< Plane metres, snapped.
   BarrierKind kind{};
   double height_m = 0, width_m = 0;
+  FenceKind fence = FenceKind::kAny;  ///< The build of a kFence.
   bool operator==(const Barrier&) const = default;
 };
 

@@ -168,7 +168,7 @@ bool has_texture(Material material, double tolerance_m) {
 
 bool has_holes(Material material) {
   const Row* row = row_of(material);
-  return row != nullptr && row->pattern == TexturePattern::kBars;
+  return row != nullptr && row->pattern >= TexturePattern::kBars && row->pattern <= TexturePattern::kChainLink;
 }
 
 bool has_normals(Material material, double tolerance_m) {

@@ -163,6 +163,43 @@ PatternFields bars(std::uint32_t px, std::uint64_t) {
   return {flat_field(px), flat_field(px), combined(px, opacity)};
 }
 
+// Patterns of fences are of 512 texels. Boards differ, and have grain along them.
+constexpr std::uint32_t kPaling_px = 32;
+
+PatternFields palings(std::uint32_t px, std::uint64_t key) {
+  constexpr double kOfBoard[16] = {0.1, -0.5, 0.4, -0.1, 0.7, -0.3, 0.0, -0.8, 0.5, 0.2, -0.4, 0.9, -0.2, 0.3, -0.6, 0.1};
+  constexpr std::uint32_t kGap_px = 2;
+  const Field grain = layered_noise(px, {64, 4}, 3, 0.9, key);
+  PatternFields fields = fine_tones(combined(px, [&](std::uint32_t c, std::uint32_t r) {
+    return 0.6 * kOfBoard[c / kPaling_px % 16] + 0.4 * grain.at(c, r);
+  }));
+  fields.opacity =
+      combined(px, [](std::uint32_t c, std::uint32_t) { return c % kPaling_px < kGap_px ? 0.0 : 1.0; });
+  return fields;
+}
+
+PatternFields pickets(std::uint32_t px, std::uint64_t) {
+  constexpr std::uint32_t kPicket_px = 20;
+  const auto is_rail = [](std::uint32_t r) { return (r >= 450 && r < 468) || (r >= 296 && r < 314); };
+  const auto opacity = [&](std::uint32_t c, std::uint32_t r) {
+    const std::uint32_t across = c % kPaling_px, aside = across < 10 ? 10 - across : across - 9;
+    return is_rail(r) || (across < kPicket_px && r + aside < kFenceTop_px + 1) ? 1.0 : 0.0;
+  };
+  return {flat_field(px), flat_field(px), combined(px, opacity)};
+}
+
+// Holes are nearly 1/2 in bands, as they are between bars: wires alone would be less than 1/2 on every mip level.
+PatternFields chain_link(std::uint32_t px, std::uint64_t) {
+  constexpr std::uint32_t kMesh_px = 16, kWire_px = 2, kPost_px = 12, kRail_px = 10, kBand_px = 128;
+  const auto opacity = [](std::uint32_t c, std::uint32_t r) {
+    const bool is_wire = (c + r) % kMesh_px < kWire_px || (c + 512 - r) % kMesh_px < kWire_px;
+    const bool is_frame = c < kPost_px || (r >= kFenceTop_px - kRail_px && r < kFenceTop_px);
+    if (is_wire || is_frame) return 1.0;
+    return c % kBand_px < kBand_px / 2 ? 100 / 255.0 : 60 / 255.0;
+  };
+  return {flat_field(px), flat_field(px), combined(px, opacity)};
+}
+
 using Generator = PatternFields (*)(std::uint32_t side_px, std::uint64_t key);
 
 template <Bond kBond, std::uint32_t kAcross, std::uint32_t kAlong>
@@ -208,6 +245,9 @@ constexpr Generator kGenerators[] = {blades,
                                      ripples,
                                      waves,
                                      bars,
+                                     palings,
+                                     pickets,
+                                     chain_link,
                                      furrows,
                                      streaks,
                                      lenticels,

@@ -46,6 +46,10 @@ enum class TexturePattern : std::uint8_t {
   kRipples,  ///< Sand with ripples along u, 0.1 m apart on 4 m.
   kWaves,    ///< Water; brightness is constant.
   kBars,     ///< A railing: eight bars along v below a rail, with holes between; brightness is constant.
+  // Fences of 2 m, v up; what is above kFenceTop_px of 512 is not shown.
+  kPalings,    ///< Upright boards of 117 mm with gaps of 8 mm.
+  kPickets,    ///< Pointed pickets of 78 mm, 125 mm apart, before two rails; brightness is constant.
+  kChainLink,  ///< Mesh of 62 mm with a post and a top rail; brightness is constant.
   // Bark; v runs along the stem.
   kFurrows,    ///< Ridges along the stem that part and join: oak.
   kStreaks,    ///< Faint streaks across the stem: beech.
@@ -61,6 +65,9 @@ enum class TexturePattern : std::uint8_t {
 /// begins at v = kRailFrom_px.
 inline constexpr std::uint32_t kBarPitch_px = 32, kBarBegin_px = 17, kBar_px = 5;
 inline constexpr std::uint32_t kRailingLow_px = 8, kBarsFrom_px = 27, kRailFrom_px = 236, kRailingHigh_px = 248;
+
+/// The top of fences in texels of 1/512 of the side of their patterns.
+inline constexpr std::uint32_t kFenceTop_px = 500;
 
 struct PatternFields {
   Field tone;    ///< Brightness: mean 0, standard deviation 1/2, clamped to -1 … 1; or all 0.

@@ -1,4 +1,5 @@
-// The mesh of a low fence: one vertical sheet with the texture of a railing, whose holes are cut out.
+// The mesh of a fence: one vertical sheet with a texture of bars, boards, pickets or chain-link, whose holes are cut
+// out.
 #pragma once
 
 #include "compiler/ground/grading/graded_terrain.h"
@@ -9,17 +10,21 @@ namespace citykiln::props {
 /// The greatest height of a fence that is a railing, in metres. Higher fences are of boards.
 inline constexpr double kMaxRailingFence_m = 1.375;
 
-/// True for fences of at most kMaxRailingFence_m, at tolerances at which the texture with holes is shown.
-bool is_barred(const Barrier& barrier, double tolerance_m);
+/// True for fences, at tolerances at which textures with holes are shown.
+bool is_sheet(const Barrier& barrier, double tolerance_m);
 
-/// Generates a fence as one vertical sheet on the ground, along its axis, which is seen from both sides
-/// (Material::kRailing). Its paint is drawn by its id. Requires is_barred(). O(length).
+/// Generates a fence as one vertical sheet on the ground, along its axis, which is seen from both sides. Its paint is
+/// drawn by its id. Requires is_sheet(). O(length).
 ///
 /// Guarantees: error_m <= tolerance_m; vertices are on the 2^-10 m grid, texture coordinates multiples of
 /// materials::kTextureCoordinateStep_m.
 GeneratedProp fence_mesh(const Barrier& fence, const ground::GradedTerrain& ground, double tolerance_m);
 
-/// Returns the paint of a low fence, drawn by its id: dark metal, green, brown or white.
-materials::Tint fence_paint(ObjectId id);
+/// Returns the kind of a fence; that of a mapped one by its height: kAny for bars, else kBoards.
+map::FenceKind kind_of_fence(const Barrier& fence);
+
+/// Returns the paint of a fence for the material of its sheet, drawn by its id: weathered wood for boards, mostly white
+/// for pickets, zinc or green for mesh; dark metal, green, brown or white for bars.
+materials::SurfaceMaterial fence_surface(const Barrier& fence);
 
 }  // namespace citykiln::props

@@ -28,7 +28,7 @@ Material material_of(BarrierKind kind) {
     case BarrierKind::kHedge:
       return Material::kHedge;
     case BarrierKind::kFence:
-      return Material::kTimber;
+      return Material::kLightTimber;
     case BarrierKind::kGuardRail:
       return Material::kPaintedMetal;
     case BarrierKind::kRetainingWall:
@@ -36,6 +36,10 @@ Material material_of(BarrierKind kind) {
     default:
       return Material::kStone;
   }
+}
+
+materials::Tint tint_of(const Barrier& barrier) {
+  return barrier.kind == BarrierKind::kFence ? fence_surface(barrier).tint : materials::kNoTint;
 }
 
 // The foot and the top of a barrier at a place.
@@ -88,12 +92,41 @@ void join_profiles(Mesh& band, bool is_closed, std::uint32_t faces) {
   add_quad(band, last, last + 1, last + 2, last + 3);
 }
 
+// Piers end low walls, at gates and corners: their side, how far they stand above a wall, the highest wall with them,
+// and the largest tolerance at which they are drawn.
+constexpr double kPier_m = 0.375, kAboveWall_m = 0.15, kHighestPierWall_m = 1.125, kPierTolerance_m = 0.2;
+
+bool has_piers(const Barrier& barrier) {
+  constexpr double kShortest_m = 1.5;
+  return barrier.kind == BarrierKind::kWall && barrier.height_m <= kHighestPierWall_m &&
+         distance(barrier.axis.front(), barrier.axis.back()) > kShortest_m;
+}
+
+// Adds a pier about the end of a wall, in its direction.
+void add_pier(Mesh& band, Vec3 end, Vec2 along, double height_m) {
+  const Vec2 ahead = along * (kPier_m / 2), side = left_of(ahead);
+  const double foot_m = end.z - kFootDepth_m, top_m = end.z + height_m + kAboveWall_m;
+  const auto first = static_cast<std::uint32_t>(band.positions.size());
+  for (const double z : {foot_m, top_m})
+    for (const Vec2 corner : {ahead * -1.0 - side, ahead - side, ahead + side, side - ahead})
+      band.positions.push_back(snapped(at_height(in_plan(end) + corner, z)));
+  for (std::uint32_t k = 0; k < 4; ++k)
+    add_quad(band, first + k, first + (k + 1) % 4, first + 4 + (k + 1) % 4, first + 4 + k);
+  add_quad(band, first + 4, first + 5, first + 6, first + 7);
+}
+
+void add_piers(const DrapedAxis& axis, double height_m, Mesh& band) {
+  const std::size_t n = axis.points.size();
+  add_pier(band, axis.points[0], unit(in_plan(axis.points[1] - axis.points[0])), height_m);
+  add_pier(band, axis.points[n - 1], unit(in_plan(axis.points[n - 1] - axis.points[n - 2])), height_m);
+}
+
 }  // namespace
 
 GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& ground, double tolerance_m) {
   assert(tolerance_m > 0);
   if (barrier.kind == BarrierKind::kRailing) return railing_mesh(barrier, ground, tolerance_m);
-  if (is_barred(barrier, tolerance_m)) return fence_mesh(barrier, ground, tolerance_m);
+  if (is_sheet(barrier, tolerance_m)) return fence_mesh(barrier, ground, tolerance_m);
   if (barrier.height_m <= tolerance_m) return {{}, barrier.height_m};
   // the top of a retaining wall is that of the land at each point
   const double bend_m =
@@ -113,8 +146,11 @@ GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& grou
     add_profile(band, axis.points[i], side, {heights.foot_m - kFootDepth_m, heights.top_m});
   }
   join_profiles(band, axis.is_closed, 3);
-  GeneratedProp prop{{{std::move(band), material_of(barrier.kind), materials::kNoTint, barrier.id.osm}},
-                     bend_m + (has_coping && !draws_coping ? kOverhang_m : 0)};
+  const bool ends_in_piers = !axis.is_closed && has_piers(barrier), draws_piers = tolerance_m <= kPierTolerance_m;
+  if (ends_in_piers && draws_piers) add_piers(axis, barrier.height_m, band);
+  GeneratedProp prop{{{std::move(band), material_of(barrier.kind), tint_of(barrier), barrier.id.osm}},
+                     bend_m + std::max(has_coping && !draws_coping ? kOverhang_m : 0,
+                                       ends_in_piers && !draws_piers ? kAboveWall_m : 0)};
   if (!draws_coping) return prop;
   join_profiles(coping, axis.is_closed, 4);
   prop.meshes.push_back({std::move(coping), Material::kConcrete, materials::kNoTint, barrier.id.osm});

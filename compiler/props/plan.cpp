@@ -32,7 +32,8 @@ void add_barrier(const map::Barrier& barrier, const Box2& extent, Props& props, 
                               .axis = parts[i],
                               .kind = barrier.kind,
                               .height_m = barrier.height_m,
-                              .width_m = barrier.width_m});
+                              .width_m = barrier.width_m,
+                              .fence = barrier.fence});
 }
 
 }  // namespace

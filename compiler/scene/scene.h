@@ -70,6 +70,7 @@ struct Header {
   /// Pavements have benches, bins and signs where none are mapped (--assume roadsides).
   bool has_street_furniture = false;
   people::PeopleShare people = people::kNobody;  ///< How many people are in the streets.
+  cars::CarShare traffic = cars::kNoCars;        ///< How many slots of lanes have a moving car.
   bool operator==(const Header&) const = default;
 };
 

@@ -13,6 +13,8 @@ namespace citykiln::things {
 enum class YardSpot : std::uint8_t {
   kRear,         ///< Behind the front yard, on lawn, gravel or earth.
   kBesideHouse,  ///< At a wall of a building.
+  kBehindDrive,  ///< At the inner end of a drive, behind it.
+  kOverDrive,    ///< Over the inner end of a drive whose yard has no garage.
 };
 
 /// A row of yard_kinds.inc.

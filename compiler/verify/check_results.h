@@ -111,6 +111,7 @@ struct CheckResults {
   Check assumed_lamps{"no assumed lamp stands on a carriageway, a railway, a building or water", 0, {}};
   Check parked_cars{
       "no parked car stands before a door, in a building, a railway or water, or off the paved ground", 0, {}};
+  Check street_cars{"no car of a street, moving or parked, stands off its carriageway or in another car", 0, {}};
   Check street_furniture{
       "no assumed street furniture stands in a carriageway, a railway, a building or water, before a door or in other "
       "furniture",

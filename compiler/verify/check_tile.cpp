@@ -299,6 +299,7 @@ void check_assumed(TileUnderCheck& tile, const bake::BakedTile& level, const std
               tile.results().assumed_pavements);
   add_assumed(measure_assumed_lamps(level, tile.chunk, tile.cover), "lamps", name, tile.results().assumed_lamps);
   add_assumed(measure_parked_cars(level, tile.chunk, tile.cover), "cars", name, tile.results().parked_cars);
+  add_assumed(measure_street_cars(level, tile.chunk, tile.cover), "cars", name, tile.results().street_cars);
   add_assumed(measure_street_furniture(level, tile.chunk, tile.cover), "pieces of street furniture", name,
               tile.results().street_furniture);
   add_assumed(measure_people(level, tile.cover), "people", name, tile.results().people);

@@ -9,7 +9,8 @@ using materials::Tint;
 Tint largest_tint(const bake::Primitive& p) {
   const bool is_on_atlas = p.colour_source == materials::ColourSource::kByMarkingAtlas ||
                            p.colour_source == materials::ColourSource::kByAtlas;
-  if (p.layer != bake::Layer::kPlants || is_on_atlas || p.colours.empty()) return materials::kNoTint;
+  const bool is_tinted = p.layer == bake::Layer::kPlants || p.material == materials::Material::kCarPaint;
+  if (!is_tinted || is_on_atlas || p.colours.empty()) return materials::kNoTint;
   Tint largest = {0, 0, 0, 255};
   for (const Tint& tint : p.colours)
     for (std::size_t c = 0; c < 3; ++c) largest[c] = std::max(largest[c], tint[c]);

@@ -148,10 +148,27 @@ void serialise(auto& io, plants::PowerLineCorridor& l) {
   eighths(io, "power corridor", l.width_m, 0);
 }
 
+// A barrier's kind; fences of a known build follow the kinds.
+enum class BuiltBarrier : std::uint8_t {};
+constexpr auto kBuiltBarriers = static_cast<BuiltBarrier>(map::kBarrierKinds + static_cast<int>(map::FenceKind::kMesh));
+
+BuiltBarrier built_of(const props::Barrier& b) {
+  if (b.kind != map::BarrierKind::kFence || b.fence == map::FenceKind::kAny) return static_cast<BuiltBarrier>(b.kind);
+  return static_cast<BuiltBarrier>(map::kBarrierKinds + static_cast<int>(b.fence) - 1);
+}
+
+void set_built(BuiltBarrier built, props::Barrier& b) {
+  const int build = static_cast<int>(built) - static_cast<int>(map::kBarrierKinds) + 1;
+  b.kind = build > 0 ? map::BarrierKind::kFence : static_cast<map::BarrierKind>(built);
+  b.fence = build > 0 ? static_cast<map::FenceKind>(build) : map::FenceKind::kAny;
+}
+
 void serialise(auto& io, props::Barrier& b) {
   id(io, b.id);
   curved_points(io, "barrier points", b.axis, 2);
-  enumerator(io, "barrier kind", b.kind, static_cast<map::BarrierKind>(map::kBarrierKinds));
+  BuiltBarrier built = built_of(b);
+  enumerator(io, "barrier kind", built, kBuiltBarriers);
+  set_built(built, b);
   io.metres("barrier height", b.height_m), io.metres("barrier width", b.width_m);
 }
 

@@ -189,7 +189,8 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
       builder, kVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg, &extent, h.tile_m, h.seed,
       h.resampling_error_m, sky, &sources, &attributions, kLicence, index, dictionary.empty() ? nullptr : &dictionary,
       snow_line_m, &rules, &species, around, things.empty() ? nullptr : &things, climate, h.has_wild_slopes,
-      number_of(h.cars), h.has_street_furniture, number_of(h.people)));
+      number_of(h.cars), h.has_street_furniture, number_of(h.people),
+      number_of(h.traffic)));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -409,8 +410,9 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   header.has_wild_slopes = h.has_wild_slopes();
   const auto cars = share_of<cars::CarShare>(h.cars());
   const auto people = share_of<people::PeopleShare>(h.people());
-  if (!cars || !people) return damaged;
-  header.cars = *cars, header.people = *people;
+  const auto traffic = share_of<cars::CarShare>(h.traffic());
+  if (!cars || !people || !traffic) return damaged;
+  header.cars = *cars, header.people = *people, header.traffic = *traffic;
   header.has_street_furniture = h.has_street_furniture();
   if (h.around() == nullptr) return header;
   std::optional<surroundings::Surroundings> around = plain(*h.around());

@@ -109,7 +109,8 @@ TEST(Spec, ErrorsSayTheExpectedValue) {
       {"lods", ""},         {"lods", "0.1,500"},      {"lods", "1e9"},       {"target", "maya"}, {"split", "road"},
       {"drive-on", "top"},  {"seed", "-1"},           {"threads", "-1"},     {"threads", "1.5"}, {"strict", "yes"},
       {"dem", "a,bound=1"}, {"time", "noon"},         {"snow-line", "high"}, {"world", "torus"}, {"compress", "zip"},
-      {"fill", "all"},      {"surroundings", "some"}, {"cars", "some"},      {"cars", "2"},      {"people", "many"}};
+      {"fill", "all"},      {"surroundings", "some"}, {"cars", "some"},      {"cars", "2"},      {"people", "many"},
+      {"traffic", "2"}};
   for (const auto& [name, text] : rows) {
     EXPECT_NE(objection(name, text).find("expected "), std::string::npos)
         << name << " " << text << ": " << objection(name, text);

@@ -142,6 +142,7 @@ class SceneMaker {
     h.people = h.seed % 3 == 0   ? people::kNobody
                : h.seed % 3 == 1 ? people::PeopleShare{.share = 0.25}
                                  : people::kUsualPeople;
+    h.traffic = h.seed % 4 == 0 ? cars::CarShare{.share = 0.125} : h.seed % 4 == 1 ? cars::kUsualCars : cars::kNoCars;
     if (h.seed % 4 < 2) h.around = surroundings();
     h.rules = {{"house.cga", "Building --> Wall."}, {"parts/door.cga", "Door --> NIL\n"}};
     if (h.seed % 3 < 2) h.things = {{"bench", "bench amenity=bench"}, {"bench.cga", "Thing --> Seat."}};

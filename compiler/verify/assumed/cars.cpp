@@ -44,7 +44,71 @@ std::optional<OsmId> bar_of(const OrientedRect& plan, bool is_in_space, const gr
   return std::nullopt;
 }
 
+// The cars of a tile: their plans and elements.
+struct CarCopies {
+  RectIndex plans;
+  std::vector<OsmId> elements;
+};
+
+CarCopies car_copies(const bake::BakedTile& tile, double edge_m) {
+  CarCopies cars;
+  std::vector<OrientedRect> plans;
+  for (const bake::InstancedMesh& mesh : tile.instanced) {
+    if (kind_of_mesh(mesh.name) != map::name_of(map::ThingRole::kCar)) continue;
+    for (std::size_t i = 0; i < mesh.translations.size(); ++i) {
+      plans.push_back(plan_of_copy(mesh, i, tile.origin, edge_m));
+      cars.elements.push_back(tile.features[mesh.features[i]]);
+    }
+  }
+  if (!plans.empty()) cars.plans = index_rects(std::move(plans));
+  return cars;
+}
+
+// The element off the carriageways below a car; none if all of it is on them.
+std::optional<OsmId> ground_beside(const OrientedRect& plan, const ground::LandCoverIndex& land_cover) {
+  const std::array<Vec2, 4> c = corners_of(plan);
+  for (const Vec2 p : {c[0], c[1], c[2], c[3], plan.at}) {
+    if (!land_cover.box.contains(p)) continue;
+    const std::uint32_t top = ground::land_cover_at(land_cover, p);
+    if (top == ground::kNoLandCover) return OsmId{};
+    const ground::LandCoverPolygon& surface = land_cover.surfaces[top];
+    if (map::values_of(surface.surface).group != LandCoverGroup::kRoad &&
+        surface.surface != map::LandCoverClass::kParking)
+      return surface.id.osm;
+  }
+  return std::nullopt;
+}
+
+// Another car in which one stands.
+std::optional<OsmId> car_about(const CarCopies& cars, std::uint32_t car) {
+  std::optional<OsmId> other;
+  any_about(cars.plans.grid, box_of(cars.plans.all[car]), [&](std::uint32_t i) {
+    if (i == car || !overlap(cars.plans.all[i], cars.plans.all[car], 0)) return false;
+    other = cars.elements[i];
+    return true;
+  });
+  return other;
+}
+
 }  // namespace
+
+AssumedTests measure_street_cars(const bake::BakedTile& tile, const scene::Chunk& chunk,
+                                 const ground::LandCoverIndex& land_cover) {
+  constexpr double kEdge_m = 0.25;
+  std::set<OsmId> streets;
+  for (const roads::Road& road : chunk.roads) streets.insert(road.id.osm);
+  const CarCopies cars = car_copies(tile, kEdge_m);
+  AssumedTests found;
+  for (std::uint32_t i = 0; i < cars.elements.size(); ++i) {
+    if (!streets.contains(cars.elements[i])) continue;
+    ++found.tested;
+    std::optional<OsmId> bar = ground_beside(cars.plans.all[i], land_cover);
+    if (!bar) bar = car_about(cars, i);
+    if (!bar || found.conflicts++ > 0) continue;
+    found.at = cars.plans.all[i].at, found.element = cars.elements[i], found.obstacle = *bar;
+  }
+  return found;
+}
 
 AssumedTests measure_parked_cars(const bake::BakedTile& tile, const scene::Chunk& chunk,
                                  const ground::LandCoverIndex& land_cover) {

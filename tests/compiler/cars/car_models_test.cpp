@@ -20,7 +20,10 @@ std::map<std::string, int> bodies_in(map::CountryGroup country, double length_m)
   return counts;
 }
 
-TEST(CarModels, HaveEightBodies) { EXPECT_EQ(bodies_in(map::CountryGroup::kCentralEurope, 5.75).size(), 8u); }
+TEST(CarModels, HaveTenBodiesThatPark) {
+  EXPECT_EQ(bodies_in(map::CountryGroup::kCentralEurope, 5.75).size(), 9u);
+  EXPECT_EQ(bodies_in(map::CountryGroup::kJapan, 5.75).size(), 9u);
+}
 
 TEST(CarModels, FitIntoTheirPlaces) {
   EXPECT_EQ(bodies_in(map::CountryGroup::kNorthAmerica, 5).count("pickup"), 0u);
@@ -30,6 +33,8 @@ TEST(CarModels, FitIntoTheirPlaces) {
 TEST(CarModels, DifferByMarket) {
   EXPECT_GT(bodies_in(map::CountryGroup::kNorthAmerica, 5.75)["pickup"], kCars / 8);
   EXPECT_LT(bodies_in(map::CountryGroup::kCentralEurope, 5.75)["pickup"], kCars / 40);
+  EXPECT_GT(bodies_in(map::CountryGroup::kJapan, 5.75)["kei"], kCars / 5);
+  EXPECT_EQ(bodies_in(map::CountryGroup::kCentralEurope, 5.75).count("kei"), 0u);
 }
 
 TEST(CarModels, AreMostlyWhiteBlackAndGrey) {

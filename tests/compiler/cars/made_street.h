@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "compiler/cars/moving_cars.h"
 #include "compiler/cars/parked_cars.h"
 #include "compiler/roads/junctions/junction.h"
 
@@ -51,6 +52,13 @@ struct MadeTile {
     CarSettings wanted = settings(seed);
     wanted.share = share;
     return parked_cars(tile, roadside::clear_zones_of(tile), wanted, box);
+  }
+  std::vector<things::Thing> traffic(const Box2& box, CarShare share, CarShare parked = kNoCars) const {
+    const ground::LandCoverIndex index = ground::index_land_cover(cover, box.widened(48));
+    const roadside::TileRecipes tile = recipes(index);
+    CarSettings wanted = settings(1);
+    wanted.share = parked;
+    return moving_cars(tile, roadside::clear_zones_of(tile), {share, {60}, 1}, wanted, box);
   }
 
  private:

@@ -67,10 +67,10 @@ TEST(YardThings, StandInTheirLotBehindTheHouseFront) {
   for (int n = 0; n < 200; ++n)
     for (const things::Thing& thing : MadeLot(n).things(kLotBox)) {
       ++found;
-      if (thing.form.kind == things::kYardGate) continue;
+      if (thing.form.kind == things::kYardGate || thing.form.kind == "yard_carport") continue;
       EXPECT_TRUE((Box2{{0, 0}, {20, 30}}.contains(thing.at))) << thing.form.kind;
       EXPECT_FALSE(reaches(thing, {{5, 6}, {15, 14}}, 0)) << thing.form.kind;
-      if (thing.form.kind != "wheelie_bins") {
+      if (thing.form.kind != "wheelie_bins" && thing.form.kind != "yard_garage") {
         EXPECT_GT(thing.at.y, 9) << thing.form.kind;
       }
     }
@@ -84,6 +84,23 @@ TEST(YardThings, ComeInTheShareOfTheirCountry) {
     sheds += std::ranges::any_of(made, [](const things::Thing& t) { return t.form.kind == "garden_shed"; }) ? 1 : 0;
   }
   EXPECT_NEAR(sheds / 400.0, 0.55, 0.09) << "less those without a free place";
+}
+
+TEST(YardThings, GaragesStandBehindTheDriveAndCarportsOverIt) {
+  int garages = 0;
+  for (int n = 0; n < 200; ++n) {
+    MadeLot lot(n);
+    int roofs = 0;
+    for (const things::Thing& thing : lot.things(kLotBox)) {
+      if (!thing.form.kind.ends_with("garage") && !thing.form.kind.ends_with("carport")) continue;
+      const bool is_garage = thing.form.kind == "yard_garage";
+      ++roofs, garages += is_garage;
+      EXPECT_NEAR(std::abs(thing.at.x), 3, 0.01);
+      EXPECT_NEAR(thing.at.y, is_garage ? 9 : 3.375, 0.01);
+    }
+    EXPECT_LE(roofs, 1);
+  }
+  EXPECT_NEAR(garages / 200.0, 0.4, 0.1);
 }
 
 TEST(YardThings, KeepOffTrunksAndEachOther) {

@@ -48,16 +48,26 @@ TEST(FenceMesh, TheTextureRunsInMetresAlongTheFence) {
                 distance(in_plan(sheet.mesh.positions[i]), in_plan(sheet.mesh.positions[i - 2])), 0.02);
 }
 
-TEST(FenceMesh, HighFencesAndCoarseLevelsHaveNoBars) {
-  EXPECT_TRUE(is_barred(fence_of_height(1), 0.1));
-  EXPECT_FALSE(is_barred(fence_of_height(1.75), 0.1));
-  EXPECT_FALSE(is_barred(fence_of_height(1), 50));
-  EXPECT_EQ(generate(fence_of_height(1.75), slope_for_fences(), 0.1).meshes[0].material, materials::Material::kTimber);
+TEST(FenceMesh, HighFencesAreOfBoardsAndCoarseLevelsHaveNoSheets) {
+  EXPECT_TRUE(is_sheet(fence_of_height(1), 0.1));
+  EXPECT_FALSE(is_sheet(fence_of_height(1), 50));
+  EXPECT_EQ(generate(fence_of_height(1.75), slope_for_fences(), 0.1).meshes[0].material, materials::Material::kPalings);
+  EXPECT_EQ(generate(fence_of_height(1.75), slope_for_fences(), 0.1).meshes[0].mesh.triangles.size(),
+            generate(fence_of_height(1), slope_for_fences(), 0.1).meshes[0].mesh.triangles.size());
+}
+
+TEST(FenceMesh, YardsDecideTheKindOfTheirFence) {
+  Barrier fence = fence_of_height(2);
+  EXPECT_EQ(kind_of_fence(fence), map::FenceKind::kBoards);
+  fence.fence = map::FenceKind::kMesh;
+  EXPECT_EQ(fence_surface(fence).material, materials::Material::kChainLink);
+  fence.fence = map::FenceKind::kPickets;
+  EXPECT_EQ(fence_surface(fence).material, materials::Material::kPickets);
 }
 
 TEST(FenceMesh, NeighboursHavePaintsOfTheirOwn) {
   std::set<materials::Tint> paints;
-  for (std::int64_t id = 1; id < 50; ++id) paints.insert(fence_paint(fence_of_height(1, id).id));
+  for (std::int64_t id = 1; id < 50; ++id) paints.insert(fence_surface(fence_of_height(1, id)).tint);
   EXPECT_GE(paints.size(), 4u);
 }
 

@@ -108,6 +108,22 @@ TEST(Generate, HasTheRecipesWidthAndHeight) {
   EXPECT_NEAR(six / 6, 40 * 0.5 * 2.5, 40 * 0.5 * 0.01);
 }
 
+TEST(Generate, LowWallsEndInPiers) {
+  map::Heightfield flat = hills();
+  std::fill(flat.heights.begin(), flat.heights.end(), 640);
+  const ground::GradedTerrain ground(std::move(flat));
+  Barrier low = wall({{0, 3}, {40, 3}});
+  low.height_m = 1;
+  double top = 0;
+  const GeneratedProp fine = generate(low, ground, 0.1);
+  for (const Vec3 p : fine.meshes[0].mesh.positions) top = std::max(top, p.z);
+  EXPECT_NEAR(top, 11.15, 0.01);
+  const GeneratedProp coarse = generate(low, ground, 0.5);
+  for (const Vec3 p : coarse.meshes[0].mesh.positions) EXPECT_LT(p.z, 11.01);
+  EXPECT_GE(coarse.error_m, 0.15);
+  EXPECT_LE(coarse.error_m, 0.5);
+}
+
 TEST(Generate, WallsEndInACopingWhereTheToleranceShowsIt) {
   map::Heightfield flat = hills();
   std::fill(flat.heights.begin(), flat.heights.end(), 640);
