@@ -7,6 +7,8 @@
 
 #include "compiler/bake/ground_on_top.h"
 #include "compiler/cars/parked_cars.h"
+#include "compiler/furniture/front_things.h"
+#include "compiler/furniture/road_things.h"
 #include "compiler/furniture/street_furniture.h"
 #include "compiler/furniture/street_trees.h"
 #include "compiler/furniture/utility_poles.h"
@@ -103,9 +105,18 @@ struct Generator {
         made.placed.push_back(std::move(*standing));
   }
 
-  void add_furniture() {
-    for (const things::Thing& piece : furniture::street_furniture(recipes, zones, header.seed, box))
+  void add_upright(std::span<const things::Thing> pieces) {
+    for (const things::Thing& piece : pieces)
       if (has_rules(header, piece.form)) made.placed.push_back(upright(piece, ground));
+  }
+
+  void add_furniture() {
+    const std::vector<things::Thing> pieces = furniture::street_furniture(recipes, zones, header.seed, box);
+    std::vector<OrientedRect> plans;
+    for (const things::Thing& piece : pieces) plans.push_back(roadside::plan_of(piece));
+    add_upright(pieces);
+    add_upright(furniture::front_things(recipes, zones, index_rects(std::move(plans)), header.seed, box));
+    add_upright(furniture::things_of_walked_streets(recipes, zones, header.seed, box));
   }
 
   void add_yard_things() {
@@ -150,6 +161,7 @@ GeneratedThings place_generated(const scene::Header& header, const scene::Chunk&
   Generator generator{header, ground, box, recipes_of(header, chunk, ground)};
   if (wanted.cars && cars::has_cars(header.cars)) generator.add_cars();
   if (wanted.furniture) generator.add_yard_things();
+  if (wanted.furniture) generator.add_upright(furniture::refuges(generator.recipes, box));
   if (wanted.furniture && header.has_street_furniture) generator.add_furniture(), generator.add_poles();
   return std::move(generator.made);
 }
