@@ -14,7 +14,7 @@ constexpr std::string_view kSignalsThing = "traffic_signals";
 // The cosines of arms that go straight on, and across.
 constexpr double kStraightOn = -0.8, kAcross = 0.75;
 
-bool is_main_street(const map::Track& track) {
+bool is_street_with_signals(const map::Track& track) {
   const bool is_main = track.surface == map::LandCoverClass::kPrimaryRoad ||
                        track.surface == map::LandCoverClass::kSecondaryRoad;
   return is_main && track.passage == map::Passage::kGround && !track.is_roundabout && !track.is_link;
@@ -30,7 +30,7 @@ struct MainNode {
 std::map<std::int64_t, MainNode> main_nodes(std::span<const map::Track> tracks) {
   std::map<std::int64_t, MainNode> nodes;
   for (const map::Track& track : tracks) {
-    if (!is_main_street(track)) continue;
+    if (!is_street_with_signals(track)) continue;
     for (std::size_t i = 0; i < track.axis.size(); ++i) {
       MainNode& node = nodes[track.node_ids[i]];
       node.at = track.axis[i], node.country = track.country;
@@ -125,7 +125,7 @@ WithSignals assume_signals(const map::FeatureView& features, Report& report) {
   for (const auto& [id, node] : nodes) made.things.push_back(signals_thing(id, node));
   std::ranges::stable_sort(made.things, {}, &map::ThingFeature::id);
   for (map::Track& track : made.tracks)
-    if (is_main_street(track)) add_points(nodes, track, report);
+    if (is_street_with_signals(track)) add_points(nodes, track, report);
   return made;
 }
 

@@ -16,6 +16,7 @@
 #include "compiler/roads/pieces/islands.h"
 #include "compiler/roads/pieces/lane_changes.h"
 #include "compiler/roads/pieces/lane_strips.h"
+#include "compiler/scene/box_junctions.h"
 
 namespace citykiln::scene {
 namespace {
@@ -226,6 +227,7 @@ LandCover land_cover_of(const Header& header, const Chunk& chunk, double toleran
   for (const pitches::Pitch& pitch : chunk.pitches)
     if (const LandCoverPolygon* area = area_of(pitch, chunk.surfaces))
       next_run = add_panels(pitch, *area, tile, tolerance_m, next_run, cover);
+  add_box_junctions(chunk.roads, chunk.junctions, next_run, cover);
   sort_and_join(cover.surfaces);
   return cover;
 }
