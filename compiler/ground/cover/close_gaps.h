@@ -13,8 +13,8 @@
 
 namespace citykiln::ground {
 
-/// Narrower strips between two paved areas are paved too, in metres.
-inline constexpr double kWidestGap_m = 0.6;
+/// Narrower strips between two paved areas are paved too, in metres: widths of paths are assumed to some decimetres.
+inline constexpr double kWidestGap_m = 0.9;
 /// How far a moved corner lies inside the edge, whose surface covers it, in metres.
 inline constexpr double kUnderEdge_m = 0.125;
 

@@ -12,7 +12,7 @@
 namespace citykiln::roads {
 namespace {
 
-constexpr materials::TextureImage::Texel kRamp = {74, 73, 72}, kRedTop = {128, 70, 62}, kPavedTop = {142, 134, 124};
+constexpr materials::TextureImage::Texel kRamp = {74, 73, 72}, kRedTop = {112, 68, 62}, kPavedTop = {142, 134, 124};
 constexpr double kRampLength_m = 1.0, kTriangleBase_m = 0.6;
 
 // Triangles on the ramp at the start of the layout, and mirrored ones on that at its end.
