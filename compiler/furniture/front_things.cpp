@@ -5,6 +5,7 @@
 #include <string>
 
 #include "compiler/contract/random_sequence.h"
+#include "compiler/furniture/walked_paving.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/things/facing.h"
 #include "compiler/things/front_kinds.h"
@@ -12,7 +13,6 @@
 namespace citykiln::furniture {
 namespace {
 
-using map::LandCoverClass;
 using things::FrontThingKind;
 
 // The distance of things from the wall, from each other, and from the doors that fronts draw at their ends or middle.
@@ -43,11 +43,6 @@ std::vector<FrontSpan> spans_of(const FrontLine& line) {
   return {{0.2, middle_m - kFrontDoor_m}, {middle_m + kFrontDoor_m, line.length_m - 0.2}};
 }
 
-bool is_walked_paving(LandCoverClass surface) {
-  return surface == LandCoverClass::kPavement || surface == LandCoverClass::kPedestrianStreet ||
-         surface == LandCoverClass::kSquare || surface == LandCoverClass::kPavedFootPath;
-}
-
 // Which of the random appearances the things of a front have.
 std::uint8_t look_of(double draw) {
   constexpr int kParts = 64;
@@ -62,18 +57,14 @@ struct FrontDresser {
   const Box2& box;
   std::vector<things::Thing> made{};
 
-  bool is_paving(Vec2 p) const {
-    if (!recipes.land_cover.box.contains(p)) return false;
-    const std::uint32_t top = ground::land_cover_at(recipes.land_cover, p);
-    return top != ground::kNoLandCover && is_walked_paving(recipes.land_cover.surfaces[top].surface);
-  }
-
   // Paving below the plan and before it.
   bool has_room(const FrontLine& line, double middle_m, const FrontThingKind& kind) const {
     const double far_m = kFromWall_m + kind.depth_m + kWalkBeforeFront_m;
     for (const double side : {-0.5, 0.5})
       for (const double out_m : {kFromWall_m + 0.1, kFromWall_m + kind.depth_m, (kind.depth_m + far_m) / 2, far_m})
-        if (!is_paving(line.from + line.along * (middle_m + side * kind.width_m) + line.outward * out_m)) return false;
+        if (!is_walked_paving(recipes,
+                              line.from + line.along * (middle_m + side * kind.width_m) + line.outward * out_m))
+          return false;
     return true;
   }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "compiler/contract/random_sequence.h"
+#include "compiler/furniture/walked_paving.h"
 #include "compiler/geometry/line_part.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/roads/pieces/stretches.h"
@@ -150,6 +151,8 @@ struct WalkedStreets {
     things::Thing thing = road_thing(road, kind, at, ahead, size_m, made.size());
     const OrientedRect plan = roadside::plan_of(thing);
     const bool is_bollard = kind == things::kBollard;
+    const auto is_paving = [&](Vec2 p) { return is_walked_paving(recipes, p); };
+    if (!is_paving(plan.at) || !std::ranges::all_of(corners_of(plan), is_paving)) return;
     if (overlaps_any(zones.things, plan, 0) || !roadside::is_clear(zones.trunks, plan) ||
         !roadside::is_clear(zones.lamps, plan))
       return;
