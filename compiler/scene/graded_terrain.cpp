@@ -21,8 +21,8 @@ ground::GradedTerrain graded_terrain_of(const Header& header, const Chunk& chunk
                                                   .surfaces = surfaces,
                                                   .box = box_of(header, chunk.tile).widened(ground::kGrading_m),
                                                   .has_kerbs = has_kerbs,
-                                                  .kerb_ramps = ramps,
-                                                  .landforms = chunk.landforms},
+                                                  .landforms = chunk.landforms,
+                                                  .kerb_ramps = ramps},
                                                  chunk.bridges, chunk.tunnels);
 }
 

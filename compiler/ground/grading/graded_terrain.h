@@ -79,11 +79,11 @@ struct GradingInputs {
   std::span<const LandCoverPolygon> surfaces;
   Box2 box;                              ///< The box in which heights can be queried.
   bool has_kerbs = true;                 ///< False for tolerances at which kerbs are left out.
-  std::span<const roads::KerbRamp> kerb_ramps{};  ///< Where kerbs are lower: all that touch the box.
   std::span<const roads::Road> decks{};  ///< Bridges within kGrading_m of the box, whole.
   std::span<const roads::Road> bores{};  ///< Bored tunnels within kGrading_m of the box, whole.
   /// All landforms within kLandformReach_m of the box, sorted by id.
   std::span<const Landform> landforms{};
+  std::span<const roads::KerbRamp> kerb_ramps{};  ///< Where kerbs are lower: all that touch the box.
 };
 /// Indexes all data that grade a terrain. Heights are computed later, by heights_at().
 GradedTerrain grade_terrain(map::Heightfield terrain, const GradingInputs& parts);
