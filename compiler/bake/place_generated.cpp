@@ -111,12 +111,14 @@ struct Generator {
   }
 
   void add_furniture() {
-    const std::vector<things::Thing> pieces = furniture::street_furniture(recipes, zones, header.seed, box);
-    std::vector<OrientedRect> plans;
-    for (const things::Thing& piece : pieces) plans.push_back(roadside::plan_of(piece));
-    add_upright(pieces);
-    add_upright(furniture::front_things(recipes, zones, index_rects(std::move(plans)), header.seed, box));
-    add_upright(furniture::things_of_walked_streets(recipes, zones, header.seed, box));
+    std::vector<OrientedRect> standing;
+    const auto add = [&](const std::vector<things::Thing>& pieces) {
+      for (const things::Thing& piece : pieces) standing.push_back(roadside::plan_of(piece));
+      add_upright(pieces);
+    };
+    add(furniture::street_furniture(recipes, zones, header.seed, box));
+    add(furniture::front_things(recipes, zones, index_rects(standing), header.seed, box));
+    add(furniture::things_of_walked_streets(recipes, zones, index_rects(standing), header.seed, box));
   }
 
   void add_yard_things() {

@@ -72,7 +72,9 @@ struct FrontDresser {
     return roadside::is_clear(zones.streets, plan) && roadside::is_clear(zones.trunks, plan) &&
            roadside::is_clear(zones.doors, plan) && roadside::is_clear(zones.lamps, plan) &&
            !overlaps_any(zones.things, plan, 0) && !overlaps_any(standing, plan, 0) &&
-           box.contains_half_open(plan.at);
+           box.contains_half_open(plan.at) && std::ranges::none_of(made, [&](const things::Thing& other) {
+             return overlap(roadside::plan_of(other), plan, 0);
+           });
   }
 
   // The things of one front look alike.

@@ -113,6 +113,7 @@ bool is_driven_street(const Road& road) {
 struct WalkedStreets {
   const roadside::TileRecipes& recipes;
   const roadside::ClearZones& zones;
+  const RectIndex& standing;
   std::uint64_t seed;
   const Box2& box;
   std::vector<things::Thing> made{};
@@ -153,7 +154,8 @@ struct WalkedStreets {
     const bool is_bollard = kind == things::kBollard;
     const auto is_paving = [&](Vec2 p) { return is_walked_paving(recipes, p); };
     if (!is_paving(plan.at) || !std::ranges::all_of(corners_of(plan), is_paving)) return;
-    if (overlaps_any(zones.things, plan, 0) || !roadside::is_clear(zones.trunks, plan) ||
+    if (overlaps_any(zones.things, plan, 0) || overlaps_any(standing, plan, 0) ||
+        !roadside::is_clear(zones.trunks, plan) ||
         !roadside::is_clear(zones.lamps, plan))
       return;
     if (!is_bollard && (!roadside::is_clear(zones.doors, plan) || !roadside::is_clear(zones.streets, plan))) return;
@@ -204,9 +206,9 @@ std::vector<things::Thing> refuges(const roadside::TileRecipes& recipes, const B
 }
 
 std::vector<things::Thing> things_of_walked_streets(const roadside::TileRecipes& recipes,
-                                                    const roadside::ClearZones& zones, std::uint64_t seed,
-                                                    const Box2& box) {
-  WalkedStreets streets{recipes, zones, seed, box};
+                                                    const roadside::ClearZones& zones, const RectIndex& standing,
+                                                    std::uint64_t seed, const Box2& box) {
+  WalkedStreets streets{recipes, zones, standing, seed, box};
   const std::vector<std::vector<roads::Arm>> arms = roads::arms_of(recipes.junctions, recipes.roads);
   for (std::size_t j = 0; j < recipes.junctions.size(); ++j) {
     const std::vector<roads::Cut>& cuts = recipes.junctions[j].cuts;

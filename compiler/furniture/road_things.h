@@ -27,9 +27,10 @@ std::vector<things::Thing> refuges(const roadside::TileRecipes& recipes, const B
 
 /// Returns bollards at the mouths of streets for walkers that meet a street for cars, in countries where that is usual,
 /// and planters along these streets, every 16 m. Neither is assumed within 20 m of a mapped bollard or gate. A thing is
-/// in the tile that contains its middle. O(junctions + length).
+/// in the tile that contains its middle, on paving, and overlaps none of `standing`. O(junctions + length).
+/// @param standing  The plans of furniture that stands already.
 std::vector<things::Thing> things_of_walked_streets(const roadside::TileRecipes& recipes,
-                                                    const roadside::ClearZones& zones, std::uint64_t seed,
-                                                    const Box2& box);
+                                                    const roadside::ClearZones& zones, const RectIndex& standing,
+                                                    std::uint64_t seed, const Box2& box);
 
 }  // namespace citykiln::furniture

@@ -74,7 +74,7 @@ struct TrackPoint {
   /// kLevelCrossing on rails: the length of rails on either side that the crossing ways cover, in quarters of a metre.
   /// Set by roads::roads_on_ground(), 0 before.
   std::uint8_t reach_quarters = 0;
-  std::uint8_t traits = 0;  ///< Of crossings: bits of CrossingTrait.
+  std::uint8_t traits = 0;  ///< Bits of CrossingTrait: what tags say of a crossing.
   auto operator<=>(const TrackPoint&) const = default;
 };
 

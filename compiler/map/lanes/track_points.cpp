@@ -118,7 +118,7 @@ std::vector<std::pair<std::int64_t, std::uint8_t>> mapped_kerbs(const ReadContex
   return kerbs;
 }
 
-// Of the kerbs on both sides the lowest counts, and slabs on either side.
+// The lowest of the kerbs on both sides counts, and slabs on either side.
 std::uint8_t joined_traits(std::uint8_t a, std::uint8_t b) {
   const std::uint8_t all = a | b;
   std::uint8_t joined = 0;

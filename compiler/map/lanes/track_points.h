@@ -14,7 +14,7 @@ struct NodeMark {
   std::int64_t node_id = 0;
   TrackPointKind kind{};
   std::int8_t facing = 0;  ///< 1 for traffic along the way, -1 against it, 0 for both or unknown.
-  std::uint8_t traits = 0;  ///< Of crossings: bits of CrossingTrait.
+  std::uint8_t traits = 0;  ///< Bits of CrossingTrait: what tags say of a crossing.
   auto operator<=>(const NodeMark&) const = default;
 };
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "compiler/roads/pieces/pieces.h"
 #include "tests/compiler/roads/made_road.h"
 
@@ -65,12 +67,13 @@ std::size_t slab_pieces(const Road& road, bool assumes) {
   }));
 }
 
+// Two at each kerb, since the axis has a point in the middle of the crossing.
 TEST(TactilePaving, LiesAtBothKerbsWhereItIsUsualOrMapped) {
   using enum map::TrackPointKind;
-  EXPECT_EQ(slab_pieces(crossed_street(kZebra), true), 2u);
+  EXPECT_EQ(slab_pieces(crossed_street(kZebra), true), 4u);
   EXPECT_EQ(slab_pieces(crossed_street(kZebra), false), 0u);
   EXPECT_EQ(slab_pieces(crossed_street(kZebra, map::kNoTactileSlabs), true), 0u);
-  EXPECT_EQ(slab_pieces(crossed_street(kZebra, map::kTactileSlabs | map::kLoweredKerb), false), 2u);
+  EXPECT_EQ(slab_pieces(crossed_street(kZebra, map::kTactileSlabs | map::kLoweredKerb), false), 4u);
   Road elsewhere = crossed_street(kZebra);
   elsewhere.country = map::CountryGroup::kTropicalAfrica;
   EXPECT_EQ(slab_pieces(elsewhere, true), 0u);
