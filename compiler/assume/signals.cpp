@@ -15,8 +15,8 @@ constexpr std::string_view kSignalsThing = "traffic_signals";
 constexpr double kStraightOn = -0.8, kAcross = 0.75;
 
 bool is_street_with_signals(const map::Track& track) {
-  const bool is_main = track.surface == map::LandCoverClass::kPrimaryRoad ||
-                       track.surface == map::LandCoverClass::kSecondaryRoad;
+  const bool is_main =
+      track.surface == map::LandCoverClass::kPrimaryRoad || track.surface == map::LandCoverClass::kSecondaryRoad;
   return is_main && track.passage == map::Passage::kGround && !track.is_roundabout && !track.is_link;
 }
 
@@ -60,9 +60,8 @@ struct Places {
   double radius_m = 0;
 
   int count_near(Vec2 p) const {
-    return static_cast<int>(std::ranges::count_if(boxes_about(grid, p), [&](std::uint32_t i) {
-      return distance(all[i], p) < radius_m;
-    }));
+    return static_cast<int>(
+        std::ranges::count_if(boxes_about(grid, p), [&](std::uint32_t i) { return distance(all[i], p) < radius_m; }));
   }
 };
 

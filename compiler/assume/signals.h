@@ -6,8 +6,8 @@
 //     ------+   +------     - at least kLeastHouses buildings stand within kHousesWithin_m;
 //           |   |           - no signals are mapped within kNoneMapped_m.
 //
-// Left out and assumed again in ten extracts, such nodes have mapped signals: Chicago 125 of 125, Boston 61 of 65, Berlin
-// 10 of 11, Helsinki 11 of 11, Nice 3 of 4, Dublin 12 of 13; of all junctions of streets there 19 to 66 % have.
+// Left out and assumed again in ten extracts, such nodes have mapped signals: Chicago 125 of 125, Boston 61 of 65,
+// Berlin 10 of 11, Helsinki 11 of 11, Nice 3 of 4, Dublin 12 of 13; of all junctions of streets there 19 to 66 % have.
 #pragma once
 
 #include <vector>
@@ -25,7 +25,7 @@ inline constexpr double kHousesWithin_m = 80;
 
 /// The tracks and things of a map with assumed signals.
 struct WithSignals {
-  std::vector<map::Track> tracks;        ///< With points of TrackPointKind::kSignals.
+  std::vector<map::Track> tracks;         ///< With points of TrackPointKind::kSignals.
   std::vector<map::ThingFeature> things;  ///< With things of kind "traffic_signals", sorted by id.
 };
 

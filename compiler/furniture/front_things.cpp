@@ -98,11 +98,11 @@ struct FrontDresser {
       for (double at_m = span.from_m; at_m + kind.width_m <= span.to_m && count < kMostAtFront;
            at_m += kind.width_m + kBetween_m) {
         const double middle_m = at_m + kind.width_m / 2;
-        const OrientedRect plan{.at = snapped(line.from + line.along * middle_m +
-                                              line.outward * (kFromWall_m + kind.depth_m / 2)),
-                                .ahead = line.outward,
-                                .length_m = kind.depth_m,
-                                .width_m = kind.width_m};
+        const OrientedRect plan{
+            .at = snapped(line.from + line.along * middle_m + line.outward * (kFromWall_m + kind.depth_m / 2)),
+            .ahead = line.outward,
+            .length_m = kind.depth_m,
+            .width_m = kind.width_m};
         if (!has_room(line, middle_m, kind) || !is_free(plan)) continue;
         add(plan, kind, building, draw);
         if (++count == 1 && is_single) return count;

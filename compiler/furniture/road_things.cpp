@@ -82,8 +82,7 @@ bool is_island(const map::TrackPoint& point) {
 }
 
 // The places of refuges along a road, in metres.
-std::vector<double> refuge_places(const Road& road, std::span<const roads::JunctionInterval> intervals,
-                                  double tile_m) {
+std::vector<double> refuge_places(const Road& road, std::span<const roads::JunctionInterval> intervals, double tile_m) {
   std::vector<double> places_m;
   const std::vector<double> along = roads::distances_along(road);
   for (const roads::RoadStretch& stretch : roads::stretches_of(road, intervals, tile_m))
@@ -155,10 +154,10 @@ struct WalkedStreets {
     const auto is_paving = [&](Vec2 p) { return is_walked_paving(recipes, p); };
     if (!is_paving(plan.at) || !std::ranges::all_of(corners_of(plan), is_paving)) return;
     if (overlaps_any(zones.things, plan, 0) || overlaps_any(standing, plan, 0) ||
-        !roadside::is_clear(zones.trunks, plan) ||
-        !roadside::is_clear(zones.lamps, plan))
+        !roadside::is_clear(zones.trunks, plan) || !roadside::is_clear(zones.lamps, plan) ||
+        !roadside::is_clear(zones.doors, plan))
       return;
-    if (!is_bollard && (!roadside::is_clear(zones.doors, plan) || !roadside::is_clear(zones.streets, plan))) return;
+    if (!is_bollard && !roadside::is_clear(zones.streets, plan)) return;
     made.push_back(std::move(thing));
   }
 
@@ -212,8 +211,8 @@ std::vector<things::Thing> things_of_walked_streets(const roadside::TileRecipes&
   const std::vector<std::vector<roads::Arm>> arms = roads::arms_of(recipes.junctions, recipes.roads);
   for (std::size_t j = 0; j < recipes.junctions.size(); ++j) {
     const std::vector<roads::Cut>& cuts = recipes.junctions[j].cuts;
-    const bool is_met = std::ranges::any_of(
-        arms[j], [&](const roads::Arm& arm) { return is_driven_street(recipes.roads[arm.road]); });
+    const bool is_met =
+        std::ranges::any_of(arms[j], [&](const roads::Arm& arm) { return is_driven_street(recipes.roads[arm.road]); });
     for (std::size_t a = 0; is_met && arms[j].size() == cuts.size() && a < cuts.size(); ++a)
       streets.add_mouth(arms[j][a], cuts[a]);
   }

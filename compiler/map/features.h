@@ -47,7 +47,7 @@ enum class TrackPointKind : std::uint8_t {
   kLevelCrossing,  ///< Rails that cross a road or path; the tracks of both have the point.
   kTurningCircle,  ///< A turning circle without an island.
   kMiniRoundabout,
-  kTurningLoop,  ///< A turning circle around an island.
+  kTurningLoop,    ///< A turning circle around an island.
   kPlainCrossing,  ///< A crossing on foot without paint.
   kHump,           ///< A hump or bump across the road.
   kSpeedTable,
@@ -214,8 +214,8 @@ inline constexpr std::size_t kBarrierKinds = 8;
 
 /// The name of a kind in output files, such as "RetainingWall".
 constexpr std::string_view name_of(BarrierKind kind) {
-  constexpr std::string_view kNames[] = {"Wall", "Fence", "Hedge", "RetainingWall", "GuardRail", "CityWall", "Railing",
-                                        "Kerb"};
+  constexpr std::string_view kNames[] = {"Wall",      "Fence",    "Hedge",   "RetainingWall",
+                                         "GuardRail", "CityWall", "Railing", "Kerb"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -28,8 +28,8 @@ KerbedSegments kerbed_segments(std::span<const roads::Road> roads) {
     const bool has_left = roads::raised_left_m(road) > 0, has_right = roads::raised_right_m(road) > 0;
     if (!map::is_street(road.surface) || (!has_left && !has_right)) continue;
     for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
-      found.all.push_back({road.axis[i], road.axis[i + 1], has_left ? roads::left_m(road) : 0,
-                           has_right ? roads::right_m(road) : 0});
+      found.all.push_back(
+          {road.axis[i], road.axis[i + 1], has_left ? roads::left_m(road) : 0, has_right ? roads::right_m(road) : 0});
       boxes.push_back(box_of_segment(road.axis[i], road.axis[i + 1])
                           .widened(std::max(found.all.back().left_m, found.all.back().right_m) + kSameKerbOutside_m));
     }

@@ -48,9 +48,9 @@ void add_diagonals(bool to_right, roads::Marks& marks) {
       const double u = std::clamp(shift_m + v_m + side * kHalfLine_m, 0.0, kBoxPanel_m);
       return to_right ? u : kBoxPanel_m - u;
     };
-    marks.push_back({{{u_m(low_m, -1), low_m}, {u_m(low_m, 1), low_m}, {u_m(high_m, 1), high_m},
-                      {u_m(high_m, -1), high_m}},
-                     roads::kYellow});
+    marks.push_back(
+        {{{u_m(low_m, -1), low_m}, {u_m(low_m, 1), low_m}, {u_m(high_m, 1), high_m}, {u_m(high_m, -1), high_m}},
+         roads::kYellow});
   }
 }
 
@@ -79,8 +79,8 @@ std::optional<roads::PieceFrame> frame_over(std::span<const Ring> rings, Vec2 al
 
 }  // namespace
 
-void add_box_junctions(std::span<const Road> roads, std::span<const roads::Junction> junctions,
-                       std::uint32_t first_run, LandCover& cover) {
+void add_box_junctions(std::span<const Road> roads, std::span<const roads::Junction> junctions, std::uint32_t first_run,
+                       LandCover& cover) {
   const auto arms = roads::arms_of(junctions, roads);
   for (std::size_t j = 0; j < junctions.size(); ++j) {
     if (arms[j].empty() || !has_box(junctions[j], roads, arms[j])) continue;

@@ -13,8 +13,7 @@ ground::GradedTerrain graded_terrain_of(const Header& header, const Chunk& chunk
   const std::vector<ground::LandCoverPolygon> surfaces = coarse_land_cover(chunk);
   const bool has_kerbs = has_detail(Detail::kRoadSurfaces, tolerance_m);
   std::vector<roads::KerbRamp> ramps;
-  if (has_kerbs)
-    ramps = roads::kerb_ramps_of(chunk.roads, chunk.junctions, header.tile_m, header.has_street_furniture);
+  if (has_kerbs) ramps = roads::kerb_ramps_of(chunk.roads, chunk.junctions, header.tile_m, header.has_street_furniture);
   return ground::grade_terrain<structures::Span>(chunk.heights,
                                                  {.roads = chunk.roads,
                                                   .streams = chunk.watercourses,

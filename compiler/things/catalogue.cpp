@@ -192,8 +192,8 @@ std::vector<RuleText> texts_for(const Catalogue& catalogue, const Kinds& kinds, 
   for (const Thing& thing : things) used.insert(thing.form.kind);
   std::vector<RuleText> texts;
   for (const auto& [name, kind] : kinds) {
-    if (!used.contains(name) && map::role_of(name) != map::ThingRole::kCar && !is_street_kind(name) && !is_front_kind(name) &&
-        !is_yard_kind(name))
+    if (!used.contains(name) && map::role_of(name) != map::ThingRole::kCar && !is_street_kind(name) &&
+        !is_front_kind(name) && !is_yard_kind(name))
       continue;
     texts.push_back({name, kind.row.line});
     files.insert(kind.rules.files.begin(), kind.rules.files.end());

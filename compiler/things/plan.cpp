@@ -151,9 +151,7 @@ std::set<std::string> kinds_in_centres(std::span<const roads::Road> roads,
     for (const buildings::Front& front : building.fronts)
       for (const FrontThingKind& kind : kFrontThings)
         if (kind.front == front.kind) names.emplace(kind.name);
-  const auto is_walked = [](const roads::Road& road) {
-    return road.surface == map::LandCoverClass::kPedestrianStreet;
-  };
+  const auto is_walked = [](const roads::Road& road) { return road.surface == map::LandCoverClass::kPedestrianStreet; };
   if (std::ranges::any_of(roads, is_walked)) names.emplace(kBollard), names.emplace(kPlanter);
   return names;
 }

@@ -40,8 +40,7 @@ EdgedSegments edged_segments(std::span<const roads::Road> roads) {
                  right_m = roads::right_m(road) + roads::paved_right_m(road);
     for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
       found.all.push_back({road.axis[i], road.axis[i + 1], left_m, right_m});
-      boxes.push_back(
-          box_of_segment(road.axis[i], road.axis[i + 1]).widened(std::max(left_m, right_m) + kWidestGap_m));
+      boxes.push_back(box_of_segment(road.axis[i], road.axis[i + 1]).widened(std::max(left_m, right_m) + kWidestGap_m));
     }
   }
   found.grid = grid_of(boxes, kBucket_m);

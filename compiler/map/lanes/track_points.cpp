@@ -180,7 +180,8 @@ std::vector<TrackPoint> points_of(const ReadContext& context, const source::Way&
     const NodeMark first{nodes[i].id, {}, -1};
     for (auto mark = std::lower_bound(marks.begin(), marks.end(), first);
          mark != marks.end() && mark->node_id == nodes[i].id; ++mark)
-      points.push_back({.vertex = line.vertices[i], .kind = mark->kind, .facing = mark->facing, .traits = mark->traits});
+      points.push_back(
+          {.vertex = line.vertices[i], .kind = mark->kind, .facing = mark->facing, .traits = mark->traits});
   }
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());

@@ -14,9 +14,7 @@ namespace {
 
 constexpr std::uint8_t kAnyMappedKerb = map::kLoweredKerb | map::kFlushKerb | map::kRaisedKerb;
 
-bool is_dropped(const RoadStretch& stretch) {
-  return (stretch.traits & (map::kLoweredKerb | map::kFlushKerb)) != 0;
-}
+bool is_dropped(const RoadStretch& stretch) { return (stretch.traits & (map::kLoweredKerb | map::kFlushKerb)) != 0; }
 
 bool is_painted_crossing(const RoadStretch& stretch) {
   return stretch.stretch == StretchKind::kZebra || stretch.stretch == StretchKind::kCrossing;
@@ -33,8 +31,8 @@ std::uint8_t with_usual_traits(std::uint8_t traits, map::CountryGroup country, S
 // Replaces a part of a stretch by copies of it, of which `change` alters the middle one.
 template <typename Change>
 void cut_out(std::vector<RoadStretch>& stretches, double from_m, double to_m, Change change) {
-  const auto about = std::ranges::find_if(
-      stretches, [&](const RoadStretch& s) { return s.from_m <= from_m && to_m <= s.to_m; });
+  const auto about =
+      std::ranges::find_if(stretches, [&](const RoadStretch& s) { return s.from_m <= from_m && to_m <= s.to_m; });
   if (about == stretches.end() || is_painted_crossing(*about)) return;
   const RoadStretch whole = *about;
   const auto place = stretches.erase(about);
@@ -63,8 +61,7 @@ void add_plain_crossings(const Road& road, std::span<const JunctionInterval> int
     const double from_m = along[point.vertex] - kPlainCrossing_m / 2, to_m = from_m + kPlainCrossing_m;
     if (is_in_junction(intervals, from_m - kKerbRamp_m, to_m + kKerbRamp_m)) continue;
     cut_out(stretches, from_m, to_m, [&](RoadStretch& middle) {
-      middle.traits =
-          assumes ? with_usual_traits(point.traits, road.country, StretchKind::kAlong) : point.traits;
+      middle.traits = assumes ? with_usual_traits(point.traits, road.country, StretchKind::kAlong) : point.traits;
     });
   }
 }

@@ -1,6 +1,7 @@
 // Dropped kerbs: where people cross a street, the kerb and the pavement behind it are lower.
 //
-//     pavement  ────────┐          ┌────────      Along the kerb it falls over kKerbRamp_m on both sides, and across the
+//     pavement  ────────┐          ┌────────      Along the kerb it falls over kKerbRamp_m on both sides, and across
+//     the
 //               ────────╲__________╱────────      pavement it rises to the outer edge.
 //                 ramp    crossing   ramp
 #pragma once
@@ -21,8 +22,8 @@ inline constexpr double kKerbLip_m = 0.025;
 /// The length of a kerb that is lowered where people cross without paint, in metres.
 inline constexpr double kPlainCrossing_m = 2.5;
 
-/// Returns the stretches of a road with its dropped kerbs: crossings without paint have a stretch of their own, which is
-/// painted as the road about it, and stretches are cut where a ramp begins.
+/// Returns the stretches of a road with its dropped kerbs: crossings without paint have a stretch of their own, which
+/// is painted as the road about it, and stretches are cut where a ramp begins.
 ///
 /// @param stretches  Result of stretches_of().
 /// @param intervals  The road's entry of junction_intervals_of(). Unpainted crossings in junctions are left out.

@@ -32,8 +32,8 @@ std::set<OsmId> owners_of_pieces(const scene::Chunk& chunk) {
 // Refuges stand in carriageways, where they are mapped.
 bool is_street_piece(std::string_view kind) {
   return kind != things::kRefuge &&
-         (things::is_front_kind(kind) || std::ranges::find(things::kStreetKinds, kind, &things::StreetKind::name) !=
-                                             std::end(things::kStreetKinds));
+         (things::is_front_kind(kind) ||
+          std::ranges::find(things::kStreetKinds, kind, &things::StreetKind::name) != std::end(things::kStreetKinds));
 }
 
 // The pieces that descend from roads and buildings; mapped ones have elements of their own.

@@ -85,7 +85,8 @@ std::vector<things::Thing> on_walked_street(map::LandCoverClass land, map::Count
                                       .tile_m = 512};
   std::vector<things::Thing> all;
   for (std::uint64_t seed = 0; seed < 8; ++seed)
-    for (things::Thing& thing : things_of_walked_streets(recipes, roadside::clear_zones_of(recipes), {}, seed, kRoadTile))
+    for (things::Thing& thing :
+         things_of_walked_streets(recipes, roadside::clear_zones_of(recipes), {}, seed, kRoadTile))
       all.push_back(std::move(thing));
   return all;
 }

@@ -9,9 +9,8 @@ namespace {
 
 // "1zebra^ 2signals": vertex, kind, and ^ along or v against the way.
 std::string text_of_points(const Track& track) {
-  constexpr const char* kNames[] = {"zebra", "crossing", "signals", "stop", "give_way",
-                                    "level", "turning",  "mini",    "loop", "plain",
-                                    "hump",  "table",    "cushions", "island"};
+  constexpr const char* kNames[] = {"zebra", "crossing", "signals", "stop", "give_way", "level",    "turning",
+                                    "mini",  "loop",     "plain",   "hump", "table",    "cushions", "island"};
   std::string text;
   for (const TrackPoint& point : track.points)
     text += fmt::format("{}{}{}{}", text.empty() ? "" : " ", point.vertex, kNames[static_cast<int>(point.kind)],

@@ -19,8 +19,7 @@ JunctionInterval junction_at(double at_m, double reach_m) {
 
 // "along 0-80, end 80-92 …"
 std::string text_of_stretches(const std::vector<RoadStretch>& runs) {
-  constexpr const char* kNames[] = {"along", "start", "end", "zebra", "crossing", "level",
-                                    "hump",  "table", "cushions"};
+  constexpr const char* kNames[] = {"along", "start", "end", "zebra", "crossing", "level", "hump", "table", "cushions"};
   std::string text;
   for (const RoadStretch& run : runs)
     text += (text.empty() ? "" : ", ") + std::string(kNames[static_cast<int>(run.stretch)]) + " " +
