@@ -15,6 +15,7 @@
 #include "compiler/fields/add_fields.h"
 #include "compiler/ground/correction/corrected_land.h"
 #include "compiler/ground/correction/known_waters.h"
+#include "compiler/ground/cover/close_gaps.h"
 #include "compiler/ground/landforms/plan_landforms.h"
 #include "compiler/ground/levelling/airports.h"
 #include "compiler/ground/profiles/plan_paths.h"
@@ -190,7 +191,7 @@ void plan_lines(const map::FeatureView& features, const roads::RoadPlan& planned
   ground.landforms = ground::plan_landforms(features, ground.surfaces, ground.streams, ground.heights, report);
 }
 
-PlannedGround plan_ground(const map::FeatureView& features, const roads::RoadPlan& planned,
+PlannedGround plan_ground(const CompileSpec& spec, const map::FeatureView& features, const roads::RoadPlan& planned,
                           const map::Heightfield& heights, const Survey* survey, StageTimer& timer, Report& report) {
   PlannedGround ground;
   timer.enter("land cover and water");
@@ -203,6 +204,8 @@ PlannedGround plan_ground(const map::FeatureView& features, const roads::RoadPla
   ground.profiles = ground::plan_paths(features, std::move(ground.profiles), terrain, report);
   ground.measured = ground::measure_profiles(features, ground.profiles);
   ground.surfaces = ground::with_pool_rims(std::move(ground.surfaces));
+  if (has(spec.assume, Assumption::kPavements))
+    ground.surfaces = ground::with_closed_gaps(std::move(ground.surfaces), planned.roads);
   return ground;
 }
 
@@ -273,7 +276,7 @@ Result<Standing> plan_standing(const CompileSpec& spec, const map::FeatureView& 
   standing.plants = plants::plan(features, land.ground.surfaces, land.roads, land.ground.heights, report, spec.assume,
                                  tables.species.table);
   timer.enter("props");
-  standing.props = props::plan(features, report);
+  standing.props = props::plan(features, land.roads, report);
   timer.enter("things");
   standing.pitches = pitches::plan(features, tables.catalogue.table);
   Result<things::ThingPlan> things =
@@ -333,7 +336,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
 
   // the ground: land cover and all heights
   const auto [land_heights, surfaces, streams, landforms, profiles, measured] =
-      plan_ground(features, planned, heights, survey, timer, report);
+      plan_ground(spec, features, planned, heights, survey, timer, report);
   const WholeGround ground{.heights = land_heights,
                            .surfaces = surfaces,
                            .roads = profiles.roads,

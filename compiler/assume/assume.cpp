@@ -13,6 +13,7 @@
 #include "compiler/assume/parking.h"
 #include "compiler/assume/pavements.h"
 #include "compiler/assume/roofs.h"
+#include "compiler/assume/signals.h"
 #include "compiler/assume/surfaces.h"
 #include "compiler/assume/verges.h"
 
@@ -37,6 +38,7 @@ std::vector<map::Footprint> assume_styles(std::span<const map::Footprint> footpr
 map::FeatureView seen_with(map::FeatureView features, const Assumed& assumed) {
   features.tracks = assumed.tracks, features.footprints = assumed.footprints, features.fronts = assumed.fronts;
   features.waterways = assumed.waterways, features.barriers = assumed.barriers;
+  features.things = assumed.things;
   return features;
 }
 
@@ -47,8 +49,13 @@ Assumed assume(const map::FeatureView& mapped, const Settings& settings, Report&
                .footprints = {mapped.footprints.begin(), mapped.footprints.end()},
                .fronts = {},
                .waterways = {mapped.waterways.begin(), mapped.waterways.end()},
-               .barriers = {mapped.barriers.begin(), mapped.barriers.end()}};
+               .barriers = {mapped.barriers.begin(), mapped.barriers.end()},
+               .things = {mapped.things.begin(), mapped.things.end()}};
   const auto seen = [&] { return seen_with(mapped, made); };
+  if (is_on(Assumption::kRoadsides)) {
+    WithSignals signals = assume_signals(seen(), report);
+    made.tracks = std::move(signals.tracks), made.things = std::move(signals.things);
+  }
   if (is_on(Assumption::kHeights)) made.footprints = assume_heights(seen(), settings.seed, report);
   // by the assumed storeys
   if (is_on(Assumption::kRoofs)) made.footprints = assume_roofs(seen(), settings.seed, report);

@@ -25,6 +25,7 @@ struct Assumed {
   std::vector<map::FrontPoint> fronts;
   std::vector<map::Waterway> waterways;
   std::vector<map::Barrier> barriers;
+  std::vector<map::ThingFeature> things;
 };
 
 /// Returns the features with these lists in place of the map's. `assumed` must outlive the result.
@@ -34,9 +35,9 @@ map::FeatureView seen_with(map::FeatureView features, const Assumed& assumed);
 /// feature, and the report counts these features. No property that a tag states is changed. Ways of more than
 /// kLongestWhole_m (pavements.h) may become several tracks. If Settings::on is kNoAssumptions, only widths are fitted.
 ///
-/// The steps run in this order: widths (fit_widths.h), storeys, roofs, pavements, pavements of bridges, verges,
-/// parking, surfaces, lamps, avenues, shop fronts, styles, curves, closed frontages (frontages.h). Roofs and shop
-/// fronts depend on assumed storeys, bridges and verges on assumed pavements, lamps on assumed surfaces.
+/// The steps run in this order: widths (fit_widths.h), signals, storeys, roofs, pavements, pavements of bridges,
+/// verges, parking, surfaces, lamps, avenues, shop fronts, styles, curves, closed frontages (frontages.h). Roofs and
+/// shop fronts depend on assumed storeys, bridges and verges on assumed pavements, lamps on assumed surfaces.
 ///
 /// Each assumption is local: it depends on what is mapped within the radius that its header states, and on the earlier
 /// steps that it reads within this radius. The order of the features does not matter, except where areas of equal size

@@ -129,7 +129,7 @@ struct Indexer {
   }
   // guard rails stand on the road
   void add_barrier(const map::Barrier& barrier) {
-    if (barrier.kind == map::BarrierKind::kGuardRail) return;
+    if (barrier.kind == map::BarrierKind::kGuardRail || barrier.kind == map::BarrierKind::kKerb) return;
     for (std::size_t i = 0; i + 1 < barrier.axis.size(); ++i)
       add({.a = barrier.axis[i],
            .b = barrier.axis[i + 1],

@@ -50,7 +50,7 @@ std::vector<Thing> things_of(const map::FeatureView& features) {
   for (const map::TreeRow& row : features.tree_rows) things.push_back({places_along(row.axis), kTreeFromKerb_m});
   // guard rails stand on the road
   for (const map::Barrier& barrier : features.barriers)
-    if (barrier.kind != map::BarrierKind::kGuardRail)
+    if (barrier.kind != map::BarrierKind::kGuardRail && barrier.kind != map::BarrierKind::kKerb)
       things.push_back({places_along(barrier.axis), kThingFromKerb_m + barrier.width_m / 2});
   return things;
 }

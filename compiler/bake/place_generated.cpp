@@ -9,6 +9,8 @@
 #include "compiler/cars/car_mesh.h"
 #include "compiler/cars/moving_cars.h"
 #include "compiler/cars/parked_cars.h"
+#include "compiler/furniture/front_things.h"
+#include "compiler/furniture/road_things.h"
 #include "compiler/furniture/street_furniture.h"
 #include "compiler/furniture/street_trees.h"
 #include "compiler/furniture/utility_poles.h"
@@ -129,9 +131,20 @@ struct Generator {
         add_car(std::move(*standing));
   }
 
-  void add_furniture() {
-    for (const things::Thing& piece : furniture::street_furniture(recipes, zones, header.seed, box))
+  void add_upright(std::span<const things::Thing> pieces) {
+    for (const things::Thing& piece : pieces)
       if (has_rules(header, piece.form)) made.placed.push_back(upright(piece, ground));
+  }
+
+  void add_furniture() {
+    std::vector<OrientedRect> standing;
+    const auto add = [&](const std::vector<things::Thing>& pieces) {
+      for (const things::Thing& piece : pieces) standing.push_back(roadside::plan_of(piece));
+      add_upright(pieces);
+    };
+    add(furniture::street_furniture(recipes, zones, header.seed, box));
+    add(furniture::front_things(recipes, zones, index_rects(standing), header.seed, box));
+    add(furniture::things_of_walked_streets(recipes, zones, index_rects(standing), header.seed, box));
   }
 
   void add_yard_things() {
@@ -179,6 +192,7 @@ GeneratedThings place_generated(const scene::Header& header, const scene::Chunk&
   if (wanted.cars && cars::has_cars(header.cars)) generator.add_cars();
   if (wanted.cars && cars::has_cars(header.traffic)) generator.add_traffic();
   if (wanted.furniture) generator.add_yard_things();
+  if (wanted.furniture) generator.add_upright(furniture::refuges(generator.recipes, box));
   if (wanted.furniture && header.has_street_furniture) generator.add_furniture(), generator.add_poles();
   return std::move(generator.made);
 }

@@ -166,7 +166,8 @@ MappedThings mapped_things(const map::FeatureView& features, std::span<const Roa
     const bool is_private = std::ranges::binary_search(private_ways, road.id.osm);
     add_road(road, is_private ? drives : group == LandCoverGroup::kPath ? paths : streets);
   }
-  for (const map::Barrier& barrier : features.barriers) add_line(barrier.axis, barrier.width_m / 2, barriers);
+  for (const map::Barrier& barrier : features.barriers)
+    if (barrier.kind != map::BarrierKind::kKerb) add_line(barrier.axis, barrier.width_m / 2, barriers);
   for (const map::PointFeature& point : features.points)
     if (point.kind == map::PointKind::kTree) trees.push_back({point.at, point.at, 0});
   for (const map::TreeRow& row : features.tree_rows) add_line(row.axis, 0, trees);

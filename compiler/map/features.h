@@ -47,8 +47,23 @@ enum class TrackPointKind : std::uint8_t {
   kLevelCrossing,  ///< Rails that cross a road or path; the tracks of both have the point.
   kTurningCircle,  ///< A turning circle without an island.
   kMiniRoundabout,
-  kTurningLoop,  ///< A turning circle around an island.
+  kTurningLoop,    ///< A turning circle around an island.
+  kPlainCrossing,  ///< A crossing on foot without paint.
+  kHump,           ///< A hump or bump across the road.
+  kSpeedTable,
+  kSpeedCushions,  ///< Humps side by side with gaps, which buses drive over.
+  kIsland,         ///< An island between the directions.
   kCount
+};
+
+/// Bits: what tags say of a crossing.
+enum CrossingTrait : std::uint8_t {
+  kLoweredKerb = 1,  ///< kerb=lowered: the kerb is a few centimetres high.
+  kFlushKerb = 2,    ///< kerb=flush: it is as low as the carriageway.
+  kRaisedKerb = 4,   ///< kerb=raised: it is as high as elsewhere.
+  kTactileSlabs = 8,
+  kNoTactileSlabs = 16,
+  kCrossingIsland = 32,  ///< An island halfway.
 };
 
 /// A marked node of a track.
@@ -59,6 +74,7 @@ struct TrackPoint {
   /// kLevelCrossing on rails: the length of rails on either side that the crossing ways cover, in quarters of a metre.
   /// Set by roads::roads_on_ground(), 0 before.
   std::uint8_t reach_quarters = 0;
+  std::uint8_t traits = 0;  ///< Bits of CrossingTrait: what tags say of a crossing.
   auto operator<=>(const TrackPoint&) const = default;
 };
 
@@ -192,13 +208,14 @@ struct Waterway {
 /// The form of a barrier.
 ///
 /// Lines of the map are never kRailing: these are assumed along drops (things/railings.h).
-enum class BarrierKind : std::uint8_t { kWall, kFence, kHedge, kRetainingWall, kGuardRail, kCityWall, kRailing };
+enum class BarrierKind : std::uint8_t { kWall, kFence, kHedge, kRetainingWall, kGuardRail, kCityWall, kRailing, kKerb };
 /// The number of kinds.
-inline constexpr std::size_t kBarrierKinds = 7;
+inline constexpr std::size_t kBarrierKinds = 8;
 
 /// The name of a kind in output files, such as "RetainingWall".
 constexpr std::string_view name_of(BarrierKind kind) {
-  constexpr std::string_view kNames[] = {"Wall", "Fence", "Hedge", "RetainingWall", "GuardRail", "CityWall", "Railing"};
+  constexpr std::string_view kNames[] = {"Wall",      "Fence",    "Hedge",   "RetainingWall",
+                                         "GuardRail", "CityWall", "Railing", "Kerb"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -70,7 +70,7 @@ std::vector<lots::Capsule> obstacles_of(const StreetLife& life) {
   }
   for (const Vec2 trunk : life.trunks) all.push_back({trunk, trunk, kTrunkRadius_m});
   for (const props::Barrier& barrier : life.barriers)
-    for (std::size_t i = 0; i + 1 < barrier.axis.size(); ++i)
+    for (std::size_t i = 0; barrier.kind != map::BarrierKind::kKerb && i + 1 < barrier.axis.size(); ++i)
       all.push_back({barrier.axis[i], barrier.axis[i + 1], barrier.width_m / 2});
   return all;
 }

@@ -7,6 +7,7 @@
 
 #include "compiler/geometry/polygons/clip_polyline.h"
 #include "compiler/map/plane/plane.h"
+#include "compiler/props/mapped_kerbs.h"
 
 namespace citykiln::props {
 namespace {
@@ -38,10 +39,18 @@ void add_barrier(const map::Barrier& barrier, const Box2& extent, Props& props, 
 
 }  // namespace
 
-Props plan(const map::FeatureView& features, Report& report) {
+Props plan(const map::FeatureView& features, std::span<const roads::Road> roads, Report& report) {
   Props props;
   Account barriers, points;
-  for (const map::Barrier& barrier : features.barriers) add_barrier(barrier, features.extent, props, barriers, report);
+  const std::vector<bool> are_of_streets = kerbs_of_streets(features.barriers, roads);
+  for (std::size_t i = 0; i < features.barriers.size(); ++i) {
+    const map::Barrier& barrier = features.barriers[i];
+    if (!are_of_streets[i]) {
+      add_barrier(barrier, features.extent, props, barriers, report);
+    } else if (report.counts(barrier.id.osm)) {
+      ++barriers.in, ++barriers.merged;
+    }
+  }
   for (const map::PointFeature& point : features.points) {
     if (is_of_other_room(point.kind)) continue;
     points.in += report.counts(point.id.osm);

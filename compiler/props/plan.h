@@ -1,11 +1,13 @@
 // Plans props: barriers and mapped lamps.
 #pragma once
 
+#include <span>
 #include <tuple>
 #include <vector>
 
 #include "compiler/contract/findings/report.h"
 #include "compiler/props/recipe.h"
+#include "compiler/roads/recipe.h"
 
 namespace citykiln::props {
 
@@ -22,7 +24,9 @@ bool has_hedges(const Props& props);
 inline auto order_of(const Barrier& barrier) { return std::tie(barrier.id, barrier.axis); }
 
 /// Returns the props of a map. A barrier that leaves the extent is cut 4 m outside of it; its parts are numbered along
-/// it. Ledger "props/barrier", "props/point". Props outside of the extent are dropped as kOutsideBounds. Cannot fail.
-Props plan(const map::FeatureView& features, Report& report);
+/// it. Mapped kerbs that are those of a street (mapped_kerbs.h) are merged with it. Ledger "props/barrier",
+/// "props/point". Props outside of the extent are dropped as kOutsideBounds. Cannot fail.
+/// @param roads  The streets on the ground.
+Props plan(const map::FeatureView& features, std::span<const roads::Road> roads, Report& report);
 
 }  // namespace citykiln::props

@@ -120,9 +120,11 @@ std::vector<lots::Capsule> stop_zones(std::span<const things::Thing> things) {
 
 std::vector<lots::Capsule> barrier_zones(std::span<const props::Barrier> barriers) {
   std::vector<lots::Capsule> clear;
-  for (const props::Barrier& barrier : barriers)
+  for (const props::Barrier& barrier : barriers) {
+    if (barrier.kind == map::BarrierKind::kKerb) continue;
     for (std::size_t i = 0; i + 1 < barrier.axis.size(); ++i)
       clear.push_back({barrier.axis[i], barrier.axis[i + 1], kBarrier_m + barrier.width_m / 2});
+  }
   return clear;
 }
 

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "compiler/contract/detail_tolerances.h"
+#include "compiler/roads/pieces/dropped_kerbs.h"
 #include "compiler/scene/land_cover.h"
 
 namespace citykiln::scene {
@@ -10,13 +11,17 @@ namespace citykiln::scene {
 ground::GradedTerrain graded_terrain_of(const Header& header, const Chunk& chunk, double tolerance_m) {
   assert(tolerance_m > 0);
   const std::vector<ground::LandCoverPolygon> surfaces = coarse_land_cover(chunk);
+  const bool has_kerbs = has_detail(Detail::kRoadSurfaces, tolerance_m);
+  std::vector<roads::KerbRamp> ramps;
+  if (has_kerbs) ramps = roads::kerb_ramps_of(chunk.roads, chunk.junctions, header.tile_m, header.has_street_furniture);
   return ground::grade_terrain<structures::Span>(chunk.heights,
                                                  {.roads = chunk.roads,
                                                   .streams = chunk.watercourses,
                                                   .surfaces = surfaces,
                                                   .box = box_of(header, chunk.tile).widened(ground::kGrading_m),
-                                                  .has_kerbs = has_detail(Detail::kRoadSurfaces, tolerance_m),
-                                                  .landforms = chunk.landforms},
+                                                  .has_kerbs = has_kerbs,
+                                                  .landforms = chunk.landforms,
+                                                  .kerb_ramps = ramps},
                                                  chunk.bridges, chunk.tunnels);
 }
 

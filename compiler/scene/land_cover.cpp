@@ -12,9 +12,11 @@
 #include "compiler/roads/junctions/corner_pavements.h"
 #include "compiler/roads/junctions/through_road.h"
 #include "compiler/roads/network.h"
+#include "compiler/roads/pieces/dropped_kerbs.h"
 #include "compiler/roads/pieces/islands.h"
 #include "compiler/roads/pieces/lane_changes.h"
 #include "compiler/roads/pieces/lane_strips.h"
+#include "compiler/scene/box_junctions.h"
 
 namespace citykiln::scene {
 namespace {
@@ -216,7 +218,8 @@ LandCover land_cover_of(const Header& header, const Chunk& chunk, double toleran
   std::uint32_t next_run = 0;
   for (std::size_t i = 0; i < chunk.roads.size(); ++i) {
     const roads::Road& road = chunk.roads[i];
-    const auto stretches = roads::stretches_of(road, gaps[i], header.tile_m);
+    const auto stretches = roads::with_dropped_kerbs(road, roads::stretches_of(road, gaps[i], header.tile_m), gaps[i],
+                                                     header.has_street_furniture);
     next_run = add_pieces(road, roads::pieces_of(road, ends[i], stretches, changes[i], header.tile_m, tolerance_m),
                           next_run, cover);
   }
@@ -224,6 +227,7 @@ LandCover land_cover_of(const Header& header, const Chunk& chunk, double toleran
   for (const pitches::Pitch& pitch : chunk.pitches)
     if (const LandCoverPolygon* area = area_of(pitch, chunk.surfaces))
       next_run = add_panels(pitch, *area, tile, tolerance_m, next_run, cover);
+  add_box_junctions(chunk.roads, chunk.junctions, next_run, cover);
   sort_and_join(cover.surfaces);
   return cover;
 }

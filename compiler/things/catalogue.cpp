@@ -9,6 +9,7 @@
 
 #include "compiler/contract/texts/parse.h"
 #include "compiler/map/things/thing_role.h"
+#include "compiler/things/front_kinds.h"
 #include "compiler/things/street_kinds.h"
 #include "compiler/things/yard_kinds.h"
 #include "grammars/language/builtin.h"
@@ -192,7 +193,7 @@ std::vector<RuleText> texts_for(const Catalogue& catalogue, const Kinds& kinds, 
   std::vector<RuleText> texts;
   for (const auto& [name, kind] : kinds) {
     if (!used.contains(name) && map::role_of(name) != map::ThingRole::kCar && !is_street_kind(name) &&
-        !is_yard_kind(name))
+        !is_front_kind(name) && !is_yard_kind(name))
       continue;
     texts.push_back({name, kind.row.line});
     files.insert(kind.rules.files.begin(), kind.rules.files.end());

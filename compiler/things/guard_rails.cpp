@@ -41,7 +41,8 @@ struct GuardObstacles {
 
 GuardObstacles guard_obstacles(const map::FeatureView& features, std::span<const roads::Road> roads) {
   GuardObstacles found;
-  for (const map::Barrier& barrier : features.barriers) found.add(barrier.axis, 3);
+  for (const map::Barrier& barrier : features.barriers)
+    if (barrier.kind != map::BarrierKind::kKerb) found.add(barrier.axis, 3);
   for (const map::Footprint& footprint : features.footprints) {
     if (footprint.polygon.outer.empty()) continue;
     Ring ring = footprint.polygon.outer;

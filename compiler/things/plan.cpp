@@ -14,6 +14,7 @@
 #include "compiler/map/things/thing_role.h"
 #include "compiler/things/facing.h"
 #include "compiler/things/free_places.h"
+#include "compiler/things/front_kinds.h"
 #include "compiler/things/guard_rails.h"
 #include "compiler/things/junction_signals.h"
 #include "compiler/things/on_roofs.h"
@@ -142,6 +143,28 @@ bool has_pavements(std::span<const roads::Road> roads) {
       roads, [&](const roads::Road& road) { return std::ranges::any_of(road.section.lanes, is_pavement); });
 }
 
+// The kinds that may be assumed before fronts and in streets for walkers.
+std::set<std::string> kinds_in_centres(std::span<const roads::Road> roads,
+                                       std::span<const buildings::Building> buildings) {
+  std::set<std::string> names;
+  for (const buildings::Building& building : buildings)
+    for (const buildings::Front& front : building.fronts)
+      for (const FrontThingKind& kind : kFrontThings)
+        if (kind.front == front.kind) names.emplace(kind.name);
+  const auto is_walked = [](const roads::Road& road) { return road.surface == map::LandCoverClass::kPedestrianStreet; };
+  if (std::ranges::any_of(roads, is_walked)) names.emplace(kBollard), names.emplace(kPlanter);
+  return names;
+}
+
+// True if an island is mapped: refuges stand there.
+bool has_islands(std::span<const roads::Road> roads) {
+  const auto is_island = [](const map::TrackPoint& point) {
+    return point.kind == map::TrackPointKind::kIsland || (point.traits & map::kCrossingIsland) != 0;
+  };
+  return std::ranges::any_of(roads,
+                             [&](const roads::Road& road) { return std::ranges::any_of(road.points, is_island); });
+}
+
 // The kinds that may be assumed along roads.
 std::set<std::string> assumed_kinds(std::span<const roads::Road> roads) {
   std::set<std::string> names;
@@ -258,6 +281,8 @@ Result<ThingPlan> plan(const map::FeatureView& features, const ThingInputs& inpu
   std::set<std::string> names = kind_names(seen, catalogue.table);
   for (const Thing& mast : plan.contact_lines.masts) names.insert(mast.form.kind);
   if (has(assumed, Assumption::kRoadsides)) names.merge(assumed_kinds(roads));
+  if (has(assumed, Assumption::kRoadsides)) names.merge(kinds_in_centres(roads, buildings));
+  if (has_islands(roads)) names.emplace(kRefuge);
   if (has(assumed, Assumption::kYards) && !buildings.empty()) {
     for (const YardKind& kind : kYardKinds) names.emplace(kind.name);
     names.emplace(kYardGate);

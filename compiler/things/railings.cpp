@@ -63,6 +63,7 @@ void add_doors(const buildings::Building& building, std::vector<Obstacle>& all) 
 Obstacles obstacles_of(const map::FeatureView& features, const RailingSurroundings& around) {
   Obstacles found;
   for (const map::Barrier& barrier : features.barriers) {
+    if (barrier.kind == map::BarrierKind::kKerb) continue;
     const bool retains = barrier.kind == map::BarrierKind::kRetainingWall;
     add_line(barrier.axis, {.radius_m = kRailingClear_m, .above_foot_m = retains ? barrier.height_m : 0}, found.all);
   }

@@ -65,17 +65,22 @@ void serialise(auto& io, RoadKind& k) {
   }
 }
 
-// Kind and direction as one number.
+// Traits, kind and direction as one number.
 void serialise(auto& io, map::TrackPoint& p) {
-  constexpr std::uint64_t kFacings = 3;
+  constexpr std::uint64_t kFacings = 3, kKinds = 16, kTraits = 64;
+  static_assert(static_cast<std::uint64_t>(map::TrackPointKind::kCount) <= kKinds);
   io.number("track vertex", p.vertex);
-  auto sign = static_cast<std::uint64_t>(p.kind) * kFacings + static_cast<std::uint64_t>(p.facing + 1);
+  auto sign = (std::uint64_t{p.traits} * kKinds + static_cast<std::uint64_t>(p.kind)) * kFacings +
+              static_cast<std::uint64_t>(p.facing + 1);
   io.number("track sign", sign);
   MixedRadix packed{sign};
   p.facing = static_cast<std::int8_t>(static_cast<int>(packed.take(kFacings)) - 1);
-  p.kind = static_cast<map::TrackPointKind>(packed.number);
+  const std::uint64_t kind = packed.take(kKinds);
+  p.kind = static_cast<map::TrackPointKind>(kind);
+  p.traits = static_cast<std::uint8_t>(packed.number);
   if constexpr (std::remove_reference_t<decltype(io)>::kReads)
-    if (packed.number >= static_cast<std::uint64_t>(map::TrackPointKind::kCount)) io.fail("track sign");
+    if (kind >= static_cast<std::uint64_t>(map::TrackPointKind::kCount) || packed.number >= kTraits)
+      io.fail("track sign");
   if (p.kind == map::TrackPointKind::kLevelCrossing) io.number("crossing reach", p.reach_quarters);
 }
 

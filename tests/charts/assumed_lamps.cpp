@@ -112,7 +112,7 @@ LampsByStreet lamps_by_street(const std::vector<Road>& roads, const std::vector<
 LampsByStreet built_lamps(const map::Features& features) {
   Report ignored;
   const std::vector<Road> roads = roads::roads_on_ground(features, ignored);
-  const std::vector<props::Lamp> mapped = props::plan(features, ignored).lamps;
+  const std::vector<props::Lamp> mapped = props::plan(features, {}, ignored).lamps;
   scene::CoverRecipes recipes{
       .areas = {}, .roads = roads, .junctions = {}, .watercourses = {}, .landforms = {}, .footprints = {}};
   for (const map::Footprint& footprint : features.footprints)

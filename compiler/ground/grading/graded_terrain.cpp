@@ -182,6 +182,7 @@ GradedTerrain::GradedTerrain(map::Heightfield&& field) : terrain(std::move(field
 GradedTerrain grade_terrain(map::Heightfield terrain, const GradingInputs& parts) {
   GradedTerrain graded(std::move(terrain));
   graded.roads = index_road_influence(parts.roads, parts.has_kerbs);
+  graded.kerb_ramps = roads::index_kerb_ramps({parts.kerb_ramps.begin(), parts.kerb_ramps.end()});
   graded.decks = index_span_influence(parts.decks), graded.bores = index_span_influence(parts.bores);
   graded.landforms = index_landforms(parts.landforms);
   // an index knows no borders outside its box, and places at its sides depend on what lies beyond
@@ -211,7 +212,8 @@ HeightSample sample_heights(const GradedTerrain& graded, Vec2 p) {
   const double below_decks_m = within_bounds(bounds, land.land_m), land_m = std::max(below_decks_m, land.deck_m);
   const double share = road_share(influences), road_m = land_m + (road.z_m - land_m) * share;
   const double water_m = water ? land_m + (water->z_m - land_m) * grading_share(water->shore_m) : below_decks_m;
-  return {{land_m, road_m, road_m - road.kerb_m * share, water_m}, terrain_m};
+  const double kerb_m = road.kerb_m * share;
+  return {{land_m, road_m - roads::dropped_m(graded.kerb_ramps, p, kerb_m), road_m - kerb_m, water_m}, terrain_m};
 }
 
 Heights heights_at(const GradedTerrain& graded, Vec2 p) { return sample_heights(graded, p).heights; }

@@ -42,6 +42,7 @@
 #include "compiler/ground/recipe.h"
 #include "compiler/ground/water/water_height.h"
 #include "compiler/map/plane/heightfield.h"
+#include "compiler/roads/pieces/dropped_kerbs.h"
 
 namespace citykiln::ground {
 
@@ -57,6 +58,7 @@ struct GradedTerrain {
 
   map::Heightfield terrain;                  ///< The terrain before grading.
   RoadInfluenceIndex roads;                  ///< The roads on the ground.
+  roads::KerbRampIndex kerb_ramps;           ///< Where their kerbs are lower.
   SpanInfluenceIndex decks, bores;           ///< Bridges; bored tunnels.
   LandformIndex landforms;                   ///< Retaining walls, cliffs, dykes, piers.
   WaterIndex waters;                         ///< The heights of water.
@@ -81,6 +83,7 @@ struct GradingInputs {
   std::span<const roads::Road> bores{};  ///< Bored tunnels within kGrading_m of the box, whole.
   /// All landforms within kLandformReach_m of the box, sorted by id.
   std::span<const Landform> landforms{};
+  std::span<const roads::KerbRamp> kerb_ramps{};  ///< Where kerbs are lower: all that touch the box.
 };
 /// Indexes all data that grade a terrain. Heights are computed later, by heights_at().
 GradedTerrain grade_terrain(map::Heightfield terrain, const GradingInputs& parts);

@@ -13,16 +13,19 @@ namespace citykiln::map {
 struct NodeMark {
   std::int64_t node_id = 0;
   TrackPointKind kind{};
-  std::int8_t facing = 0;  ///< 1 for traffic along the way, -1 against it, 0 for both or unknown.
+  std::int8_t facing = 0;   ///< 1 for traffic along the way, -1 against it, 0 for both or unknown.
+  std::uint8_t traits = 0;  ///< Bits of CrossingTrait: what tags say of a crossing.
   auto operator<=>(const NodeMark&) const = default;
 };
 
 /// Returns all marks of the extract, sorted.
 ///
 /// A crossing is read from crossing=*, crossing_ref=* and crossing:markings=*. Values for crossings without paint
-/// (unmarked, informal, no) give no mark; zebra, ladder and uncontrolled are kZebra; all others are kCrossing. A node
-/// that a railway and a highway share on the ground is a level crossing, tagged or not. Nothing is diagnosed. O(tags of
-/// nodes + n log n marks).
+/// (unmarked, informal) are kPlainCrossing, "no" gives no mark; zebra, ladder and uncontrolled are kZebra; all others
+/// are kCrossing. Its traits are those of its own tags kerb=*, tactile_paving=* and crossing:island=*, else those of
+/// kerbs mapped as the next nodes of a path across it: if these differ, the lowest kerb, and slabs if any has them. A
+/// node that a railway and a highway share on the ground is a level crossing, tagged or not. Nothing is diagnosed.
+/// O(tags of nodes + n log n marks).
 ///
 /// Source: wiki.openstreetmap.org, Tag:highway=crossing, Key:crossing, Key:crossing:markings, Key:direction.
 std::vector<NodeMark> node_marks(const ReadContext& context);

@@ -61,7 +61,7 @@ std::vector<double> lane_sides_m(const MarkingLayout& layout) {
 
 double length_m(const MarkingLayout& layout) {
   const bool is_crossing = layout.stretch == StretchKind::kZebra || layout.stretch == StretchKind::kCrossing;
-  return is_crossing ? kCrossingLength_m : kLayoutLength_m;
+  return is_crossing || is_hump(layout.stretch) ? kCrossingLength_m : kLayoutLength_m;
 }
 
 MarkingLayout turned_round(const MarkingLayout& layout) {

@@ -20,7 +20,7 @@ namespace citykiln::roads {
 
 /// The length after which a layout repeats along its strip. All periods of dashes, bays and sleepers divide it.
 inline constexpr double kLayoutLength_m = 12;
-/// The length of zebras and crossings, which use the first part of their layout.
+/// The length of zebras, crossings and humps, which use the first part of their layout.
 inline constexpr double kCrossingLength_m = 4;
 inline constexpr double kStandardGauge_m = 1.435;
 
@@ -31,7 +31,15 @@ enum class StretchKind : std::uint8_t {
   kZebra,          ///< Bars, where pedestrians have priority.
   kCrossing,       ///< Two broken lines, where pedestrians have a signal.
   kLevelCrossing,  ///< The strip of rails where a road crosses it.
+  kHump,           ///< A speed hump across all lanes.
+  kSpeedTable,     ///< A hump with a flat top.
+  kSpeedCushions,  ///< A square hump in each lane.
 };
+
+/// True for humps of all kinds.
+constexpr bool is_hump(StretchKind stretch) {
+  return stretch == StretchKind::kHump || stretch == StretchKind::kSpeedTable || stretch == StretchKind::kSpeedCushions;
+}
 
 /// Traffic control at the junction where a stretch of kStart or kEnd lies.
 enum class Control : std::uint8_t { kNone, kGiveWay, kStop, kSignals };

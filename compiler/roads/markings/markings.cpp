@@ -19,6 +19,10 @@ Marks paint_of(const MarkingLayout& layout) {
     add_crossing(layout, marks);
     return marks;
   }
+  if (is_hump(layout.stretch)) {
+    add_hump(layout, marks);
+    return marks;
+  }
   add_tints(layout, marks);
   add_hatching(layout, marks);
   add_bays(layout, marks);

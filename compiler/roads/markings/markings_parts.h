@@ -25,6 +25,8 @@ void add_symbols(const MarkingLayout& layout, Marks& marks);
 void add_zebra(const MarkingLayout& layout, Marks& marks);
 /// Adds the two lines of a signalled crossing, broken or, in American practice, solid.
 void add_crossing(const MarkingLayout& layout, Marks& marks);
+/// Adds the ramps and triangles of humps, tables and cushions.
+void add_hump(const MarkingLayout& layout, Marks& marks);
 /// Adds rails and sleepers.
 void add_rails(const MarkingLayout& layout, Marks& marks);
 

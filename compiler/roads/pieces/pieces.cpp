@@ -7,6 +7,7 @@
 #include "compiler/roads/markings/marking_rules.h"
 #include "compiler/roads/markings/markings.h"
 #include "compiler/roads/pieces/cross_lines.h"
+#include "compiler/roads/pieces/tactile_paving.h"
 #include "compiler/roads/width_limits/narrowed_section.h"
 
 namespace citykiln::roads {
@@ -40,18 +41,18 @@ bool is_crossing(StretchKind stretch) { return stretch == StretchKind::kZebra ||
 
 // True where people walk from the pavement to the kerb: at crossings and, in towns, at corners. American verges lead up
 // to the corner.
-bool is_walked_over(const Road& road, StretchKind stretch) {
-  if (is_crossing(stretch)) return true;
-  const bool is_at_corner = stretch == StretchKind::kStart || stretch == StretchKind::kEnd;
+bool is_walked_over(const Road& road, const RoadStretch& run) {
+  if (is_crossing(run.stretch) || run.traits != 0) return true;
+  const bool is_at_corner = run.stretch == StretchKind::kStart || run.stretch == StretchKind::kEnd;
   return is_at_corner && practice_of(road.country) != MarkingPractice::kAmerican;
 }
 
 // The class of a strip within a stretch: crossings cover all lanes between the kerbs, and verges where people walk over
 // them become pavement.
-LandCoverClass strip_surface_of(const Road& road, const LaneStrip& strip, StretchKind stretch) {
-  if (stretch == StretchKind::kLevelCrossing) return LandCoverClass::kLevelCrossing;
-  if (is_walked_over(road, stretch) && strip.surface == LandCoverClass::kVerge) return LandCoverClass::kPavement;
-  return is_crossing(stretch) && strip.surface == road.surface ? LandCoverClass::kCrossing : strip.surface;
+LandCoverClass strip_surface_of(const Road& road, const LaneStrip& strip, const RoadStretch& run) {
+  if (run.stretch == StretchKind::kLevelCrossing) return LandCoverClass::kLevelCrossing;
+  if (is_walked_over(road, run) && strip.surface == LandCoverClass::kVerge) return LandCoverClass::kPavement;
+  return is_crossing(run.stretch) && strip.surface == road.surface ? LandCoverClass::kCrossing : strip.surface;
 }
 
 MarkingLayout marking_layout_of(const Road& road, const LaneStrip& strip, const RoadStretch& run) {
@@ -102,6 +103,34 @@ struct PieceBuilder {
   std::vector<LaneStrip> strips;
   RoadPieces made{};
   std::vector<std::uint32_t> layouts{};  // one for each strip and stretch
+  std::vector<std::uint32_t> slabs{};    // the layouts of slabs beside the kerb, one for each strip and stretch
+
+  bool is_kerb(std::size_t strip) const {
+    return strip < strips.size() && strips[strip].surface == LandCoverClass::kKerb;
+  }
+
+  // The depth of slabs in a strip; 0 without slabs.
+  double slab_depth_m(std::size_t strip, const RoadStretch& run) const {
+    constexpr double kLeastBehind_m = 0.25;
+    if ((run.traits & map::kTactileSlabs) == 0 || (run.traits & map::kRaisedKerb) != 0) return 0;
+    const LaneStrip& whole = strips[strip];
+    const bool is_beside_kerb = is_kerb(strip - 1) || is_kerb(strip + 1);
+    if (!is_beside_kerb || whole.lanes.empty() || !whole.lanes.front().is_raised) return 0;
+    if (whole.surface != LandCoverClass::kPavement && whole.surface != LandCoverClass::kVerge) return 0;
+    const double room_m = whole.left_m - whole.right_m - kLeastBehind_m;
+    return room_m < kTactileDepth_m / 2 ? 0 : std::min(kTactileDepth_m, room_m);
+  }
+
+  void find_slabs() {
+    for (std::size_t s = 0; s < strips.size(); ++s)
+      for (const RoadStretch& run : stretches) {
+        slabs.push_back(kNoMarkingLayout);
+        const double depth_m = slab_depth_m(s, run);
+        if (depth_m == 0) continue;
+        slabs.back() = static_cast<std::uint32_t>(made.layouts.size());
+        made.layouts.push_back(tactile_layout(road.country, run.stretch, depth_m));
+      }
+  }
 
   void find_patterns() {
     for (const LaneStrip& strip : strips)
@@ -142,11 +171,22 @@ struct PieceBuilder {
                            .left_u_m = whole.left_m - band.left_m,
                            .start = end_of(slice, slice.start, start, run.zero_m),
                            .end = end_of(slice, slice.end, end, run.zero_m)};
-    made.pieces.push_back({.surface = strip_surface_of(road, whole, run.stretch),
+    made.pieces.push_back({.surface = strip_surface_of(road, whole, run),
                            .ring = std::move(ring),
                            .frame = frame,
                            .layout = layouts[number],
                            .run = number});
+  }
+
+  // Makes the last piece one of slabs, if one was added.
+  void show_slabs(std::size_t strip, const Slice& slice, std::size_t pieces_before) {
+    if (made.pieces.size() == pieces_before) return;
+    const std::size_t number = strip * stretches.size() + slice.stretch;
+    Piece& piece = made.pieces.back();
+    piece.surface = LandCoverClass::kPavement;
+    piece.layout = slabs[number];
+    piece.frame.left_u_m = 0;
+    piece.run = static_cast<std::uint32_t>(slabs.size() + number);
   }
 };
 
@@ -220,6 +260,27 @@ const LaneChange* change_within(const Slice& slice, std::span<const LaneChange> 
   return found == changes.end() ? nullptr : &*found;
 }
 
+// Adds a strip with slabs along its kerb: the slabs, then the rest.
+void add_with_slabs(std::size_t strip, const Slice& slice, StripEdges start, StripEdges end, PieceBuilder& builder) {
+  const LaneStrip& whole = builder.strips[strip];
+  const double depth_m = builder.slab_depth_m(strip, builder.stretches[slice.stretch]);
+  const bool is_kerb_left = builder.is_kerb(strip - 1);
+  const auto line_m = [&](StripEdges edges) {
+    const double room_m = std::min(depth_m, (edges.left_m - edges.right_m) / 2);
+    return is_kerb_left ? edges.left_m - room_m : edges.right_m + room_m;
+  };
+  const auto part = [&](StripEdges edges, bool is_slab) {
+    return is_slab == is_kerb_left ? StripEdges{edges.left_m, line_m(edges)} : StripEdges{line_m(edges), edges.right_m};
+  };
+  for (const bool is_slab : {true, false}) {
+    const StripEdges band = part({whole.left_m, whole.right_m}, is_slab), a = part(start, is_slab),
+                     b = part(end, is_slab);
+    const std::size_t before = builder.made.pieces.size();
+    builder.add(strip, band, slice, a, b, ring_of(slice, a, b));
+    if (is_slab) builder.show_slabs(strip, slice, before);
+  }
+}
+
 // Adds all strips of a slice and the joints of the bends beside it.
 void add_slice(const Slice& slice, std::span<const OpenBend> bends, PieceBuilder& builder) {
   const auto start = edges_at(builder.road, builder.strips, builder.changes, slice.start.along_m);
@@ -228,6 +289,8 @@ void add_slice(const Slice& slice, std::span<const OpenBend> bends, PieceBuilder
   for (std::size_t s = 0; s < builder.strips.size(); ++s)
     if (change != nullptr && builder.has_lines(s, slice))
       add_bands(s, slice, *change, builder);
+    else if (builder.slabs[s * builder.stretches.size() + slice.stretch] != kNoMarkingLayout)
+      add_with_slabs(s, slice, start[s], end[s], builder);
     else
       builder.add(s, slice, start[s], end[s], ring_of(slice, start[s], end[s]));
   for (const OpenBend& bend : bends)
@@ -269,6 +332,7 @@ RoadPieces pieces_of(const Road& road, const StripEnds& ends, std::span<const Ro
   PieceBuilder builder{road, stretches, changes, lane_strips_of(road, tolerance_m)};
   if (builder.strips.empty() || stretches.empty()) return {};
   builder.find_patterns();
+  builder.find_slabs();
   // bounds that do not depend on the part of the way
   const double left = std::max(0.0, builder.strips.front().left_m + widest_left_m(road) - left_m(road)),
                right = std::max(0.0, widest_right_m(road) - right_m(road) - builder.strips.back().right_m);

@@ -28,6 +28,13 @@ std::optional<StretchKind> crossing_of(TrackPointKind kind) {
   return std::nullopt;
 }
 
+std::optional<StretchKind> hump_of(TrackPointKind kind) {
+  if (kind == TrackPointKind::kHump) return StretchKind::kHump;
+  if (kind == TrackPointKind::kSpeedTable) return StretchKind::kSpeedTable;
+  if (kind == TrackPointKind::kSpeedCushions) return StretchKind::kSpeedCushions;
+  return std::nullopt;
+}
+
 // State while a road is cut into stretches. Distances are along the way.
 struct StretchBuilder {
   const Road& road;
@@ -129,7 +136,8 @@ void add_approach(StretchBuilder& builder, std::size_t g, int step) {
   if (crossing) {
     builder.is_used[*crossing] = true;
     add_run(builder, gap.at_m, step, approach.crossing_m, approach.crossing_m + kCrossingLength_m,
-            {0, 0, *crossing_of(builder.road.points[*crossing].kind)});
+            {.stretch = *crossing_of(builder.road.points[*crossing].kind),
+             .traits = builder.road.points[*crossing].traits});
   }
   add_run(builder, gap.at_m, step, approach.line_m, approach.end_m,
           {0, 0, step > 0 ? StretchKind::kStart : StretchKind::kEnd, step > 0 ? gap.after : gap.before});
@@ -137,19 +145,20 @@ void add_approach(StretchBuilder& builder, std::size_t g, int step) {
 
 bool overlaps(const RoadStretch& a, const RoadStretch& b) { return a.from_m < b.to_m && b.from_m < a.to_m; }
 
-// Adds crossings away from junctions, and level crossings on rails.
-void add_midway(StretchBuilder& builder) {
+// Adds crossings and humps away from junctions, and level crossings on rails. Crossings come first: a hump on one is
+// not drawn.
+void add_midway(StretchBuilder& builder, std::optional<StretchKind> (*across_of)(TrackPointKind)) {
   for (std::size_t i = 0; i < builder.road.points.size(); ++i) {
     const map::TrackPoint& point = builder.road.points[i];
     const bool is_street = family_of(builder.road.surface) == Family::kStreet;
     const bool is_rail = map::values_of(builder.road.surface).group == map::LandCoverGroup::kRail;
     const bool is_level = is_rail && point.kind == TrackPointKind::kLevelCrossing;
-    const auto crossing = crossing_of(point.kind);
+    const auto crossing = across_of(point.kind);
     if (builder.is_used[i] || (!crossing && !is_level) || (crossing && !is_street)) continue;
     const double half = is_level ? half_level_crossing_m(point) : kCrossingLength_m / 2,
                  at = builder.along[point.vertex];
     RoadStretch run{at - half, at + half, is_level ? StretchKind::kLevelCrossing : *crossing};
-    run.zero_m = run.from_m;
+    run.zero_m = run.from_m, run.traits = point.traits;
     if (is_level) run.from_m = std::max(run.from_m, builder.first()), run.to_m = std::min(run.to_m, builder.last());
     const bool fits = run.from_m >= builder.first() && run.to_m <= builder.last();
     const bool is_free = std::ranges::none_of(builder.special, [&](const auto& other) { return overlaps(run, other); });
@@ -169,7 +178,8 @@ std::vector<RoadStretch> stretches_of(const Road& road, std::span<const Junction
     add_approach(builder, g, -1);
     add_approach(builder, g, 1);
   }
-  add_midway(builder);
+  add_midway(builder, crossing_of);
+  add_midway(builder, hump_of);
   std::ranges::sort(builder.special, {}, &RoadStretch::from_m);
   std::vector<RoadStretch> runs;
   double at = builder.first();

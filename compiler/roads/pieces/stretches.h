@@ -32,6 +32,7 @@ struct RoadStretch {
   StretchKind stretch = StretchKind::kAlong;
   Control control = Control::kNone;  ///< In kStart and kEnd: of the junction beside it, for traffic towards it.
   double zero_m = 0;                 ///< The distance along the way from which dashes of the markings are counted.
+  std::uint8_t traits = 0;           ///< Where people cross: map::CrossingTrait bits.
 };
 
 /// Returns the stretches of a road from its first point to its last, without gaps.

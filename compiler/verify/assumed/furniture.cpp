@@ -3,6 +3,7 @@
 #include <optional>
 #include <set>
 
+#include "compiler/things/front_kinds.h"
 #include "compiler/things/street_kinds.h"
 #include "compiler/verify/assumed/copies.h"
 #include "compiler/verify/assumed/measure_assumed.h"
@@ -17,21 +18,33 @@ constexpr double kPieceBeforeDoor_m = 1, kPieceEdge_m = 0.1, kPiecesOverlap_m = 
 
 struct StreetPiece {
   OrientedRect plan;  // less the edge
-  OsmId road{};
+  OsmId road{};       // or the building before which it stands
 };
 
-// The pieces that descend from roads; mapped ones have elements of their own.
+// The elements that assumed pieces descend from.
+std::set<OsmId> owners_of_pieces(const scene::Chunk& chunk) {
+  std::set<OsmId> owners;
+  for (const roads::Road& road : chunk.roads) owners.insert(road.id.osm);
+  for (const buildings::Building& building : chunk.buildings) owners.insert(building.id.osm);
+  return owners;
+}
+
+// Refuges stand in carriageways, where they are mapped.
+bool is_street_piece(std::string_view kind) {
+  return kind != things::kRefuge &&
+         (things::is_front_kind(kind) ||
+          std::ranges::find(things::kStreetKinds, kind, &things::StreetKind::name) != std::end(things::kStreetKinds));
+}
+
+// The pieces that descend from roads and buildings; mapped ones have elements of their own.
 std::vector<StreetPiece> street_pieces(const bake::BakedTile& tile, const scene::Chunk& chunk) {
-  std::set<OsmId> roads;
-  for (const roads::Road& road : chunk.roads) roads.insert(road.id.osm);
+  const std::set<OsmId> owners = owners_of_pieces(chunk);
   std::vector<StreetPiece> pieces;
   for (const bake::InstancedMesh& mesh : tile.instanced) {
-    if (std::ranges::find(things::kStreetKinds, kind_of_mesh(mesh.name), &things::StreetKind::name) ==
-        std::end(things::kStreetKinds))
-      continue;
+    if (!is_street_piece(kind_of_mesh(mesh.name))) continue;
     for (std::size_t i = 0; i < mesh.translations.size(); ++i) {
       const OsmId road = tile.features[mesh.features[i]];
-      if (roads.contains(road)) pieces.push_back({plan_of_copy(mesh, i, tile.origin, kPieceEdge_m), road});
+      if (owners.contains(road)) pieces.push_back({plan_of_copy(mesh, i, tile.origin, kPieceEdge_m), road});
     }
   }
   return pieces;

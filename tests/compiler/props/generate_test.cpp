@@ -172,7 +172,7 @@ TEST(Plan, MakesLampsAndBarriersAndCountsTheRest) {
               {{{OsmType::kNode, 4}, 0}, {6, 4}, map::PointKind::kStreetLamp, 9},
               {{{OsmType::kNode, 5}, 0}, {7, 4}, map::PointKind::kShop}};
   Report report;
-  const Props props = plan(f, report);
+  const Props props = plan(f, {}, report);
   ASSERT_EQ(props.barriers.size(), 2u);
   EXPECT_LT(props.barriers[0].id, props.barriers[1].id);
   ASSERT_EQ(props.lamps.size(), 2u);
@@ -190,7 +190,7 @@ TEST(Plan, BarriersEndALittleOutsideOfTheRegion) {
       {{{OsmType::kWay, 9}, 0}, {{-50, 10}, {500, 10}, {500, 20}, {-50, 20}}, map::BarrierKind::kWall, 1.5, 0.75},
       {{{OsmType::kWay, 10}, 0}, {{-50, 0}, {-50, 90}}, map::BarrierKind::kWall, 1.5, 0.75}};
   Report report;
-  const Props props = plan(f, report);
+  const Props props = plan(f, {}, report);
   ASSERT_EQ(props.barriers.size(), 2u);
   EXPECT_EQ(props.barriers[0].axis, (Polyline{{-4, 10}, {132, 10}}));
   EXPECT_EQ(props.barriers[1].axis, (Polyline{{132, 20}, {-4, 20}}));

@@ -9,8 +9,8 @@ namespace {
 
 // "1zebra^ 2signals": vertex, kind, and ^ along or v against the way.
 std::string text_of_points(const Track& track) {
-  constexpr const char* kNames[] = {"zebra", "crossing", "signals", "stop", "give_way",
-                                    "level", "turning",  "mini",    "loop"};
+  constexpr const char* kNames[] = {"zebra", "crossing", "signals", "stop", "give_way", "level",    "turning",
+                                    "mini",  "loop",     "plain",   "hump", "table",    "cushions", "island"};
   std::string text;
   for (const TrackPoint& point : track.points)
     text += fmt::format("{}{}{}{}", text.empty() ? "" : " ", point.vertex, kNames[static_cast<int>(point.kind)],
@@ -54,16 +54,16 @@ TEST(TrackPoints, FollowFromTheTagsOfNodes) {
       {"highway=crossing crossing=uncontrolled", "1zebra"},
       {"highway=crossing crossing=uncontrolled crossing:markings=yes", "1zebra"},
       {"highway=crossing crossing=uncontrolled crossing:markings=lines", "1crossing"},
-      {"highway=crossing crossing=uncontrolled crossing:markings=no", ""},
+      {"highway=crossing crossing=uncontrolled crossing:markings=no", "1plain"},
       {"highway=crossing crossing=traffic_signals", "1crossing"},
       {"highway=crossing crossing=marked", "1crossing"},
       {"highway=crossing crossing=island", "1crossing"},
       {"highway=crossing crossing=toucan!", "1crossing"},
       {"highway=crossing crossing=marked crossing_ref=puffin", "1crossing"},
       {"highway=crossing", "1crossing"},
-      {"highway=crossing crossing=unmarked", ""},
+      {"highway=crossing crossing=unmarked", "1plain"},
       {"highway=crossing crossing=unmarked crossing:markings=dashes", "1crossing"},
-      {"highway=crossing crossing=informal", ""},
+      {"highway=crossing crossing=informal", "1plain"},
       {"highway=crossing crossing=no", ""},
       {"highway=traffic_signals", "1signals"},
       {"highway=traffic_signals crossing=traffic_signals", "1crossing 1signals"},
@@ -78,6 +78,8 @@ TEST(TrackPoints, FollowFromTheTagsOfNodes) {
       {"railway=level_crossing", "1level"},
       {"railway=crossing", "1level"},
       {"railway=tram_crossing highway=crossing crossing=zebra", "1zebra 1level"},
+      {"traffic_calming=bump", "1hump"},
+      {"traffic_calming=table highway=crossing crossing=zebra", "1zebra 1table"},
       {"highway=turning_circle diameter=12", "1turning"},
       {"highway=turning_loop", "1loop"},
       {"highway=mini_roundabout direction=clockwise", "1mini"},
@@ -85,6 +87,24 @@ TEST(TrackPoints, FollowFromTheTagsOfNodes) {
       {"highway=street_lamp", ""},
   };
   for (const auto& c : cases) EXPECT_EQ(of_node(c.tags), c.points) << c.tags;
+}
+
+// The traits of the crossing of w1, whose node 1 is crossed by w2.
+int traits_of_crossing(const std::string& tags, const std::string& kerb_tags) {
+  source::OsmData osm = extract("n9 10:0 highway=crossing crossing=unmarked " + tags + "\nn8 10:5 " + kerb_tags +
+                                "\nw1 0:0 10:0 20:0 highway=residential\nw2 10:-5 10:0 10:5 highway=footway");
+  for (source::Node& node : osm.nodes) node.id = std::int64_t{node.at.lon_e7} * 4294967296 + node.at.lat_e7;
+  Report report;
+  const Features features = features_of(osm, report);
+  return features.tracks.at(0).points.empty() ? -1 : features.tracks.at(0).points[0].traits;
+}
+
+TEST(TrackPoints, CrossingsHaveTheTraitsOfTheirTagsAndElseOfTheKerbsBesideThem) {
+  EXPECT_EQ(traits_of_crossing("kerb=lowered tactile_paving=no", ""), kLoweredKerb | kNoTactileSlabs);
+  EXPECT_EQ(traits_of_crossing("crossing:island=yes", ""), kCrossingIsland);
+  EXPECT_EQ(traits_of_crossing("", "barrier=kerb kerb=flush tactile_paving=yes"), kFlushKerb | kTactileSlabs);
+  EXPECT_EQ(traits_of_crossing("kerb=raised", "barrier=kerb kerb=flush"), kRaisedKerb);
+  EXPECT_EQ(traits_of_crossing("", ""), 0);
 }
 
 TEST(TrackPoints, AreSortedByVertexAlongTheWay) {

@@ -19,7 +19,7 @@ JunctionInterval junction_at(double at_m, double reach_m) {
 
 // "along 0-80, end 80-92 …"
 std::string text_of_stretches(const std::vector<RoadStretch>& runs) {
-  constexpr const char* kNames[] = {"along", "start", "end", "zebra", "crossing", "level"};
+  constexpr const char* kNames[] = {"along", "start", "end", "zebra", "crossing", "level", "hump", "table", "cushions"};
   std::string text;
   for (const RoadStretch& run : runs)
     text += (text.empty() ? "" : ", ") + std::string(kNames[static_cast<int>(run.stretch)]) + " " +
@@ -71,6 +71,14 @@ TEST(Stretches, CrossingsMidwayStayWhereTheyAre) {
   EXPECT_EQ(text_of_stretches(stretches_of(road, {}, kStretchTile_m)), "along 0-48, crossing 48-52, along 52-200");
   road.surface = map::LandCoverClass::kFootPath;
   EXPECT_EQ(text_of_stretches(stretches_of(road, {}, kStretchTile_m)), "along 0-200");
+}
+
+TEST(Stretches, HumpsAreDrawnMidwayButNotOnACrossing) {
+  Road road = made_road(1, {{100, 100}, {150, 100}, {300, 100}}, 7, map::LandCoverClass::kPrimaryRoad);
+  road.points = {{1, map::TrackPointKind::kHump, 0}};
+  EXPECT_EQ(text_of_stretches(stretches_of(road, {}, kStretchTile_m)), "along 0-48, hump 48-52, along 52-200");
+  road.points = {{1, map::TrackPointKind::kZebra, 0}, {1, map::TrackPointKind::kSpeedTable, 0}};
+  EXPECT_EQ(text_of_stretches(stretches_of(road, {}, kStretchTile_m)), "along 0-48, zebra 48-52, along 52-200");
 }
 
 TEST(Stretches, RailsKnowWhereRoadsCrossThem) {

@@ -1,0 +1,36 @@
+// Decides what is set into streets: refuges at crossings with an island, bollards and planters of streets for walkers.
+//
+//       pedestrian street            crossing with an island
+//      |   ▪         ▪   |           ─────────────────────
+//      |                 |               ▪    ||||    ▪        refuges between the directions, before and behind it
+//      | o   o   o   o   |  bollards ─────────────────────
+//     ─┘                 └─
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "compiler/roadside/clear_zones.h"
+#include "compiler/roadside/tile_recipes.h"
+
+namespace citykiln::furniture {
+
+/// Bollards stand this far apart across the mouth of a street, and cars do not pass: in metres.
+inline constexpr double kBollardStep_m = 1.6;
+/// Carriageways narrower than this have no room for a refuge, in metres.
+inline constexpr double kRefugeRoad_m = 6.5;
+
+/// Returns the refuges of a tile: at each crossing that is mapped with an island (crossing:island=yes) on a street with
+/// two directions one before and one behind it, and one where traffic_calming=island is mapped. These are mapped, so
+/// they do not depend on what is assumed.
+std::vector<things::Thing> refuges(const roadside::TileRecipes& recipes, const Box2& box);
+
+/// Returns bollards at the mouths of streets for walkers that meet a street for cars, in countries where that is usual,
+/// and planters along these streets, every 16 m. Neither is assumed within 20 m of a mapped bollard or gate. A thing is
+/// in the tile that contains its middle, on paving, and overlaps none of `standing`. O(junctions + length).
+/// @param standing  The plans of furniture that stands already.
+std::vector<things::Thing> things_of_walked_streets(const roadside::TileRecipes& recipes,
+                                                    const roadside::ClearZones& zones, const RectIndex& standing,
+                                                    std::uint64_t seed, const Box2& box);
+
+}  // namespace citykiln::furniture
