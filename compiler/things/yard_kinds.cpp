@@ -19,7 +19,28 @@ constexpr YardShareRow kYardShares[] = {
 #undef YARD_SHARE_ANYWHERE
 };
 
+struct YardNumberRow {
+  std::string_view name;
+  YardUse use;
+  YardNumber number;
+};
+
+constexpr YardNumberRow kYardNumbers[] = {
+#define YARD_THING(name, use, percent, most) {name, YardUse::use, {percent, most}},
+#include "compiler/things/yard_kinds.inc"
+#undef YARD_THING
+};
+static_assert(std::ranges::all_of(kYardNumbers, [](const YardNumberRow& row) {
+  return row.number.most <= kMostOfKind && is_yard_kind(row.name);
+}));
+
 }  // namespace
+
+YardNumber yard_number(std::string_view name, YardUse use) {
+  for (const YardNumberRow& row : kYardNumbers)
+    if (row.name == name && row.use == use) return row.number;
+  return {};
+}
 
 YardShare yard_share(std::string_view name, map::CountryGroup country) {
   YardShare share;

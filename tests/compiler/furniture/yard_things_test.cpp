@@ -41,6 +41,7 @@ struct MadeLot {
     const roadside::TileRecipes recipes{.roads = {},
                                         .junctions = {},
                                         .yards = {&yard, 1},
+                                        .plots = {},
                                         .pitches = {},
                                         .trunks = trunks,
                                         .things = {},
