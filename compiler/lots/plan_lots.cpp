@@ -268,7 +268,7 @@ std::optional<Frame> frame_of(const parcels::Frontage& frontage, const parcels::
 
 std::string_view name_of(LotKind kind) {
   constexpr std::string_view kNames[] = {"detached", "row",   "apartments", "perimeter",
-                                         "shop",     "works", "public",     "none", "green_court", "paved_court", "school",  "church", "storage", "green", "allotment", "site"};
+                                         "shop",     "works", "public",     "none", "green_court", "paved_court", "school",  "church", "storage", "car_park", "green", "allotment", "site"};
   static_assert(std::size(kNames) == static_cast<std::size_t>(LotKind::kCount));
   return kNames[static_cast<std::size_t>(kind)];
 }

@@ -42,7 +42,8 @@ void add_corners(materials::MaterialMesh& sheet, Vec3 at, double along_m, double
 }  // namespace
 
 bool is_barred(const Barrier& barrier, double tolerance_m) {
-  return barrier.kind == map::BarrierKind::kFence && barrier.height_m <= kMaxRailingFence_m &&
+  return barrier.kind == map::BarrierKind::kFence && 
+         (barrier.height_m <= kMaxRailingFence_m || barrier.height_m >= kLeastWorksFence_m) &&
          materials::has_texture(Material::kRailing, tolerance_m);
 }
 

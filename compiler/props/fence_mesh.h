@@ -6,10 +6,11 @@
 
 namespace citykiln::props {
 
-/// The greatest height of a fence that is a railing, in metres. Higher fences are of boards.
-inline constexpr double kMaxRailingFence_m = 1.375;
+/// The greatest height of a fence that is a railing, in metres. Higher fences are of boards, as gardens have, up to the
+/// least height of the bars or the mesh around works.
+inline constexpr double kMaxRailingFence_m = 1.375, kLeastWorksFence_m = 1.9375;
 
-/// True for fences of at most kMaxRailingFence_m, at tolerances at which the texture with holes is shown.
+/// True for fences of at most kMaxRailingFence_m or at least kLeastWorksFence_m, at tolerances at which the texture with holes is shown.
 bool is_barred(const Barrier& barrier, double tolerance_m);
 
 /// Generates a fence as one vertical sheet on the ground, along its axis, which is seen from both sides

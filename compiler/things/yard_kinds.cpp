@@ -42,6 +42,15 @@ YardNumber yard_number(std::string_view name, YardUse use) {
   return {};
 }
 
+bool is_kind_of(std::string_view name, std::span<const YardUse> uses) {
+  const auto has_use = [&](YardUse use) { return std::ranges::find(uses, use) != uses.end(); };
+  if (name == kYardGate || std::ranges::find(kYardShares, name, &YardShareRow::name) != std::end(kYardShares)) return true;
+  if (name == kSiteCrane) return has_use(YardUse::kSite);
+  if (name == kSiteFence) return has_use(YardUse::kSite) || has_use(YardUse::kSchool);
+  return std::ranges::any_of(kYardNumbers,
+                             [&](const YardNumberRow& row) { return row.name == name && has_use(row.use); });
+}
+
 YardShare yard_share(std::string_view name, map::CountryGroup country) {
   YardShare share;
   for (const YardShareRow& row : kYardShares) {

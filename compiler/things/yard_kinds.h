@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "compiler/map/countries/country_group.h"
@@ -16,7 +17,7 @@ enum class YardSpot : std::uint8_t {
   kBorder,       ///< Along the border, its front to the middle of the yard.
 };
 
-/// What a ground is used for, where it is no garden of a house.
+/// The use of a ground that is no garden of a house.
 enum class YardUse : std::uint8_t {
   kApartments,
   kCourt,  ///< Behind the houses of a closed block.
@@ -63,6 +64,10 @@ inline constexpr std::uint32_t kMostOfKind = 8;
 
 /// Returns how many of a kind a ground of a use has; none without a row.
 YardNumber yard_number(std::string_view name, YardUse use);
+
+/// True if a kind is assumed in gardens of houses or on grounds of one of these uses. Fences are of schools and sites,
+/// cranes of sites.
+bool is_kind_of(std::string_view name, std::span<const YardUse> uses);
 
 /// The panel of the fence around a building site, and the crane of one: rows of things.txt.
 inline constexpr std::string_view kSiteFence = "site_fence", kSiteCrane = "crane";

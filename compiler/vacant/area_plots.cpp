@@ -23,6 +23,10 @@ constexpr double kBedPercent = 60;
 constexpr double kLeastSite_m2 = 150;
 constexpr int kMostRows = 60;
 
+map::CountryGroup country_of(const PlotInputs& inputs) {
+  return inputs.roads.empty() ? map::CountryGroup{} : inputs.roads.front().country;
+}
+
 // The longest edge of a ring: its begin and direction.
 PlotRectangle frame_along_longest(const Ring& ring) {
   PlotRectangle frame;
@@ -50,7 +54,7 @@ void add_allotment(const PlotInputs& inputs, const PlotRectangle& r, const groun
   if (!is_in_tile(inputs, ring_of(r)) || !is_all_of(inputs, r, area)) return;
   const ObjectId id{area.id.osm, number};
   const RandomSequence draw(inputs.seed, stable_id(id), "allotment");
-  plots.grounds.push_back(ground_of(r, id, lots::LotKind::kAllotment, map::CountryGroup::kCount));
+  plots.grounds.push_back(ground_of(r, id, lots::LotKind::kAllotment, country_of(inputs)));
   const int priority = map::values_of(area.surface).priority;
   const ObjectId part = derived_id({area.id.osm, 0}, 0);
   PlotRectangle alley = r;
@@ -90,7 +94,7 @@ void add_sites(const PlotInputs& inputs, Plots& plots) {
   for (const ground::LandCoverPolygon& area : inputs.areas) {
     if (area.surface != LandCoverClass::kConstruction || area.rings.empty() || area.area_m2 < kLeastSite_m2) continue;
     const PlotRectangle frame = frame_along_longest(area.rings.front());
-    lots::Yard site = ground_of(frame, area.id, lots::LotKind::kSite, map::CountryGroup::kCount);
+    lots::Yard site = ground_of(frame, area.id, lots::LotKind::kSite, country_of(inputs));
     site.polygon = {area.rings.front(), {area.rings.begin() + 1, area.rings.end()}};
     plots.grounds.push_back(std::move(site));
   }

@@ -1,4 +1,4 @@
-// What covers the ground of a tile at a place.
+// The cover of the ground of a tile at a place.
 #pragma once
 
 #include <cstdint>

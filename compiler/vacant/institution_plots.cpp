@@ -69,7 +69,7 @@ PlotRectangle beside(const PlotRectangle& r, int side, double depth_m) {
   const bool is_across = side % 2 == 1;
   const double length_m = is_across ? r.depth_m : r.width_m, width_m = std::min(length_m, kWidestPlayground_m);
   const double from_m = (length_m - width_m) / 2;
-  PlotRectangle made{.width_m = width_m, .depth_m = depth_m};
+  PlotRectangle made{.corner = {}, .along = {}, .back = {}, .width_m = width_m, .depth_m = depth_m};
   switch (side) {
     case 0:
       made.corner = r.at(r.width_m - from_m, 0), made.along = r.along * -1.0, made.back = r.back * -1.0;

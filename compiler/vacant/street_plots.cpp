@@ -27,8 +27,8 @@ constexpr double kBelowPavement_m = 0.25;
 constexpr double kGrassRim_m = 2;
 // Unmapped land is a town's if a building stands within this distance.
 constexpr double kTown_m = 30;
-// The share of green where nothing is mapped about a plot.
-constexpr double kUsualGreen = 0.5;
+// The share of green where nothing is mapped about a plot, in industry and elsewhere.
+constexpr double kUsualInIndustry = 0.1, kUsualGreen = 0.5;
 constexpr double kRimOfGrass = 35, kRimOfPaved = 20, kInsideGrass = 0.8;
 
 struct PlotRow {
@@ -97,7 +97,9 @@ struct StreetPlotter {
     if (ground.use == LandCoverClass::kUnknown && !is_in_town(inputs, r.centre())) return;
     const OrientedRect rect{r.centre(), r.back, r.depth_m, r.width_m};
     if (!is_apart(rect)) return;
-    const double green = green_share_about(inputs, r.centre()).value_or(kUsualGreen);
+    const bool is_industry = map::values_of(ground.use).group == map::LandCoverGroup::kIndustry;
+    const double usual = is_industry ? kUsualInIndustry : kUsualGreen;
+    const double green = green_share_about(inputs, r.centre()).value_or(usual);
     // neighbours are alike
     const RandomSequence draw(inputs.seed, stable_id(stable_id(road.id), "plot", station / 2), "kind");
     const PlotRow* row = drawn_row(ground.use, green, draw.unit(0));
