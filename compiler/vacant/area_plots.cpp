@@ -18,7 +18,7 @@ using map::LandCoverClass;
 // Plots of allotments: 250 to 400 m2 in Germany (Bundeskleingartengesetz, paragraph 3), 250 m2 in Britain; smaller ones
 // are usual in towns.
 constexpr double kAllotment_m = 11, kAllotmentDepth_m = 18, kAlley_m = 1.5;
-constexpr double kHedgeBushes = 30, kInsideAllotment = 1.2;
+constexpr double kHedgeBushes = 12, kInsideAllotment = 0.5;
 constexpr double kBedPercent = 60;
 constexpr double kLeastSite_m2 = 150;
 constexpr int kMostRows = 60;

@@ -25,7 +25,7 @@ constexpr double kPavingAbout_m = 2.5, kGravelAbout_m = 4;
 constexpr double kPlayground_m = 24, kWidestPlayground_m = 44;
 constexpr double kLeastFree = 0.6;
 // Trees along the rim of a playground, on 100 m.
-constexpr double kPlaygroundBushes = 12;
+constexpr double kPlaygroundBushes = 6;
 
 bool is_institution(LandCoverClass surface) {
   return surface == LandCoverClass::kInstitution || surface == LandCoverClass::kReligious;
