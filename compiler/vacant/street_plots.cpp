@@ -29,7 +29,7 @@ constexpr double kGrassRim_m = 2;
 constexpr double kTown_m = 30;
 // The share of green where nothing is mapped about a plot, in industry and elsewhere.
 constexpr double kUsualInIndustry = 0.1, kUsualGreen = 0.5;
-constexpr double kRimOfGrass = 12, kRimOfPaved = 6, kInsideGrass = 0.15;
+constexpr double kRimOfGrass = 6, kRimOfPaved = 4, kInsideGrass = 0.05;
 
 struct PlotRow {
   LandCoverClass use;
