@@ -51,6 +51,7 @@ TEST(FenceMesh, TheTextureRunsInMetresAlongTheFence) {
 TEST(FenceMesh, HighFencesAndCoarseLevelsHaveNoBars) {
   EXPECT_TRUE(is_barred(fence_of_height(1), 0.1));
   EXPECT_FALSE(is_barred(fence_of_height(1.75), 0.1));
+  EXPECT_TRUE(is_barred(fence_of_height(2), 0.1)) << "around works";
   EXPECT_FALSE(is_barred(fence_of_height(1), 50));
   EXPECT_EQ(generate(fence_of_height(1.75), slope_for_fences(), 0.1).meshes[0].material, materials::Material::kTimber);
 }
