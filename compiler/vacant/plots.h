@@ -25,7 +25,7 @@ namespace citykiln::vacant {
 struct PlotInputs {
   std::span<const ground::LandCoverPolygon> areas;  ///< Areas of the tile's chunk, those of yards among them.
   std::span<const roads::Road> roads;
-  std::span<const buildings::Building> buildings;  ///< Those of the tile alone.
+  std::span<const buildings::Building> buildings;  ///< The tile alone has these.
   const ground::LandCoverIndex& land_cover;        ///< With each road as one surface; of the tile at least.
   Box2 tile;
   std::uint64_t seed = 0;
