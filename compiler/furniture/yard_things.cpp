@@ -73,7 +73,7 @@ struct YardRectangle {
   Vec2 at, right, back;  // unit vectors of its width and depth
   double width_m, depth_m;
 
-  Vec2 corner(int x, int y, double margin_m) const {
+  Vec2 corner(double x, double y, double margin_m) const {
     return at + right * (x * (width_m / 2 + margin_m)) + back * (y * (depth_m / 2 + margin_m));
   }
   bool is_apart(const YardRectangle& other) const {
@@ -107,8 +107,9 @@ struct YardFurnisher {
   }
 
   bool is_free(const YardRectangle& place, double margin_m) const {
-    for (const int x : {-1, 0, 1})
-      for (const int y : {-1, 0, 1})
+    // a path may cross a large thing between its corners
+    for (const double x : {-1.0, -0.5, 0.0, 0.5, 1.0})
+      for (const double y : {-1.0, -0.5, 0.0, 0.5, 1.0})
         if (!is_own_ground(place.corner(x, y, margin_m))) return false;
     const double reach_m = (place.width_m + place.depth_m) / 4 + kApart_m;
     return lots::clearance_m(zones.trunks, place.at, reach_m) >= reach_m &&

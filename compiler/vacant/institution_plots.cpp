@@ -23,7 +23,7 @@ using map::LandCoverClass;
 constexpr double kLeastBuilding_m2 = 80, kLeastSchool_m2 = 200;
 constexpr double kPavingAbout_m = 2.5, kGravelAbout_m = 4;
 constexpr double kPlayground_m = 24, kWidestPlayground_m = 44;
-constexpr double kLeastFree = 0.6;
+constexpr double kLeastFree = 0.85;
 // Trees along the rim of a playground, on 100 m.
 constexpr double kPlaygroundBushes = 6;
 
