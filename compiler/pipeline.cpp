@@ -34,6 +34,7 @@
 #include "compiler/structures/plan.h"
 #include "compiler/structures/risers.h"
 #include "compiler/things/plan.h"
+#include "compiler/vacant/uses.h"
 #include "compiler/whole_map.h"
 #include "compiler/wires/contact_wires.h"
 #include "compiler/wires/plan.h"
@@ -292,13 +293,14 @@ Result<Standing> plan_standing(const CompileSpec& spec, const map::FeatureView& 
 
 // The header with the rules, species and things of the scene.
 Result<scene::Header> header_with_texts(scene::Header header, const CompileSpec& spec, const Standing& standing,
-                                        const Tables& tables) {
+                                        const Tables& tables, std::span<const map::AreaFeature> areas) {
   Result<std::vector<buildings::RuleText>> rules = rules_for(spec, standing.buildings);
   if (!rules) return rules.error();
   header.rules = std::move(*rules);
   header.species = plants::species_texts_for(standing.plants, has_hedges(standing.props), tables.species.texts,
                                              tables.species.table);
-  header.things = things::texts_for(tables.catalogue, standing.things.kinds, standing.things.things);
+  header.things =
+      things::texts_for(tables.catalogue, standing.things.kinds, standing.things.things, vacant::uses_on(areas));
   return header;
 }
 
@@ -366,7 +368,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
 
   // the scene: all recipes, by tile
   timer.enter("sort into tiles");
-  const Result<scene::Header> header = header_with_texts(*around, spec, *standing, *tables);
+  const Result<scene::Header> header = header_with_texts(*around, spec, *standing, *tables, features.areas);
   if (!header) return header.error();
   const std::span<const lots::Yard> yard_recipes = yards ? yards->recipes : std::span<const lots::Yard>{};
   scene::Scene scene = scene::assemble({.heights = land_heights,

@@ -53,7 +53,7 @@ STEPS = {"exporters/gltf": [["", "pictures"], ["pack"], ["write", "read"]]}
 # Functions whose last bits differ between CPUs and C libraries.
 NOT_REPRODUCIBLE = re.compile(r"<random>|std::hash\b|std::(a?sinh?|a?cosh?|a?tanh?|atan2|exp2?|expm1|pow|log(2|10|1p)?|cbrt|hypot)\(")
 REPRODUCIBLE_ROOMS = ["grammars", "lsystems", "compiler/parcels", "compiler/invent", "compiler/simplify", "compiler/climate"] + ["compiler/" + room for room in
-                      ("map", "assume", "roads", "lots", "fields", "ground", "structures", "buildings", "plants", "props", "pitches", "things", "wires", "roadside", "cars", "furniture", "people", "sky",
+                      ("map", "assume", "roads", "lots", "fields", "ground", "structures", "buildings", "plants", "props", "pitches", "things", "wires", "roadside", "cars", "furniture", "vacant", "people", "sky",
                        "surroundings")]
 # sky light, which is only in rendered pictures
 EXEMPT = [Path("compiler/sky") / name for name in ("generate.cpp", "spectrum.cpp", "stars.cpp", "atmosphere")]
@@ -181,7 +181,7 @@ def shared_local_names():
 
 
 # Rooms that make a product once a run; none may change the product of another. The report is where all of them write.
-STAGES = ["source", "map", "assume", "roads", "lots", "fields", "ground", "structures", "buildings", "plants", "props", "pitches", "things", "wires", "roadside", "cars", "furniture", "people", "sky",
+STAGES = ["source", "map", "assume", "roads", "lots", "fields", "ground", "structures", "buildings", "plants", "props", "pitches", "things", "wires", "roadside", "cars", "furniture", "vacant", "people", "sky",
           "surroundings", "scene"]
 # Working data that a room lends to another by reference, which is no product.
 # A view is passed by value; rasters are so large that they are handed on.

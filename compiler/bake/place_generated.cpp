@@ -10,6 +10,7 @@
 #include "compiler/cars/moving_cars.h"
 #include "compiler/cars/parked_cars.h"
 #include "compiler/furniture/front_things.h"
+#include "compiler/furniture/plot_fences.h"
 #include "compiler/furniture/road_things.h"
 #include "compiler/furniture/street_furniture.h"
 #include "compiler/furniture/street_trees.h"
@@ -30,6 +31,7 @@ roadside::TileRecipes recipes_of(const scene::Header& header, const scene::Chunk
   return {.roads = chunk.roads,
           .junctions = chunk.junctions,
           .yards = chunk.yards,
+          .plots = ground.plots,
           .pitches = chunk.pitches,
           .trunks = ground.trunks,
           .things = chunk.things,
@@ -149,7 +151,9 @@ struct Generator {
 
   void add_yard_things() {
     constexpr double kMostRise_m = 0.4;
-    for (const things::Thing& thing : furniture::yard_things(recipes, zones, header.seed, box)) {
+    std::vector<things::Thing> all = furniture::yard_things(recipes, zones, header.seed, box);
+    std::ranges::move(furniture::plot_fences(recipes, header.seed, box), std::back_inserter(all));
+    for (const things::Thing& thing : all) {
       if (!has_rules(header, thing.form)) continue;
       PlacedThing placed = upright(thing, ground);
       if (rise_m(thing, placed.placement, ground.graded) <= kMostRise_m) made.placed.push_back(std::move(placed));

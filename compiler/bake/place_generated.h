@@ -27,7 +27,8 @@ struct TileGround {
       land_cover;                       ///< With each road as one surface; of the tile and scene::kHalo_m about it.
   const ground::GradedTerrain& graded;  ///< Covers the same box.
   const Lamps& lamps;
-  std::span<const Vec2> trunks;  ///< plants::GeneratedPlants::trunks.
+  std::span<const Vec2> trunks;         ///< plants::GeneratedPlants::trunks.
+  std::span<const lots::Yard> plots{};  ///< vacant::Plots::grounds.
 };
 
 /// Two poles between which wires hang.

@@ -54,12 +54,14 @@ SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk&
   const plants::PlacingContext land{
       map,    *shared.graded, box, header.seed, header.origin.lat_deg, header.climate, scene::local_month_of(header),
       species};
-  const std::vector<plants::Tree> trees =
+  const vacant::Plots plots = scene::plots_of(header, chunk);
+  std::vector<plants::Tree> trees =
       trees_with_street_trees(header, chunk, {map, *shared.graded, shared.lamps, {}}, box);
+  trees.insert(trees.end(), plots.plants.begin(), plots.plants.end());
   plants::GeneratedPlants plants = plants::generate(
       {trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.corridors}, land, shared.tree_report);
   shared.trees = std::move(plants.placed);
-  const TileGround on{map, *shared.graded, shared.lamps, plants.trunks};
+  const TileGround on{map, *shared.graded, shared.lamps, plants.trunks, plots.grounds};
   GeneratedThings drawn = place_generated(header, chunk, on, box, wanted.things);
   if (wanted.people && people::has_people(header.people))
     std::ranges::move(people_of(header, chunk, on, box), std::back_inserter(drawn.placed));

@@ -16,6 +16,8 @@ constexpr double kBay_m = 2.5, kBayDepth_m = 5;
 constexpr double kSpace_m = 2;
 // The shortest drive on which a car has room.
 constexpr double kLeastDrive_m = 4.75;
+// The distances of places on plots from its borders; grass lies at the rear.
+constexpr double kFromSide_m = 3, kFromFront_m = 1, kFromRear_m = 2.5;
 
 // Equal for the pitch in all tiles; pitches of one area have the same id.
 StableId key_of(const pitches::Pitch& pitch) {
@@ -77,6 +79,33 @@ std::vector<Place> places_on_drives(const lots::Yard& yard) {
                       .country = yard.country,
                       .may_turn = true});
   }
+  return places;
+}
+
+std::vector<Place> places_on_plot(const lots::Yard& plot) {
+  if (plot.kind != lots::LotKind::kCarPark || plot.polygon.outer.size() != 4) return {};
+  // the ring runs from the front left corner along the front
+  const Ring& ring = plot.polygon.outer;
+  const Vec2 along = unit(ring[1] - ring[0]), back = unit(ring[3] - ring[0]);
+  const double width_m = distance(ring[0], ring[1]) - 2 * kFromSide_m, depth_m = distance(ring[0], ring[3]);
+  const int count = static_cast<int>(width_m / kBay_m);
+  std::vector<Place> places;
+  for (const bool is_rear : {false, true})
+    for (int i = 0; i < count; ++i) {
+      const double x_m = kFromSide_m + (i + 0.5) * kBay_m,
+                   y_m = is_rear ? depth_m - kFromRear_m - kBayDepth_m / 2 : kFromFront_m + kBayDepth_m / 2;
+      const auto number = static_cast<std::uint64_t>(2 * i + (is_rear ? 1 : 0));
+      places.push_back({.key = stable_id(stable_id(plot.building), "plot", number),
+                        .feature = plot.building.osm,
+                        .at = ring[0] + along * x_m + back * y_m,
+                        .ahead = is_rear ? back : back * -1.0,
+                        .length_m = kBayDepth_m,
+                        .width_m = kBay_m,
+                        .kind = PlaceKind::kPlot,
+                        .use = PlaceUse::kCarPark,
+                        .country = plot.country,
+                        .may_turn = true});
+    }
   return places;
 }
 

@@ -94,6 +94,14 @@ bool is_paved_or_yard(const ground::LandCoverPolygon* polygon) {
   }
 }
 
+// True for land use without yards, where plots lie.
+bool is_left_over(const ground::LandCoverPolygon* polygon) {
+  if (!polygon) return true;
+  const LandCoverGroup group = map::values_of(polygon->surface).group;
+  const bool is_use = group == LandCoverGroup::kTown || group == LandCoverGroup::kIndustry;
+  return !ground::is_yard(*polygon) && (is_use || polygon->surface == LandCoverClass::kUnknown);
+}
+
 bool is_open(const ground::LandCoverPolygon* polygon) {
   const LandCoverGroup group = map::values_of(polygon ? polygon->surface : LandCoverClass::kUnknown).group;
   return group != LandCoverGroup::kBuilding && group != LandCoverGroup::kWater && group != LandCoverGroup::kRail;
@@ -104,6 +112,7 @@ bool is_open(const ground::LandCoverPolygon* polygon) {
 bool has_ground(const Place& place, const LandCoverIndex& land_cover) {
   if (place.across != Vec2{}) return has_carriageway(place, land_cover);
   if (place.kind == PlaceKind::kSpace) return lies_on(place, land_cover, is_open);
+  if (place.kind == PlaceKind::kPlot) return lies_on(place, land_cover, is_left_over);
   if (place.surface == LandCoverClass::kUnknown) return lies_on(place, land_cover, is_paved_or_yard);
   return lies_on(place, land_cover, [&](const auto* polygon) { return polygon && polygon->surface == place.surface; });
 }

@@ -54,6 +54,7 @@ std::vector<Place> all_places(const TileRecipes& recipes, const CarSettings& set
     append(places_along(recipes.roads[i], lane_stretches(recipes.roads[i], intervals[i], recipes.tile_m), box));
   for (const pitches::Pitch& pitch : recipes.pitches) append(places_in_bays(pitch, settings.country));
   for (const lots::Yard& yard : recipes.yards) append(places_on_drives(yard));
+  for (const lots::Yard& plot : recipes.plots) append(places_on_plot(plot));
   for (const things::Thing& thing : recipes.things)
     if (map::role_of(thing.form.kind) == map::ThingRole::kCar) append({place_of_space(thing, settings.country)});
   return places;

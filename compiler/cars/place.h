@@ -19,6 +19,7 @@ enum class PlaceKind : std::uint8_t {
   kSpace,  ///< Mapped: amenity=parking_space.
   kBay,    ///< Between the painted lines of a car park, or square to the edge of a road that a car park adjoins.
   kDrive,  ///< On the drive of a yard.
+  kPlot,   ///< On a paved plot that no lot has.
   kLane,   ///< In the parking lane of a street, or along the edge of a road that a car park adjoins.
   kKerb,   ///< At the kerb of a carriageway without a parking lane.
   kCount

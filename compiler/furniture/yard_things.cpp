@@ -18,19 +18,61 @@ using map::LandCoverClass;
 using roadside::is_clear;
 using things::YardKind;
 using things::YardSpot;
+using things::YardUse;
 
-constexpr int kTries = 12;
-constexpr double kApart_m = 0.75, kBinToWall_m = 0.6;
+constexpr std::uint32_t kTries = 12, kDrawsOfPlace = 4;
+constexpr double kApart_m = 0.75, kBinToWall_m = 0.6, kInsideBorder_m = 0.8;
 // The rear begins behind the front wall of a usual house.
 constexpr double kBehindFront_m = 3;
+// The parts of ids of the kinds' things; gates have those after them.
+constexpr std::uint32_t kPartsOfKinds = static_cast<std::uint32_t>(std::size(things::kYardKinds)) * things::kMostOfKind;
+static_assert(kPartsOfKinds < lots::kPartsOfYard - 16);
 constexpr double kGatePercent = 60, kHighestGate_m = 1.5, kGateDepth_m = 0.3;
+
+YardUse use_of(lots::LotKind kind) {
+  switch (kind) {
+    case lots::LotKind::kApartments:
+      return YardUse::kApartments;
+    case lots::LotKind::kPerimeter:
+    case lots::LotKind::kGreenCourt:
+    case lots::LotKind::kPavedCourt:
+      return YardUse::kCourt;
+    case lots::LotKind::kShop:
+      return YardUse::kShop;
+    case lots::LotKind::kWorks:
+      return YardUse::kWorks;
+    case lots::LotKind::kSchool:
+      return YardUse::kSchool;
+    case lots::LotKind::kChurch:
+      return YardUse::kChurch;
+    case lots::LotKind::kStorage:
+      return YardUse::kStorage;
+    case lots::LotKind::kGreen:
+      return YardUse::kGreen;
+    case lots::LotKind::kAllotment:
+      return YardUse::kAllotment;
+    case lots::LotKind::kSite:
+      return YardUse::kSite;
+    default:
+      return YardUse::kNone;
+  }
+}
+
+bool is_home(const Yard& yard) { return yard.kind == lots::LotKind::kDetached || yard.kind == lots::LotKind::kRow; }
+
+// True for classes of land on which plots lie, and which they leave as they are.
+bool is_land_of_plots(LandCoverClass surface) {
+  const map::LandCoverGroup group = map::values_of(surface).group;
+  return group == map::LandCoverGroup::kTown || group == map::LandCoverGroup::kIndustry ||
+         surface == LandCoverClass::kAllotments || surface == LandCoverClass::kUnknown;
+}
 
 // The rectangle that a thing of a yard takes.
 struct YardRectangle {
   Vec2 at, right, back;  // unit vectors of its width and depth
   double width_m, depth_m;
 
-  Vec2 corner(int x, int y, double margin_m) const {
+  Vec2 corner(double x, double y, double margin_m) const {
     return at + right * (x * (width_m / 2 + margin_m)) + back * (y * (depth_m / 2 + margin_m));
   }
   bool is_apart(const YardRectangle& other) const {
@@ -44,6 +86,7 @@ struct YardFurnisher {
   const roadside::ClearZones& zones;
   const Yard& yard;
   std::uint64_t seed;
+  bool is_plot = false;
   lots::Frame frame = frame_at(yard.frame);
   std::vector<YardRectangle> taken{};
 
@@ -52,16 +95,20 @@ struct YardFurnisher {
 
   bool is_own_ground(Vec2 p) const {
     if (!recipes.land_cover.box.contains(p)) return false;
+    if (is_plot && !contains(yard.polygon, p)) return false;
     const std::uint32_t top = ground::land_cover_at(recipes.land_cover, p);
-    if (top == ground::kNoLandCover) return false;
+    if (top == ground::kNoLandCover) return is_plot;
     const ground::LandCoverPolygon& area = recipes.land_cover.surfaces[top];
-    const bool is_usable = lots::is_planted(area.surface) || area.surface == LandCoverClass::kPavedYard;
+    if (is_plot) return is_land_of_plots(area.surface) && !ground::is_yard(area);
+    const bool is_usable = lots::is_planted(area.surface) || area.surface == LandCoverClass::kPavedYard ||
+                           (area.surface == LandCoverClass::kAsphaltYard && !is_home(yard));
     return area.id.osm == yard.building.osm && is_usable;
   }
 
   bool is_free(const YardRectangle& place, double margin_m) const {
-    for (const int x : {-1, 0, 1})
-      for (const int y : {-1, 0, 1})
+    // a path may cross a large thing between its corners
+    for (const double x : {-1.0, -0.5, 0.0, 0.5, 1.0})
+      for (const double y : {-1.0, -0.5, 0.0, 0.5, 1.0})
         if (!is_own_ground(place.corner(x, y, margin_m))) return false;
     const double reach_m = (place.width_m + place.depth_m) / 4 + kApart_m;
     return lots::clearance_m(zones.trunks, place.at, reach_m) >= reach_m &&
@@ -117,11 +164,19 @@ struct YardFurnisher {
     if (kind.spot == YardSpot::kBesideHouse)
       return is_free(place, 0) &&
              to_wall_m(place.at, 2 * kBinToWall_m + kind.depth_m) < kBinToWall_m + kind.depth_m / 2;
-    return frame.local(place.at).y > yard.setback_m + kBehindFront_m && is_free(place, kApart_m);
+    const bool is_rear = is_plot || frame.local(place.at).y > yard.setback_m + kBehindFront_m;
+    const double margin_m = kind.spot == YardSpot::kBorder ? kInsideBorder_m / 2 : kApart_m;
+    return is_rear && is_free(place, margin_m) && (is_home(yard) || is_off_doors(place));
+  }
+
+  bool is_off_doors(const YardRectangle& place) const {
+    return roadside::is_clear(zones.doors, {place.at, place.back, place.depth_m, place.width_m}) &&
+           !overlaps_any(zones.things, {place.at, place.back, place.depth_m, place.width_m}, 0);
   }
 
   // A place drawn in the box of the yard, aligned with its frame.
   YardRectangle drawn_place(const YardKind& kind, const RandomSequence& draw, std::uint32_t index) const {
+    if (kind.spot == YardSpot::kBorder) return place_at_border(kind, draw, index);
     const Box2 box = box_of(yard.polygon.outer);
     const bool is_turned = draw.below(2, index + 2) == 0;
     const Vec2 right = is_turned ? frame.inward : frame.along;
@@ -133,17 +188,53 @@ struct YardFurnisher {
         .depth_m = kind.depth_m};
   }
 
-  bool has(const YardKind& kind) const {
-    const things::YardShare share = things::yard_share(kind.name, yard.country);
-    const int percent = yard.kind == lots::LotKind::kDetached ? share.detached_percent : share.row_percent;
-    return 100 * draws(kind.name).unit(0) < percent;
+  // A place drawn along the border, its back to it.
+  YardRectangle place_at_border(const YardKind& kind, const RandomSequence& draw, std::uint32_t index) const {
+    const Ring& ring = yard.polygon.outer;
+    double left_m = draw.unit(index) * perimeter_m();
+    std::size_t edge = 0;
+    while (edge + 1 < ring.size() && left_m > distance(ring[edge], ring[edge + 1])) {
+      left_m -= distance(ring[edge], ring[edge + 1]);
+      ++edge;
+    }
+    const Vec2 along = unit(ring[(edge + 1) % ring.size()] - ring[edge]), inward = left_of(along);
+    return {.at = snapped(ring[edge] + along * left_m + inward * (kind.depth_m / 2 + kInsideBorder_m)),
+            .right = along * -1.0,
+            .back = inward * -1.0,
+            .width_m = kind.width_m,
+            .depth_m = kind.depth_m};
   }
 
-  std::optional<YardRectangle> place_for(const YardKind& kind) const {
+  double perimeter_m() const {
+    const Ring& ring = yard.polygon.outer;
+    double sum_m = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) sum_m += distance(ring[i], ring[(i + 1) % ring.size()]);
+    return sum_m;
+  }
+
+  // How many of a kind the yard wants.
+  std::uint32_t number_of(const YardKind& kind) const {
+    if (is_home(yard)) {
+      const things::YardShare share = things::yard_share(kind.name, yard.country);
+      const int percent = yard.kind == lots::LotKind::kDetached ? share.detached_percent : share.row_percent;
+      return 100 * draws(kind.name).unit(0) < percent ? 1 : 0;
+    }
+    const things::YardNumber wanted = things::yard_number(kind.name, use_of(yard.kind));
+    const RandomSequence draw{seed, stable_id(stable_id(yard.building), "number", 0), kind.name};
+    std::uint32_t number = 0;
+    for (std::uint32_t i = 0; i < wanted.most; ++i) number += 100 * draw.unit(i) < wanted.percent ? 1 : 0;
+    return number;
+  }
+
+  // The first free of the places that are drawn for the n-th of a kind. A wall is found less often than a garden.
+  std::optional<YardRectangle> place_for(const YardKind& kind, std::uint32_t n) const {
     if (kind.spot == YardSpot::kBehindDrive || kind.spot == YardSpot::kOverDrive) return place_at_drive(kind);
     const RandomSequence draw = draws(kind.name);
-    for (std::uint32_t i = 0; i < kTries; ++i)
-      if (const YardRectangle place = drawn_place(kind, draw, 1 + 3 * i); suits(kind, place)) return place;
+    const std::uint32_t tries = is_home(yard) ? kTries : 2 * kTries;
+    for (std::uint32_t i = 0; i < tries; ++i) {
+      const std::uint32_t index = n == 0 ? 1 + 3 * i : 1 + kDrawsOfPlace * (2 * kTries * n + i);
+      if (const YardRectangle place = drawn_place(kind, draw, index); suits(kind, place)) return place;
+    }
     return std::nullopt;
   }
 };
@@ -168,12 +259,16 @@ void add_kinds(YardFurnisher furnisher, std::vector<things::Thing>& made) {
   bool has_garage = false;
   for (const YardKind& kind : things::kYardKinds) {
     ++number;
-    if (!furnisher.has(kind) || (has_garage && kind.spot == YardSpot::kOverDrive)) continue;
-    const std::optional<YardRectangle> place = furnisher.place_for(kind);
-    if (!place) continue;
-    furnisher.taken.push_back(*place);
-    has_garage = has_garage || kind.spot == YardSpot::kBehindDrive;
-    made.push_back(thing_at(furnisher, *place, kind.name, kind.height_m, number));
+    const bool is_of_drive = kind.spot == YardSpot::kBehindDrive || kind.spot == YardSpot::kOverDrive;
+    const std::uint32_t wanted = is_of_drive && has_garage ? 0 : furnisher.number_of(kind);
+    for (std::uint32_t n = 0; n < wanted; ++n) {
+      const std::optional<YardRectangle> place = furnisher.place_for(kind, n);
+      if (!place) continue;
+      furnisher.taken.push_back(*place);
+      has_garage = has_garage || kind.spot == YardSpot::kBehindDrive;
+      const auto kinds = static_cast<std::uint32_t>(std::size(things::kYardKinds));
+      made.push_back(thing_at(furnisher, *place, kind.name, kind.height_m, number + n * kinds));
+    }
   }
 }
 
@@ -188,7 +283,7 @@ bool has_gates(const Yard& yard, const lots::BorderRule& border, const YardFurni
 void add_gates(const YardFurnisher& furnisher, double height_m, std::vector<things::Thing>& made) {
   const Yard& yard = furnisher.yard;
   const double line_m = lots::inset_m(lots::BorderPlace::kStreet);
-  std::uint32_t number = static_cast<std::uint32_t>(std::size(things::kYardKinds));
+  std::uint32_t number = kPartsOfKinds;
   for (const lots::YardStrip& strip : yard.strips) {
     ++number;
     const double from_m = std::min(strip.from.y, strip.to.y), to_m = std::max(strip.from.y, strip.to.y);
@@ -209,13 +304,14 @@ std::vector<things::Thing> yard_things(const roadside::TileRecipes& recipes, con
                                        std::uint64_t seed, const Box2& box) {
   std::vector<things::Thing> made;
   for (const Yard& yard : recipes.yards) {
-    const bool is_home = yard.kind == lots::LotKind::kDetached || yard.kind == lots::LotKind::kRow;
-    const std::optional<lots::YardRule> rule = is_home ? lots::rule_of(yard, seed) : std::nullopt;
+    if (!is_home(yard) && use_of(yard.kind) == YardUse::kNone) continue;
+    const std::optional<lots::YardRule> rule = lots::rule_of(yard, seed);
     if (!rule) continue;
     const YardFurnisher furnisher{recipes, zones, yard, seed};
     add_kinds(furnisher, made);
-    if (has_gates(yard, rule->street, furnisher)) add_gates(furnisher, rule->street.height_m, made);
+    if (is_home(yard) && has_gates(yard, rule->street, furnisher)) add_gates(furnisher, rule->street.height_m, made);
   }
+  for (const Yard& plot : recipes.plots) add_kinds({recipes, zones, plot, seed, true}, made);
   std::erase_if(made, [&](const things::Thing& thing) { return !box.contains_half_open(thing.at); });
   return made;
 }

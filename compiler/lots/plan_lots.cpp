@@ -14,6 +14,7 @@
 #include "compiler/geometry/polygons/centroid.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/lots/coarse_outlines.h"
+#include "compiler/lots/courts.h"
 #include "compiler/lots/land_use.h"
 #include "compiler/map/buildings/building_classes.h"
 
@@ -198,6 +199,7 @@ struct LotPlanner {
   Walls walls = walls_of_map(features, land.footprints);
   LandUse uses = index_land_use(features);
   DoorPoints doors = index_door_points(features);
+  CourtGreen green = index_court_green(features);
 
   // The largest building, sheds last.
   std::uint32_t main_of(const std::vector<std::uint32_t>& footprints) const {
@@ -221,6 +223,7 @@ struct LotPlanner {
     const Ring& ring = main.polygon.outer;
     const bool is_attached = shared_length_m(walls, lot.main, ring) >= kLeastShared_m;
     lot.kind = kind_of_lot(main, land_use_at(uses, middle), is_attached);
+    if (lot.kind == LotKind::kPerimeter) lot.kind = court_of(green, middle);
     lot.country = main.country;
     lot.climate = climate_at(middle);
     lot.setback_m = setback_of(ring, lot.frame);
@@ -264,8 +267,9 @@ std::optional<Frame> frame_of(const parcels::Frontage& frontage, const parcels::
 }
 
 std::string_view name_of(LotKind kind) {
-  constexpr std::string_view kNames[] = {"detached", "row",   "apartments", "perimeter",
-                                         "shop",     "works", "public",     "none"};
+  constexpr std::string_view kNames[] = {"detached", "row",      "apartments",  "perimeter",   "shop",   "works",
+                                         "public",   "none",     "green_court", "paved_court", "school", "church",
+                                         "storage",  "car_park", "green",       "allotment",   "site"};
   static_assert(std::size(kNames) == static_cast<std::size_t>(LotKind::kCount));
   return kNames[static_cast<std::size_t>(kind)];
 }

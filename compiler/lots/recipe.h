@@ -32,6 +32,16 @@ enum class LotKind : std::uint8_t {
   kWorks,       ///< Industry.
   kPublic,      ///< Churches, schools, public buildings.
   kNone,        ///< Others, such as garages and barns: no yard is assumed.
+  kGreenCourt,  ///< A kPerimeter house in a block with much mapped green.
+  kPavedCourt,  ///< A kPerimeter house in a block with much mapped paving.
+  // The rest are no lots: ground that no lot has (compiler/vacant), which no recipe holds.
+  kSchool,
+  kChurch,
+  kStorage,    ///< Yards of industry.
+  kCarPark,    ///< Paved, without lines.
+  kGreen,      ///< Rough grass.
+  kAllotment,  ///< One plot of allotments.
+  kSite,       ///< A building site.
   kCount
 };
 

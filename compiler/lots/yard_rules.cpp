@@ -75,6 +75,8 @@ constexpr double kBehindFront_m = 0.25;
 bool has_paved_front(const Yard& yard) {
   switch (yard.kind) {
     case LotKind::kPerimeter:
+    case LotKind::kGreenCourt:
+    case LotKind::kPavedCourt:
       return true;
     case LotKind::kApartments:
     case LotKind::kShop:

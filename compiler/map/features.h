@@ -219,7 +219,8 @@ constexpr std::string_view name_of(BarrierKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-/// The build of a fence. Fences of the map are kAny: bars up to props::kMaxRailingFence_m, boards above.
+/// The build of a fence. Fences of the map are kAny: bars up to props::kMaxRailingFence_m, boards above, mesh
+/// from props::kLeastWorksFence_m on.
 enum class FenceKind : std::uint8_t { kAny, kBoards, kPickets, kMesh };
 
 /// A wall, fence, hedge or similar as a line.

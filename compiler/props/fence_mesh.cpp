@@ -67,7 +67,7 @@ bool is_sheet(const Barrier& barrier, double tolerance_m) {
 
 map::FenceKind kind_of_fence(const Barrier& fence) {
   if (fence.fence != map::FenceKind::kAny || fence.height_m <= kMaxRailingFence_m) return fence.fence;
-  return map::FenceKind::kBoards;
+  return fence.height_m >= kLeastWorksFence_m ? map::FenceKind::kMesh : map::FenceKind::kBoards;
 }
 
 materials::SurfaceMaterial fence_surface(const Barrier& fence) {

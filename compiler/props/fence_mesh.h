@@ -7,8 +7,9 @@
 
 namespace citykiln::props {
 
-/// The greatest height of a fence that is a railing, in metres. Higher fences are of boards.
-inline constexpr double kMaxRailingFence_m = 1.375;
+/// The greatest height of a fence that is a railing, in metres. Higher fences are of boards, as gardens have, up to the
+/// least height of the bars or the mesh around works.
+inline constexpr double kMaxRailingFence_m = 1.375, kLeastWorksFence_m = 1.9375;
 
 /// True for fences, at tolerances at which textures with holes are shown.
 bool is_sheet(const Barrier& barrier, double tolerance_m);

@@ -26,6 +26,7 @@ struct TileRecipes {
   std::span<const roads::Road> roads;
   std::span<const roads::Junction> junctions;
   std::span<const lots::Yard> yards;
+  std::span<const lots::Yard> plots;  ///< Ground that no lot has (vacant/plots.h), of the tile alone.
   std::span<const pitches::Pitch> pitches;
   std::span<const Vec2> trunks;              ///< The places of single trees and trees of rows.
   std::span<const things::Thing> things;     ///< With mapped parking spaces: things of the role map::ThingRole::kCar.

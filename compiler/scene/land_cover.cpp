@@ -207,10 +207,25 @@ void add_corner_kerbs(const Chunk& chunk, double tolerance_m, std::vector<LandCo
 
 }  // namespace
 
+vacant::Plots plots_of(const Header& header, const Chunk& chunk) {
+  if (!header.has_street_furniture) return {};
+  const Box2 tile = box_of(header, chunk.tile);
+  const std::vector<LandCoverPolygon> surfaces = coarse_land_cover(chunk);
+  const ground::LandCoverIndex index = ground::index_land_cover(surfaces, tile.widened(kHalo_m));
+  return vacant::plots_of({chunk.surfaces, chunk.roads, chunk.buildings, index, tile, header.seed});
+}
+
 LandCover land_cover_of(const Header& header, const Chunk& chunk, double tolerance_m) {
   assert(tolerance_m > 0);
-  if (!has_detail(Detail::kRoadSurfaces, tolerance_m)) return {coarse_land_cover(chunk), {}, {}};
+  std::vector<LandCoverPolygon> plots = plots_of(header, chunk).surfaces;
+  if (!has_detail(Detail::kRoadSurfaces, tolerance_m)) {
+    LandCover cover{coarse_land_cover(chunk), {}, {}};
+    std::ranges::move(plots, std::back_inserter(cover.surfaces));
+    sort_and_join(cover.surfaces);
+    return cover;
+  }
   LandCover cover{surfaces_without_roads(cover_recipes_of(chunk)), {}, {}};
+  std::ranges::move(plots, std::back_inserter(cover.surfaces));
   add_corner_kerbs(chunk, tolerance_m, cover.surfaces);
   const std::vector<roads::StripEnds> ends = roads::ends_of(chunk.roads);
   const auto changes = roads::lane_changes_of(chunk.roads, chunk.junctions);

@@ -7,6 +7,7 @@
 
 #include "compiler/roads/pieces/pieces.h"
 #include "compiler/scene/scene.h"
+#include "compiler/vacant/plots.h"
 
 namespace citykiln::scene {
 
@@ -22,10 +23,15 @@ struct LandCover {
   std::vector<roads::MarkingLayout> layouts;
 };
 
-/// Returns the polygons of areas, roads, junctions, traffic islands, watercourses, landforms with a land cover of their
-/// own, and buildings that stand on the ground. With Detail::kRoadSurfaces roads are divided into pieces and sports
-/// pitches into panels, else each road is one surface from kerb to kerb. Cannot fail. O(n log n).
+/// Returns the polygons of areas, plots (vacant/plots.h), roads, junctions, traffic islands, watercourses, landforms
+/// with a land cover of their own, and buildings that stand on the ground. With Detail::kRoadSurfaces roads are divided
+/// into pieces and sports pitches into panels, else each road is one surface from kerb to kerb. Cannot fail. O(n log
+/// n).
 LandCover land_cover_of(const Header& header, const Chunk& chunk, double tolerance_m);
+
+/// Returns the plots of ground that no lot has; none without Header::has_street_furniture. They are drawn from the
+/// chunk, and their surfaces are part of land_cover_of(). O(n log n).
+vacant::Plots plots_of(const Header& header, const Chunk& chunk);
 
 /// The recipes of a chunk or of the whole map that cover the ground.
 struct CoverRecipes {

@@ -187,13 +187,14 @@ Result<Kinds> kinds_of(const Catalogue& catalogue, const std::set<std::string>& 
   return kinds;
 }
 
-std::vector<RuleText> texts_for(const Catalogue& catalogue, const Kinds& kinds, std::span<const Thing> things) {
+std::vector<RuleText> texts_for(const Catalogue& catalogue, const Kinds& kinds, std::span<const Thing> things,
+                                std::span<const YardUse> uses) {
   std::set<std::string_view> used, files;
   for (const Thing& thing : things) used.insert(thing.form.kind);
   std::vector<RuleText> texts;
   for (const auto& [name, kind] : kinds) {
     if (!used.contains(name) && map::role_of(name) != map::ThingRole::kCar && !is_street_kind(name) &&
-        !is_front_kind(name) && !is_yard_kind(name))
+        !is_front_kind(name) && !is_kind_of(name, uses))
       continue;
     texts.push_back({name, kind.row.line});
     files.insert(kind.rules.files.begin(), kind.rules.files.end());

@@ -12,6 +12,7 @@
 #include "compiler/contract/result.h"
 #include "compiler/map/things/thing_table.h"
 #include "compiler/things/recipe.h"
+#include "compiler/things/yard_kinds.h"
 #include "grammars/language/syntax.h"
 
 namespace citykiln::things {
@@ -68,7 +69,9 @@ Result<Kinds> kinds_of(const Catalogue& catalogue, const std::set<std::string>& 
 /// of cars and street furniture that `kinds` has, each under its name; and their rule files, imports included. Sorted
 /// by name.
 /// @param kinds  The kinds of the things.
-std::vector<RuleText> texts_for(const Catalogue& catalogue, const Kinds& kinds, std::span<const Thing> things);
+/// @param uses   The uses of grounds whose things are drawn when tiles are baked (yard_kinds.h).
+std::vector<RuleText> texts_for(const Catalogue& catalogue, const Kinds& kinds, std::span<const Thing> things,
+                                std::span<const YardUse> uses = {});
 
 /// Parses the texts of a manifest. Leaves out kinds whose texts are missing or do not parse.
 Kinds parse_kinds(std::span<const RuleText> texts);

@@ -178,6 +178,7 @@ map::Features guessed(const Place& place, LeftOut kind, const IsOut& is_out, Ass
   map::Features features = located(place, without_tags(place.osm, kind, is_out));
   if (kind == LeftOut::kFields) join_fields(features);
   if (kind == LeftOut::kFrontages) hide_frontages(features);
+  if (kind == LeftOut::kCourts) hide_courts(features, is_out);
   assume::Assumed assumed = assume::assume(features, {.on = on, .seed = 0, .lonlat_of = lonlat_of}, ignored);
   features.tracks = std::move(assumed.tracks), features.footprints = std::move(assumed.footprints);
   if (kind == LeftOut::kFields) keep_farmed_areas(features);

@@ -22,6 +22,7 @@ enum class LeftOut : std::uint8_t {
   kLamps,      ///< lit=* and street lamps.
   kWidths,     ///< width=*, est_width=*, width:lanes=*.
   kHeights,    ///< Heights and storeys of buildings and of their roofs.
+  kCourts,     ///< Small areas of grass and paving: their class becomes kUnknown.
   kFields,     ///< Borders between neighbouring fields (assumed_lands.h), in all of the map.
   kTrees,      ///< Trees, rows of trees and tree_lined=*.
   kHedges,     ///< Hedges.
@@ -41,6 +42,8 @@ struct Place {
   map::Heightfield heights;
 };
 
+/// Makes the class of areas of LeftOut::kCourts unknown.
+void hide_courts(map::Features& features, const IsOut& is_out);
 /// Makes the class of all areas of LeftOut::kFrontages unknown.
 void hide_frontages(map::Features& features);
 

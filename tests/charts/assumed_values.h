@@ -81,4 +81,10 @@ Values built_lane_hedges(const map::Features& features);
 std::vector<Sample> tagged_frontages(const Place& place);
 Values built_frontages(const map::Features& features);
 
+/// Courts: green (yes) or paved (no) areas of lots/courts.h with no street within 12 m of their middle, and walls
+/// within 30 m of it in at least five of eight directions. Built is the kind of court at that place, 0.55 where lots
+/// draw it.
+std::vector<Sample> tagged_courts(const Place& place);
+Values built_courts(const map::Features& features);
+
 }  // namespace citykiln::charts

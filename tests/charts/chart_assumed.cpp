@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "compiler/lots/courts.h"
 #include "compiler/source/read_raster.h"
 #include "tests/charts/assumed_values.h"
 #include "tests/charts/chart.h"
@@ -23,6 +24,7 @@ constexpr std::array kSubjects = {
     Subject{"widths", "m", LeftOut::kWidths, false, tagged_widths, built_widths},
     Subject{"heights", "m", LeftOut::kHeights, false, tagged_heights, built_heights},
     Subject{"storeys", "storeys", LeftOut::kHeights, false, tagged_storeys, built_storeys},
+    Subject{"courts", "", LeftOut::kCourts, true, tagged_courts, built_courts},
     Subject{"field_sizes", "ha", LeftOut::kFields, false, tagged_field_sizes, built_field_sizes},
     Subject{"meadow_sizes", "ha", LeftOut::kFields, false, tagged_meadow_sizes, built_field_sizes},
     Subject{"fields", "fields/km²", LeftOut::kFields, false, tagged_fields_per_km2, built_fields_per_km2},
@@ -31,8 +33,9 @@ constexpr std::array kSubjects = {
     Subject{"lane_hedges", "", LeftOut::kHedges, true, tagged_lane_hedges, built_lane_hedges},
     Subject{"frontages", "", LeftOut::kFrontages, true, tagged_frontages, built_frontages}};
 
-constexpr std::array kAllKinds = {LeftOut::kPavements, LeftOut::kLamps, LeftOut::kWidths, LeftOut::kHeights,
-                                  LeftOut::kFields,    LeftOut::kTrees, LeftOut::kHedges, LeftOut::kFrontages};
+constexpr std::array kAllKinds = {LeftOut::kPavements, LeftOut::kLamps,  LeftOut::kWidths,
+                                  LeftOut::kHeights,   LeftOut::kCourts, LeftOut::kFields,
+                                  LeftOut::kTrees,     LeftOut::kHedges, LeftOut::kFrontages};
 
 /// True for kinds of which an assumption looks at tagged neighbours, so that blocks within a place differ from a place.
 bool looks_at_neighbours(LeftOut kind) { return kind < LeftOut::kFields; }
@@ -60,6 +63,8 @@ std::set<OsmId> elements_in_blocks(const map::Features& features, int colour) {
   for (const map::Footprint& footprint : features.footprints)
     add(footprint.id.osm, box_of(footprint.polygon.outer).centre());
   for (const map::PointFeature& point : features.points) add(point.id.osm, point.at);
+  for (const map::AreaFeature& area : features.areas)
+    if (lots::is_green_court(area.surface)) add(area.id.osm, box_of(area.polygon.outer).centre());
   return inside;
 }
 

@@ -66,6 +66,7 @@ struct MadeTile {
     return {.roads = roads,
             .junctions = junctions,
             .yards = yards,
+            .plots = {},
             .pitches = pitches,
             .trunks = trunks,
             .things = things,

@@ -60,6 +60,7 @@ struct MadeStreet {
     const roadside::TileRecipes recipes{.roads = roads,
                                         .junctions = {},
                                         .yards = {},
+                                        .plots = {},
                                         .pitches = {},
                                         .trunks = trunks,
                                         .things = things,

@@ -44,6 +44,7 @@ struct LinedStreet {
     const roadside::TileRecipes recipes{.roads = roads,
                                         .junctions = {},
                                         .yards = {},
+                                        .plots = {},
                                         .pitches = {},
                                         .trunks = {},
                                         .things = {},

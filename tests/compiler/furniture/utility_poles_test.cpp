@@ -34,6 +34,7 @@ UtilityPoles poles_on(const roads::Road& road, const Box2& box, std::uint64_t se
   const roadside::TileRecipes recipes{.roads = roads,
                                       .junctions = {},
                                       .yards = {},
+                                      .plots = {},
                                       .pitches = {},
                                       .trunks = {},
                                       .things = {},

@@ -41,6 +41,7 @@ struct MadeLot {
     const roadside::TileRecipes recipes{.roads = {},
                                         .junctions = {},
                                         .yards = {&yard, 1},
+                                        .plots = {},
                                         .pitches = {},
                                         .trunks = trunks,
                                         .things = {},
@@ -125,6 +126,56 @@ TEST(YardThings, GatesStandWhereTheDriveLeavesAYardWithAWall) {
     }
   EXPECT_GT(gates, 10);
   EXPECT_EQ(widths, std::set<double>{2.75});
+}
+
+// A plot of storage of 24 by 22 m on industrial land.
+struct MadePlot {
+  lots::Yard plot;
+  std::vector<ground::LandCoverPolygon> cover;
+
+  explicit MadePlot(int n) {
+    plot = {.building = house_of(n), .country = map::CountryGroup::kBritishIsles, .kind = lots::LotKind::kStorage};
+    plot.polygon.outer = rectangle_from_to({0, 0}, {24, 22});
+    plot.frame = {.origin = {0, 0}, .heading = lots::kHeadings / 4};
+    cover = {{house_of(1000), LandCoverClass::kIndustrial, 0, {rectangle_from_to({-100, -100}, {100, 100})}}};
+  }
+
+  std::vector<things::Thing> things() const {
+    const ground::LandCoverIndex index = ground::index_land_cover(cover, kLotBox.widened(48));
+    const roadside::TileRecipes recipes{.roads = {},
+                                        .junctions = {},
+                                        .yards = {},
+                                        .plots = {&plot, 1},
+                                        .pitches = {},
+                                        .trunks = {},
+                                        .things = {},
+                                        .lamps = {},
+                                        .barriers = {},
+                                        .buildings = {},
+                                        .land_cover = index,
+                                        .tile_m = 256};
+    return yard_things(recipes, roadside::clear_zones_of(recipes), 1, kLotBox);
+  }
+};
+
+TEST(YardThings, OfStorageStandInTheirPlotApartFromEachOther) {
+  std::size_t found = 0;
+  for (int n = 0; n < 60; ++n) {
+    const auto made = MadePlot(n).things();
+    found += made.size();
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      EXPECT_TRUE((Box2{{0, 0}, {24, 22}}.contains(made[i].at))) << made[i].form.kind;
+      EXPECT_EQ(things::yard_number(made[i].form.kind, things::YardUse::kStorage).most == 0, false);
+      for (std::size_t k = 0; k < i; ++k) EXPECT_GT(distance(made[i].at, made[k].at), 1.5);
+    }
+  }
+  EXPECT_GT(found, 180u);
+}
+
+TEST(YardThings, OfPlotsKeepOffAllThatIsMappedMoreFinely) {
+  MadePlot made(1);
+  made.cover.push_back({house_of(1001), LandCoverClass::kPark, 0, {rectangle_from_to({-50, -50}, {50, 50})}});
+  EXPECT_TRUE(made.things().empty());
 }
 
 TEST(YardThings, BelongToOneTile) {

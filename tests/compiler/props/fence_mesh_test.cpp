@@ -57,9 +57,9 @@ TEST(FenceMesh, HighFencesAreOfBoardsAndCoarseLevelsHaveNoSheets) {
 }
 
 TEST(FenceMesh, YardsDecideTheKindOfTheirFence) {
+  EXPECT_EQ(kind_of_fence(fence_of_height(1.75)), map::FenceKind::kBoards);
   Barrier fence = fence_of_height(2);
-  EXPECT_EQ(kind_of_fence(fence), map::FenceKind::kBoards);
-  fence.fence = map::FenceKind::kMesh;
+  EXPECT_EQ(kind_of_fence(fence), map::FenceKind::kMesh) << "around works";
   EXPECT_EQ(fence_surface(fence).material, materials::Material::kChainLink);
   fence.fence = map::FenceKind::kPickets;
   EXPECT_EQ(fence_surface(fence).material, materials::Material::kPickets);

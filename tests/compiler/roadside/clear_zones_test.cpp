@@ -18,6 +18,7 @@ ClearZones zones_of(std::vector<things::Thing> things, std::vector<Vec2> trunks 
   return clear_zones_of({.roads = {},
                          .junctions = {},
                          .yards = {},
+                         .plots = {},
                          .pitches = {},
                          .trunks = trunks,
                          .things = things,
