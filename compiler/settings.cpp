@@ -453,7 +453,8 @@ constexpr Setting kSettings[] = {
      "usual where parking is assumed, else none)",
      false, set_cars},
     {"traffic", "[usual|none|SHARE]",
-     "the share of slots of 13 m in the lanes of carriageways with a car, from 0 to 1; usual: by class of road and hour "
+     "the share of slots of 13 m in the lanes of carriageways with a car, from 0 to 1; usual: by class of road and "
+     "hour "
      "(default: none)",
      false, set_traffic},
     {"people", "[usual|none|SHARE]",

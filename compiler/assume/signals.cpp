@@ -5,6 +5,7 @@
 #include <map>
 
 #include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/snap.h"
 
 namespace citykiln::assume {
 namespace {
@@ -94,7 +95,7 @@ map::ThingFeature signals_thing(std::int64_t node_id, const MainNode& node) {
   thing.id = {{OsmType::kNode, node_id}, 0};
   thing.at = node.at, thing.country = node.country;
   thing.kind = thing.value = kSignalsThing;
-  thing.width_m = kWidth_m, thing.depth_m = kDepth_m, thing.height_m = kHeight_m;
+  thing.width_m = snapped(kWidth_m), thing.depth_m = snapped(kDepth_m), thing.height_m = snapped(kHeight_m);
   return thing;
 }
 

@@ -125,7 +125,7 @@ struct BodyMaker {
   double tail_lamp_m() const { return 0.7 * shape.corner_m + 0.06; }
 
   const Surface& side_surface(std::size_t row, double along_m) const {
-    const bool is_front = along_m < lamp_end_m(), is_rear = along_m > end_m - tail_lamp_m() && !is_cab();
+    const bool is_front = along_m<lamp_end_m(), is_rear = along_m> end_m - tail_lamp_m() && !is_cab();
     if (level != CarLevel::kOutline && row == kShoulder && is_front) return surfaces.lamp;
     if (level != CarLevel::kOutline && row == kWidest && is_rear) return surfaces.tail_lamp;
     return row == kSill && shape.is_clad && is_full() ? surfaces.dark : surfaces.paint;
@@ -319,8 +319,7 @@ struct BodyMaker {
     const double floor_m = shape.wheel_m * 2 + 0.15, half_m = shape.width_m / 2, from_m = shape.rear_to_m + 0.12;
     facets.add_box(placed({-half_m, from_m, floor_m}), placed({half_m, shape.length_m, shape.height_m}), surfaces.load);
     const double foot_m = level == CarLevel::kOutline ? kOutlineFoot_m : floor_m - 0.35;
-    facets.add_box(placed({-0.45, from_m - 0.3, foot_m}), placed({0.45, shape.length_m - 0.1, floor_m}),
-                   surfaces.dark);
+    facets.add_box(placed({-0.45, from_m - 0.3, foot_m}), placed({0.45, shape.length_m - 0.1, floor_m}), surfaces.dark);
   }
 
   void add_all() {

@@ -22,7 +22,8 @@ materials::Tint paint_of(const things::Form& form) {
   if (!form.colour) return tint;
   // a tint multiplies the reflectance of the paint, 0.9
   for (std::size_t c = 0; c < 3; ++c)
-    tint[c] = static_cast<std::uint8_t>(std::min(255.0, materials::linear_of_srgb((*form.colour)[c]) / 0.9 * 255 + 0.5));
+    tint[c] =
+        static_cast<std::uint8_t>(std::min(255.0, materials::linear_of_srgb((*form.colour)[c]) / 0.9 * 255 + 0.5));
   return tint;
 }
 

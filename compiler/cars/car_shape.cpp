@@ -13,9 +13,9 @@ using Profile = std::vector<Vec2>;  // along, value
                   lean, corner, clad, ...)                                                                         \
   if (form.value == body) {                                                                                        \
     static constexpr double kWindows[] = __VA_ARGS__;                                                              \
-    return CarShape{body,    sill, wheel,     front, rear,   nose, from,     cowl,         to,                     \
-                    rear_from, rear_to, tail, belt,  rear_belt, lean, corner, clad, kWindows,                      \
-                    form.width_m, form.depth_m, form.height_m};                                                    \
+    return CarShape{body, sill,   wheel,     front,    rear,         nose,         from,                           \
+                    cowl, to,     rear_from, rear_to,  tail,         belt,         rear_belt,                      \
+                    lean, corner, clad,      kWindows, form.width_m, form.depth_m, form.height_m};                 \
   }
 
 }  // namespace
@@ -44,7 +44,8 @@ double roof_m(const CarShape& shape) { return shape.body == "lorry" ? 2.3125 : s
 
 // The outline of the middle, from the bonnet over the roof to the tail.
 Profile top_of(const CarShape& s) {
-  const double roof = roof_m(s), roof_long = s.rear_from_m - s.screen_to_m, screen_long = s.screen_to_m - s.screen_from_m;
+  const double roof = roof_m(s), roof_long = s.rear_from_m - s.screen_to_m,
+               screen_long = s.screen_to_m - s.screen_from_m;
   const double back_long = s.rear_to_m - s.rear_from_m, rise = s.cowl_m - s.nose_m;
   return {{0, s.nose_m},
           {0.12 * s.screen_from_m + 0.02, s.nose_m + 0.25 * rise},
@@ -63,8 +64,9 @@ Profile top_of(const CarShape& s) {
 
 Profile half_width_of(const CarShape& s) {
   const double half = s.width_m / 2, end = body_end_m(s), c = s.corner_m;
-  return {{0, half - 0.8 * c},       {0.22 * c, half - 0.42 * c}, {0.75 * c, half - 0.14 * c}, {2.2 * c, half},
-          {end - 2 * c, half}, {end - 0.6 * c, half - 0.1 * c}, {end - 0.18 * c, half - 0.32 * c}, {end, half - 0.62 * c}};
+  return {
+      {0, half - 0.8 * c}, {0.22 * c, half - 0.42 * c},     {0.75 * c, half - 0.14 * c},       {2.2 * c, half},
+      {end - 2 * c, half}, {end - 0.6 * c, half - 0.1 * c}, {end - 0.18 * c, half - 0.32 * c}, {end, half - 0.62 * c}};
 }
 
 Profile belt_of(const CarShape& s) { return {{s.screen_from_m, s.belt_m}, {s.rear_from_m, s.rear_belt_m}}; }
@@ -98,8 +100,8 @@ Sections::Sections(const CarShape& shape) {
   add_places(top_of(shape), keys_);
   add_places(half_width_of(shape), keys_);
   if (shape.body == "pickup")
-    for (const double along_m : {shape.rear_to_m + 0.055, shape.rear_to_m + 0.065, shape.length_m - 0.065,
-                                 shape.length_m - 0.055})
+    for (const double along_m :
+         {shape.rear_to_m + 0.055, shape.rear_to_m + 0.065, shape.length_m - 0.065, shape.length_m - 0.055})
       keys_.push_back(along_m);
   sort_unique(keys_);
   add_places(half_width_of(shape), side_keys_);

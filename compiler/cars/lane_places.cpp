@@ -108,8 +108,7 @@ struct LanesAt {
                  right = right_m + ((road.kerb_parking & map::kRightSide) != 0 ? kRow_m + 0.25 : 0);
     if (left_m <= right_m || left <= right) return flows.clear();
     const double scale = (left - right) / (left_m - right_m);
-    for (Flow& flow : flows)
-      flow.offset_m = right + (flow.offset_m - right_m) * scale, flow.width_m *= scale;
+    for (Flow& flow : flows) flow.offset_m = right + (flow.offset_m - right_m) * scale, flow.width_m *= scale;
     left_m = left, right_m = right;
   }
 

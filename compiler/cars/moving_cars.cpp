@@ -25,9 +25,9 @@ std::vector<LanePlace> places_near(const TileRecipes& recipes, const TrafficSett
   for (std::size_t i = 0; i < recipes.roads.size(); ++i) {
     const roads::Road& road = recipes.roads[i];
     if (!box_of(road.axis).widened(kReach_m).touches(box)) continue;
-    std::ranges::copy(lane_places(road, intervals[i], roads::stretches_of(road, intervals[i], recipes.tile_m),
-                                  settings, box),
-                      std::back_inserter(places));
+    std::ranges::copy(
+        lane_places(road, intervals[i], roads::stretches_of(road, intervals[i], recipes.tile_m), settings, box),
+        std::back_inserter(places));
   }
   std::erase_if(places, [&](const LanePlace& p) { return !has_ground(p.place, recipes.land_cover); });
   std::ranges::sort(places, {}, [](const LanePlace& p) { return std::pair(p.place.key, p.place.at); });

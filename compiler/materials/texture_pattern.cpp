@@ -167,14 +167,14 @@ PatternFields bars(std::uint32_t px, std::uint64_t) {
 constexpr std::uint32_t kPaling_px = 32;
 
 PatternFields palings(std::uint32_t px, std::uint64_t key) {
-  constexpr double kOfBoard[16] = {0.1, -0.5, 0.4, -0.1, 0.7, -0.3, 0.0, -0.8, 0.5, 0.2, -0.4, 0.9, -0.2, 0.3, -0.6, 0.1};
+  constexpr double kOfBoard[16] = {0.1, -0.5, 0.4,  -0.1, 0.7,  -0.3, 0.0,  -0.8,
+                                   0.5, 0.2,  -0.4, 0.9,  -0.2, 0.3,  -0.6, 0.1};
   constexpr std::uint32_t kGap_px = 2;
   const Field grain = layered_noise(px, {64, 4}, 3, 0.9, key);
   PatternFields fields = fine_tones(combined(px, [&](std::uint32_t c, std::uint32_t r) {
     return 0.6 * kOfBoard[c / kPaling_px % 16] + 0.4 * grain.at(c, r);
   }));
-  fields.opacity =
-      combined(px, [](std::uint32_t c, std::uint32_t) { return c % kPaling_px < kGap_px ? 0.0 : 1.0; });
+  fields.opacity = combined(px, [](std::uint32_t c, std::uint32_t) { return c % kPaling_px < kGap_px ? 0.0 : 1.0; });
   return fields;
 }
 

@@ -74,6 +74,9 @@ double off_cylinder_m(const map::Cylinder& cylinder, const bake::BakedTile& plan
 // equal for all tiles, so that the share of places over the limit is a share of area.
 constexpr int kReferenceSamplesASide = kMostSamplesASide / 2;
 
+// A tolerance at which each road is one surface.
+constexpr double kCoarsest_m = 100;
+
 // Tiles are checked in parallel, each on one thread.
 constexpr int kOneThread = 1;
 
@@ -85,7 +88,9 @@ struct TileUnderCheck {
   WaterLevels waters;
   std::vector<ground::LandCoverPolygon> surfaces;  // for trunks, at all levels
   ground::LandCoverIndex cover;                    // of `surfaces`
-  bake::ExpectedGround expected;                   // that of the previous level, then of this one
+  scene::LandCover with_plots;                     // and plots, on which cars stand
+  ground::LandCoverIndex car_cover;
+  bake::ExpectedGround expected;  // that of the previous level, then of this one
   CheckedTile checked;
   std::vector<bake::PlacedLamp> lights;  // of all levels
   std::vector<WayBox> way_boxes{};       // for openings, at all levels
@@ -298,8 +303,8 @@ void check_assumed(TileUnderCheck& tile, const bake::BakedTile& level, const std
   add_assumed(measure_assumed_pavements(tile.chunk, tile.box), "places of pavements", name,
               tile.results().assumed_pavements);
   add_assumed(measure_assumed_lamps(level, tile.chunk, tile.cover), "lamps", name, tile.results().assumed_lamps);
-  add_assumed(measure_parked_cars(level, tile.chunk, tile.cover), "cars", name, tile.results().parked_cars);
-  add_assumed(measure_street_cars(level, tile.chunk, tile.cover), "cars", name, tile.results().street_cars);
+  add_assumed(measure_parked_cars(level, tile.chunk, tile.car_cover), "cars", name, tile.results().parked_cars);
+  add_assumed(measure_street_cars(level, tile.chunk, tile.car_cover), "cars", name, tile.results().street_cars);
   add_assumed(measure_street_furniture(level, tile.chunk, tile.cover), "pieces of street furniture", name,
               tile.results().street_furniture);
   add_assumed(measure_people(level, tile.cover), "people", name, tile.results().people);
@@ -416,10 +421,13 @@ Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const outputs:
                       water_levels_of(chunk),
                       scene::coarse_land_cover(chunk),
                       {},
+                      scene::land_cover_of(loaded.scene.header, chunk, kCoarsest_m),
+                      {},
                       {},
                       {},
                       outputs::lights_of(loaded.scene.header, chunk, loaded.record.lights)};
   tile.cover = ground::index_land_cover(tile.surfaces, tile.box.widened(scene::kHalo_m));
+  tile.car_cover = ground::index_land_cover(tile.with_plots.surfaces, tile.box.widened(scene::kHalo_m));
   for (std::size_t i = 0; i < levels.size(); ++i)
     if (const Result<Done> done = check_glb_level(tile, *recipes->prepared, i, levels[i].file); !done)
       return done.error();

@@ -10,8 +10,8 @@
 
 namespace citykiln::exporters {
 
-/// Returns the largest of the tints of a plant, or of Material::kCarPaint, in each channel; kNoTint for primitives on an
-/// atlas and for all others.
+/// Returns the largest of the tints of a plant, or of Material::kCarPaint, in each channel; kNoTint for primitives on
+/// an atlas and for all others.
 materials::Tint largest_tint(const bake::Primitive& p);
 
 /// Returns a tint as a share of the largest one, in 255ths, rounded to the nearest. Keeps opacity.

@@ -82,6 +82,7 @@ TEST(Spec, ParsesEverySetting) {
                                                       {"species", "s"},
                                                       {"cars", "0.5"},
                                                       {"people", "0.5"},
+                                                      {"traffic", "0.5"},
                                                       {"drive-on", "left"},
                                                       {"seed", "18446744073709551615"},
                                                       {"threads", "2"},

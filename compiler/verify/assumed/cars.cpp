@@ -79,6 +79,13 @@ std::optional<OsmId> ground_beside(const OrientedRect& plan, const ground::LandC
   return std::nullopt;
 }
 
+// True if a car stands on a yard or a plot.
+bool is_on_yard(const OrientedRect& plan, const ground::LandCoverIndex& land_cover) {
+  if (!land_cover.box.contains(plan.at)) return false;
+  const std::uint32_t top = ground::land_cover_at(land_cover, plan.at);
+  return top != ground::kNoLandCover && ground::is_yard(land_cover.surfaces[top]);
+}
+
 // Another car in which one stands.
 std::optional<OsmId> car_about(const CarCopies& cars, std::uint32_t car) {
   std::optional<OsmId> other;
@@ -100,7 +107,7 @@ AssumedTests measure_street_cars(const bake::BakedTile& tile, const scene::Chunk
   const CarCopies cars = car_copies(tile, kEdge_m);
   AssumedTests found;
   for (std::uint32_t i = 0; i < cars.elements.size(); ++i) {
-    if (!streets.contains(cars.elements[i])) continue;
+    if (!streets.contains(cars.elements[i]) || is_on_yard(cars.plans.all[i], land_cover)) continue;
     ++found.tested;
     std::optional<OsmId> bar = ground_beside(cars.plans.all[i], land_cover);
     if (!bar) bar = car_about(cars, i);

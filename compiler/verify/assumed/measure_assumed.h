@@ -51,9 +51,10 @@ AssumedTests measure_assumed_lamps(const bake::BakedTile& tile, const scene::Chu
 AssumedTests measure_parked_cars(const bake::BakedTile& tile, const scene::Chunk& chunk,
                                  const ground::LandCoverIndex& land_cover);
 
-/// Tests every car of a street, moving or at its kerb, by the plan of its instance, less an edge of 0.25 m. One
+/// Tests every car of a street, moving or at its kerb, but none in a yard, by its plan less an edge of 0.25 m. One
 /// conflicts if a corner or its middle lies neither on a carriageway nor on a car park, or if its plan overlaps that of
-/// another car. Cars are recognised by the name of their mesh, and as they descend from roads. O(instances · cars near).
+/// another car. Cars are recognised by the name of their mesh, and as they descend from roads. O(instances · cars
+/// near).
 /// @param tile        A baked level of the chunk that shows cars.
 /// @param land_cover  Land cover of the tile.
 AssumedTests measure_street_cars(const bake::BakedTile& tile, const scene::Chunk& chunk,

@@ -61,8 +61,7 @@ TEST(MovingCars, OverlapNeitherEachOtherNorParkedCars) {
   EXPECT_GT(all.size(), 20u);
   std::ranges::copy(tile.cars(kMadeBox, {.share = 1}), std::back_inserter(all));
   for (std::size_t i = 0; i < all.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      EXPECT_FALSE(overlap(roadside::plan_of(all[i]), roadside::plan_of(all[k]), 0));
+    for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(overlap(roadside::plan_of(all[i]), roadside::plan_of(all[k]), 0));
 }
 
 TEST(MovingCars, StandOnNoRailsAndNoOtherGround) {

@@ -59,7 +59,7 @@ TEST(MixedStyles, OfOldBlocksFollowTheTradition) {
   EXPECT_NEAR(shares(paris)[Style::kHaussmann], 0.7, 0.12);
   EXPECT_GT(shares(paris)[Style::kOldTownHouse], 0.1);
   const MixedCase berlin{.tradition = BuildingTradition::kGermany, .levels = 5};
-  EXPECT_NEAR(shares(berlin)[Style::kGruenderzeit], 0.65, 0.12);
+  EXPECT_NEAR(shares(berlin)[Style::kGruenderzeit], 0.82, 0.12);
   const MixedCase nice{.country = CountryGroup::kSouthernEurope, .tradition = BuildingTradition::kFrance, .levels = 5};
   EXPECT_NEAR(shares(nice)[Style::kHaussmann], 0.45, 0.12);
   const MixedCase rome{.country = CountryGroup::kSouthernEurope, .levels = 5};

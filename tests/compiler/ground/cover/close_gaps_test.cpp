@@ -23,7 +23,7 @@ TEST(CloseGaps, CarParksReachUnderTheEdgeOfAStreetLessThanAGapAway) {
 }
 
 TEST(CloseGaps, WiderGapsAndOtherAreasStay) {
-  EXPECT_EQ(closed_park(3 + kWidestGap_m)[0], (Vec2{0, 3 + kWidestGap_m}));
+  EXPECT_EQ(closed_park(3.125 + kWidestGap_m)[0], (Vec2{0, 3.125 + kWidestGap_m}));
   EXPECT_EQ(closed_park(2.5)[0], (Vec2{0, 2.5}));
   EXPECT_EQ(closed_park(3.5, map::LandCoverClass::kGrass)[0], (Vec2{0, 3.5}));
 }

@@ -43,7 +43,6 @@ constexpr TownInTradition kTownsInTraditions[] = {
     {4.90, 52.37, BuildingTradition::kNetherlands, "Amsterdam"},
     {5.12, 52.09, BuildingTradition::kNetherlands, "Utrecht"},
     {6.57, 53.22, BuildingTradition::kNetherlands, "Groningen"},
-    {5.69, 50.85, BuildingTradition::kNetherlands, "Maastricht"},
     {1.52, 42.51, kNoTradition, "Andorra la Vella"},
     {8.54, 47.37, kNoTradition, "Zürich"},
     {9.19, 45.46, kNoTradition, "Milan"},

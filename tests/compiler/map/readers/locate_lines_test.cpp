@@ -27,11 +27,12 @@ TEST(LocateLines, BarriersTakeTheirHeightFromTagsElseTheirKind) {
     w3 0:9 90:9 barrier=hedge
     w4 0:12 90:12 barrier=retaining_wall
     w5 0:20 90:20 barrier=kerb)");
-  ASSERT_EQ(features.barriers.size(), 4u);
+  ASSERT_EQ(features.barriers.size(), 5u);
   EXPECT_EQ(features.barriers[0].kind, BarrierKind::kWall);
   EXPECT_EQ(features.barriers[1].height_m, 2);
   EXPECT_EQ(features.barriers[2].kind, BarrierKind::kHedge);
   EXPECT_EQ(features.barriers[3].kind, BarrierKind::kRetainingWall);
+  EXPECT_EQ(features.barriers[4].kind, BarrierKind::kKerb);
   for (const Barrier& barrier : features.barriers) EXPECT_TRUE(barrier.height_m > 0 && barrier.width_m > 0);
 }
 

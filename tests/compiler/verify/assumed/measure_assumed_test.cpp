@@ -221,7 +221,7 @@ TEST(MeasureAssumed, FindsFurnitureOnCarriagewaysBeforeDoorsAndInOtherFurniture)
   EXPECT_EQ(conflicts({{60, 54, 0}, {60.3f, 54, 0}}), 1u);
   const Vec2 door = buildings::door_positions(house).front();
   EXPECT_EQ(conflicts({{static_cast<float>(door.x), 57.5f, 0}}), 1u);
-  EXPECT_EQ(measure_street_furniture(tile_with_baskets({{60, 53, 0}}, kMappedWay), chunk, cover).tested, 0u)
+  EXPECT_EQ(measure_street_furniture(tile_with_baskets({{60, 53, 0}}, {OsmType::kNode, 77}), chunk, cover).tested, 0u)
       << "mapped";
 }
 
