@@ -94,12 +94,14 @@ bool meet_near(const Mapped& mapped, const Road& one, const Road& other, Vec2 p)
 constexpr double kJoins = 0.6;
 
 // True if a place lies between the kerbs of another road, on a railway, or on a path that runs along the road.
-// Pavements may cover footways, which are mapped for them.
+// Pavements may cover footways, which are mapped for them, and lie below cycle paths.
 bool is_on_way(const PavementPlace& place, const Road& other, std::uint32_t segment) {
   const Vec2 a = other.axis[segment], b = other.axis[segment + 1];
   const double half_m = cross(b - a, place.at - a) > 0 ? roads::left_m(other) : roads::right_m(other);
   if (a == b || distance_to_segment(a, b, place.at) >= half_m - kInside_m) return false;
-  if (other.surface == LandCoverClass::kFootPath || other.surface == LandCoverClass::kPavedFootPath) return false;
+  if (other.surface == LandCoverClass::kFootPath || other.surface == LandCoverClass::kPavedFootPath ||
+      other.surface == LandCoverClass::kCyclePath)
+    return false;
   const bool is_path = group_of_class(other.surface) == LandCoverGroup::kPath;
   return !is_path || std::abs(dot(unit(b - a), unit(place.at - place.on_axis))) < kJoins;
 }

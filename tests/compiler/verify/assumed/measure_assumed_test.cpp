@@ -83,11 +83,12 @@ TEST(MeasureAssumed, FindsPavementsOnRailwaysAndRoadsBesideTheStreet) {
     EXPECT_EQ(pavements_beside(way_along(kMappedWay, {{0, 54}, {120, 54}}, surface, 2)).conflicts, 30u);
 }
 
-TEST(MeasureAssumed, FindsPavementsOnCyclePathsAlongTheStreetButNotOnFootways) {
+TEST(MeasureAssumed, FindsPavementsOnPathsAlongTheStreetButNotBelowCyclePathsAndFootways) {
   const auto conflicts_on = [](LandCoverClass surface) {
     return pavements_beside(way_along(kMappedWay, {{0, 54}, {120, 54}}, surface, 2)).conflicts;
   };
-  EXPECT_EQ(conflicts_on(LandCoverClass::kCyclePath), 30u);
+  EXPECT_EQ(conflicts_on(LandCoverClass::kBridleway), 30u);
+  EXPECT_EQ(conflicts_on(LandCoverClass::kCyclePath), 0u) << "it lies on the pavement";
   EXPECT_EQ(conflicts_on(LandCoverClass::kPavedFootPath), 0u) << "it lies in the pavement";
 }
 
