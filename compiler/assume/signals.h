@@ -6,8 +6,9 @@
 //     ------+   +------     - at least kLeastHouses buildings stand within kHousesWithin_m;
 //           |   |           - no signals are mapped within kNoneMapped_m.
 //
-// Left out and assumed again in ten extracts, such nodes have mapped signals: Chicago 125 of 125, Boston 61 of 65,
-// Berlin 10 of 11, Helsinki 11 of 11, Nice 3 of 4, Dublin 12 of 13; of all junctions of streets there 19 to 66 % have.
+// Of the junctions that it finds where mapped signals are left out, these have signals: Boston 55 of 59, Chicago 115 of
+// 115, Berlin 9 of 10, Nice 3 of 4, but Malta 1 of 37 and Andorra 0 of 9 (without the rule of kNoneMapped_m, and the
+// other rules were chosen on these places). Of all junctions of streets there 19 to 66 % have signals.
 #pragma once
 
 #include <vector>
