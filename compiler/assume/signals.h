@@ -6,9 +6,9 @@
 //     ------+   +------     - at least kLeastHouses buildings stand within kHousesWithin_m;
 //           |   |           - no signals are mapped within kNoneMapped_m.
 //
-// Of the junctions that it finds where mapped signals are left out, these have signals: Boston 55 of 59, Chicago 115 of
-// 115, Berlin 9 of 10, Nice 3 of 4, but Malta 1 of 37 and Andorra 0 of 9 (without the rule of kNoneMapped_m, and the
-// other rules were chosen on these places). Of all junctions of streets there 19 to 66 % have signals.
+// Such nodes have mapped signals, where these are left out: Boston 55 of 59, Chicago 115 of 115, Berlin 9 of 10, Nice 3
+// of 4, but Malta 1 of 37 and Andorra 0 of 9 (without the rule of kNoneMapped_m; the others were chosen on these
+// places). 19 to 66 % of all junctions of streets there have signals.
 #pragma once
 
 #include <vector>
