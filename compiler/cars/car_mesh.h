@@ -14,7 +14,7 @@ namespace citykiln::cars {
 /// share. Neither needs a row of the table of things.
 inline constexpr std::string_view kCar = "car", kCarParts = "car_parts";
 
-/// The meshes of a form and their distance from those of full detail.
+/// The meshes of a form, and a bound of their Hausdorff distance to the full level, in metres.
 struct CarMesh {
   std::vector<materials::MaterialMesh> meshes;  ///< Without triangles where the tolerance is not below the height.
   double error_m = 0;

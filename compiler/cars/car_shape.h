@@ -12,7 +12,8 @@
 
 namespace citykiln::cars {
 
-/// A row of car_shapes.inc, with the size of its body. All values are metres, along from the front end.
+/// A row of car_shapes.inc, with the size of its body. Values in metres: sill, nose, cowl, tail and belts are heights
+/// above the ground, wheel and corner are radii, all others lie along the car from its front end. `lean` is a ratio.
 struct CarShape {
   std::string_view body;
   double sill_m = 0, wheel_m = 0, front_axle_m = 0, rear_axle_m = 0, nose_m = 0;
@@ -23,7 +24,7 @@ struct CarShape {
   double width_m = 0, length_m = 0, height_m = 0;
 };
 
-/// Returns the shape of a body by its name; std::nullopt for other names.
+/// Returns the shape for a form of kind kCar or kCarParts by the body in its value; std::nullopt for other forms.
 std::optional<CarShape> shape_of(const things::Form& form);
 
 /// The number of points of half a section of a body, from the sill to the middle of the roof.
@@ -37,10 +38,11 @@ class Sections {
  public:
   explicit Sections(const CarShape& shape);
 
-  /// The section of points whose place along is y before rounding of the ends: the mean of the nearest key sections.
+  /// Returns the section at a distance from the front end, interpolated linearly between the two nearest key sections.
+  /// Its y is the distance along too, moved by the rounding of the ends.
   Section at(double along_m) const;
 
-  /// The places along at which the outline above the windows' lower edge changes; and those for the sides below.
+  /// Distances along at which the profile or the width bends; and those that matter for the sides below the windows.
   const std::vector<double>& keys() const { return keys_; }
   const std::vector<double>& side_keys() const { return side_keys_; }
 

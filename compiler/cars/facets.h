@@ -35,9 +35,9 @@ struct Facets {
   void add_box(Vec3 low, Vec3 high, const Surface& surface);
 };
 
-/// Returns the triangles of the paint, or those of all else, one mesh a material. Normals are the means of the
-/// triangles about a place by area, of those alone that lean by less than 41 degrees from the triangle itself.
-/// Positions are snapped. O(triangles · triangles about a vertex).
+/// Returns the triangles of the paint, or all others, as one mesh for each material. A vertex normal is the mean by
+/// area of the normals of the triangles at that vertex, paint or not, that differ from this triangle's by less than 41
+/// degrees. O(n log n + n · triangles at a vertex).
 std::vector<materials::MaterialMesh> meshes_of(const Facets& facets, bool is_paint);
 
 }  // namespace citykiln::cars

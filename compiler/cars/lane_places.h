@@ -37,14 +37,15 @@ struct TrafficSettings {
   std::uint64_t seed = 0;
 };
 
-/// Returns the share of the busiest hour's cars at an hour, from 0 to 1. It is continuous and has a period of a week.
+/// Returns the traffic at a time, as a share of that in the busiest hour: 0 to 1, continuous, with a period of a week.
 double traffic_share(buildings::WeekTime time);
 
-/// Returns the taken places in the lanes of a road whose middles lie in a box, whatever lies there: in the middle of
-/// each driving and bus lane, of what parked cars leave of it; lanes of both directions are driven on the country's
-/// side, or, where they are too narrow for two, in one direction drawn by the road's id. None in a bend of more than
-/// some 10 degrees, in a junction, on a crossing, or within 8 m of a level crossing. Where signals stand at the end of
-/// a lane, the last 30 m have a queue of up to 4 cars instead, behind the stop line.
+/// Returns the taken places in the lanes of a road whose middles lie in a box; other objects are not tested. Each
+/// driving lane has cars in the middle of the width that parked cars leave; bus lanes have half the share. Lanes of
+/// both directions are driven on the country's side or, where too narrow for two, in one direction drawn by its id.
+/// None is on a roundabout or a road without a row in traffic.inc, in a bend of more than some 10 degrees, in a
+/// junction, on a painted crossing, or within 8 m of a level crossing. The last 30 m before signals have a queue of up
+/// to 4 cars instead, behind the stop line.
 ///
 /// Slots are numbered from the start of the whole way, so the parts of a trimmed way have the places of the whole.
 /// O(length + points).

@@ -2,10 +2,10 @@
 //
 // A place of a lane (lane_places.h) is in the tile that contains its middle. Places are left out that
 //   1. lie on other ground than their own carriageway, or beside rails (has_ground());
-//   2. overlap a place with a parked car;
-//   3. overlap another one with a lower key, even if that is left out itself.
-// All of these depend on data that all tiles near a place have, so they decide alike; also things and barriers in a
-// carriageway, which one tile alone knows, are kept clear, last.
+//   2. overlap a taken parking place (taken_places());
+//   3. overlap another one that passes 1 and 2 and has a lower key, even if rule 3 leaves that out itself.
+// All tiles near a place have the data for these rules, so they decide alike. Each tile then leaves out those that
+// overlap barriers or things in a carriageway, which it alone knows.
 #pragma once
 
 #include <vector>
@@ -15,8 +15,8 @@
 
 namespace citykiln::cars {
 
-/// Returns the moving cars of a tile as things, sorted by key. Depends on the seed, the hour and the settings; not on
-/// threads. O(length of roads + places).
+/// Returns the moving cars of a tile as things, sorted by key. The result depends on the recipes and settings only, not
+/// on the number of threads. O(length of roads + places).
 /// @param zones   clear_zones_of() the recipes.
 /// @param parked  The settings of the tile's parked cars.
 /// @param box     The tile.

@@ -10,14 +10,14 @@
 
 namespace citykiln::furniture {
 
-/// Returns the panels of mesh fence along the borders of a tile's building sites, and along the sides and the rear of
-/// playgrounds of schools. A panel is left out where it would stand on a way, on water, in a building or in mapped
-/// ground of another kind. Sites of more than kLeastCraneSite_m2 have a crane with a chance of 1/2, 12 m or more
-/// inside. A thing is in the tile that contains its middle. O(panels).
+/// Returns the panels of mesh fence along the outer borders of a tile's building sites (2 m high), and along the sides
+/// and the rear of playgrounds of schools (1.5 m). A panel stands only where urban or industrial land, grass or nothing
+/// is mapped. Half of the sites of kLeastCraneSite_m2 or more have a crane, if one of 24 random places is free and 12 m
+/// or more inside. A thing is in the tile that contains its middle. O(panels).
 /// @param box  The tile.
 std::vector<things::Thing> plot_fences(const roadside::TileRecipes& recipes, std::uint64_t seed, const Box2& box);
 
-/// Smaller sites have no tower crane, in square metres.
+/// The least area of a site with a tower crane, in square metres.
 inline constexpr double kLeastCraneSite_m2 = 1500;
 
 }  // namespace citykiln::furniture

@@ -161,7 +161,7 @@ struct WalkedStreets {
     made.push_back(std::move(thing));
   }
 
-  // Planters at a quarter of the width, on alternating sides.
+  // Planters at 0.3 and 0.7 of the width, on alternating sides.
   void add_planters(const Road& road) {
     constexpr double kLeastWidth_m = 7, kShare = 0.6;
     if (road.surface != LandCoverClass::kPedestrianStreet) return;

@@ -10,7 +10,7 @@
 
 namespace citykiln::lots {
 
-/// How far about a place mapped areas count, in metres: a block and those beside it.
+/// The distance from a place within which mapped areas count, by the middles of their boxes, in metres: about a block.
 inline constexpr double kCourtRadius_m = 100;
 /// Larger areas are no courts: parks, sports grounds, large car parks. Smaller ones are planters.
 inline constexpr double kLeastCourt_m2 = 20, kLargestCourt_m2 = 4000;

@@ -25,7 +25,7 @@ inline constexpr FrontThingKind kFrontThings[] = {
 /// The rows of things.txt that stand at the mouths of streets for walkers, along these, and on islands of crossings.
 inline constexpr std::string_view kBollard = "bollard", kPlanter = "planter", kRefuge = "refuge";
 
-/// True if a kind of things is assumed before fronts or in streets.
+/// True for kinds in kFrontThings, bollards and refuges; false for planters, which are in street_kinds.inc.
 constexpr bool is_front_kind(std::string_view name) {
   return name == kBollard || name == kRefuge ||
          std::ranges::find(kFrontThings, name, &FrontThingKind::name) != std::end(kFrontThings);

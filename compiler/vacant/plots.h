@@ -1,5 +1,5 @@
-// Plots: what lies on ground of towns that no lot has, and of which the map says no more than its land use. None of
-// these is a recipe: all follows from the recipes of a tile.
+// Plots: assumed uses of urban ground where the map has only a land use and no lot. Plots are not recipes: they are
+// computed from the recipes of a tile when it is baked.
 //
 //     ══════════════ street ═══════════
 //     ┌────────┬────────┬───┐[building]     plots of 24 by 22 m along streets, where most of the
@@ -23,10 +23,10 @@ namespace citykiln::vacant {
 
 /// The recipes of a tile that plots follow from.
 struct PlotInputs {
-  std::span<const ground::LandCoverPolygon> areas;  ///< Areas of the tile's chunk, those of yards among them.
+  std::span<const ground::LandCoverPolygon> areas;  ///< Land cover of the tile's chunk, surfaces of yards included.
   std::span<const roads::Road> roads;
-  std::span<const buildings::Building> buildings;  ///< The tile alone has these.
-  const ground::LandCoverIndex& land_cover;        ///< With each road as one surface; of the tile at least.
+  std::span<const buildings::Building> buildings;  ///< Only those of this tile; neighbours have other ones.
+  const ground::LandCoverIndex& land_cover;        ///< Each road is one surface. It covers at least the tile.
   Box2 tile;
   std::uint64_t seed = 0;
 };
@@ -37,20 +37,21 @@ struct Plots {
   std::vector<lots::Yard> grounds;
   /// Their surfaces: classes of yards, below all that is mapped more finely than the land use, and below yards.
   std::vector<ground::LandCoverPolygon> surfaces;
-  std::vector<plants::Tree> plants;  ///< Bushes and trees on grass and at the rims.
+  std::vector<plants::Tree> plants;  ///< Bushes (PlantKind::kBush) on grass and at the rims.
 };
 
 /// Returns the plots of a tile:
 ///
 /// - along streets, of the kinds of plot_kinds.inc, by land use and the share of green within 24 m: yards of industry,
-///   car parks, rough grass with bushes. At least 6 of 10 places of a plot are left over: no lot, road, building nor
-///   finer area covers them. Where the map has no land use, a building stands within 30 m;
-/// - before schools, in land of institutions: a playground of asphalt at the side with most room; paving about all
-///   buildings there, gravel about churches;
+///   car parks, rough grass with bushes. One land use is on top at 60 % or more of 25 samples of a plot: no lot, road,
+///   building or finer area covers it. Unmapped land counts only with a building within 30 m of the middle;
+/// - beside schools of 200 m2 or more, in land of institutions: a playground of asphalt on the side with most free
+///   ground; paving about all buildings of 80 m2 or more there, gravel about churches;
 /// - in allotments: plots of 11 by 18 m in rows, with beds, and paths between the rows;
-/// - building sites, whole.
+/// - mapped building sites of 150 m2 or more, with their whole area as ground.
 ///
-/// Surfaces lie wholly in the tile, so that no two tiles need to know the same of one. O(n log n).
+/// Surfaces lie in the tile, so neighbouring tiles need not agree on them; paths of allotments may cross its border by
+/// 0.5 m. O(roads + plots² + buildings · areas), each with a query of land cover.
 Plots plots_of(const PlotInputs& inputs);
 
 }  // namespace citykiln::vacant

@@ -9,8 +9,8 @@
 
 namespace citykiln::vacant {
 
-/// Returns the uses of yards and plots on these areas: those of towns, and those of the land uses that are mapped.
-/// Things of other uses are not drawn, so that a manifest holds no rules for them. O(n).
+/// Returns the uses that yards and plots on these areas may have: those of any town, and those of each mapped land use.
+/// A manifest has rules only for things of these uses; things of other uses are not drawn. O(n).
 std::vector<things::YardUse> uses_on(std::span<const map::AreaFeature> areas);
 
 }  // namespace citykiln::vacant

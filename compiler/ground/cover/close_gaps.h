@@ -13,13 +13,13 @@
 
 namespace citykiln::ground {
 
-/// Narrower strips between two paved areas are paved too, in metres: widths of paths are assumed to some decimetres.
+/// The widest gap between a paved area and a street or path that is closed, in metres: assumed widths vary that much.
 inline constexpr double kWidestGap_m = 0.9;
 /// How far a moved corner lies inside the edge, whose surface covers it, in metres.
 inline constexpr double kUnderEdge_m = 0.125;
 
 /// Returns the polygons, with corners of car parks, squares and platforms moved to the streets and paths beside them.
-/// An area that would lose a fifth of its size, or gain it, stays. Moved corners are multiples of map::kMapStep_m.
+/// A ring whose area would change by more than a fifth stays as it is. Moved corners are multiples of map::kMapStep_m.
 /// O(corners · roads near).
 std::vector<LandCoverPolygon> with_closed_gaps(std::vector<LandCoverPolygon> surfaces,
                                                std::span<const roads::Road> roads);

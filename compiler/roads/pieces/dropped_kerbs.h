@@ -1,8 +1,7 @@
 // Dropped kerbs: where people cross a street, the kerb and the pavement behind it are lower.
 //
-//     pavement  ────────┐          ┌────────      Along the kerb it falls over kKerbRamp_m on both sides, and across
-//     the
-//               ────────╲__________╱────────      pavement it rises to the outer edge.
+//     pavement  ────────┐          ┌────────      The kerb falls over kKerbRamp_m on both sides;
+//               ────────╲__________╱────────      the pavement rises to its outer edge.
 //                 ramp    crossing   ramp
 #pragma once
 
@@ -17,13 +16,13 @@ namespace citykiln::roads {
 
 /// The length over which a kerb falls, along it, in metres.
 inline constexpr double kKerbRamp_m = 0.75;
-/// The height that is left of a lowered kerb, in metres (DIN 18040-3: 3 cm; flush kerbs have none).
+/// The height that is left of a lowered kerb, in metres; flush kerbs have none. Assumed, near the 3 cm of DIN 18040-3.
 inline constexpr double kKerbLip_m = 0.025;
 /// The length of a kerb that is lowered where people cross without paint, in metres.
 inline constexpr double kPlainCrossing_m = 2.5;
 
-/// Returns the stretches of a road with its dropped kerbs: crossings without paint have a stretch of their own, which
-/// is painted as the road about it, and stretches are cut where a ramp begins.
+/// Returns the stretches of a road with its dropped kerbs. An unpainted crossing becomes a stretch of its own with the
+/// markings of the road around it, and stretches are cut where a ramp begins. Roads without raised lanes are unchanged.
 ///
 /// @param stretches  Result of stretches_of().
 /// @param intervals  The road's entry of junction_intervals_of(). Unpainted crossings in junctions are left out.
@@ -56,8 +55,9 @@ struct KerbRampIndex {
 };
 KerbRampIndex index_kerb_ramps(std::vector<KerbRamp> ramps);
 
-/// Returns how far raised lanes lie lower at a place. Continuous beside a road; O(ramps near).
-/// @param kerb_m  The height of the kerb elsewhere.
+/// Returns by how many metres a dropped kerb lowers raised lanes at p: the largest value of all ramps, 0 far from them.
+/// Continuous on raised lanes. O(ramps near).
+/// @param kerb_m  The full height of the kerb.
 double dropped_m(const KerbRampIndex& index, Vec2 p, double kerb_m);
 
 }  // namespace citykiln::roads
