@@ -39,7 +39,7 @@ using DrawStreetSpecies = std::function<plants::SpeciesMix(Vec2 foot, double str
 /// tree
 ///
 /// - stands in a verge of kTreeVerge_m or, where there is none, on a pavement of kTreePavement_m;
-/// - keeps kTreeFromWall_m from buildings; the height grows with that distance, from 6 to 12 m, of palms to 16 m;
+/// - keeps kTreeFromWall_m from buildings; the height grows with that distance, from 6 to 12 m, of palms 12 to 16 m;
 /// - is outside of the clear zones of streets, doors, things and lamps, on pavement or verge.
 ///
 /// A tree is in the tile that contains its foot. Mapped trees of the next
