@@ -4,6 +4,7 @@
 #include <array>
 
 #include "compiler/contract/tolerance.h"
+#include "compiler/geometry/segment.h"
 
 namespace citykiln::verify {
 namespace {
@@ -38,6 +39,16 @@ std::optional<double> height_m_at(const GroundFace& face, Vec2 p) {
   return std::clamp(z_m, std::min({a.z, b.z, c.z}), std::max({a.z, b.z, c.z}));
 }
 
+/// The place of a face's border nearest to p in plan, for a p outside of the face.
+Vec2 nearest_on_border(const GroundFace& face, Vec2 p) {
+  Vec2 nearest = in_plan(face.corners[0]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec2 q = nearest_point(in_plan(face.corners[i]), in_plan(face.corners[(i + 1) % 3]), p);
+    if (distance(p, q) < distance(p, nearest)) nearest = q;
+  }
+  return nearest;
+}
+
 }  // namespace
 
 GroundIndex index_ground(const bake::BakedTile& tile) {
@@ -58,6 +69,18 @@ std::vector<GroundHit> ground_at(const GroundIndex& index, Vec2 p) {
     if (const auto z_m = height_m_at(index.faces[i], p)) places.push_back({*z_m, index.faces[i].feature});
   std::ranges::stable_sort(places, {}, &GroundHit::z_m);
   return places;
+}
+
+std::optional<double> highest_ground_m(const GroundIndex& index, Vec2 p, double distance_m) {
+  std::optional<double> highest_m;
+  for (const std::uint32_t i : boxes_about(index.grid, Box2{p, p}.widened(distance_m))) {
+    const GroundFace& face = index.faces[i];
+    std::optional<double> z_m = height_m_at(face, p);
+    const Vec2 beside = nearest_on_border(face, p);
+    if (!z_m && distance(p, beside) <= distance_m) z_m = height_m_at(face, beside);
+    if (z_m) highest_m = std::max(highest_m.value_or(*z_m), *z_m);
+  }
+  return highest_m;
 }
 
 }  // namespace citykiln::verify

@@ -1,6 +1,7 @@
 // Finds the ground triangles of a baked tile at a place.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,5 +33,13 @@ struct GroundHit {
 ///
 /// @param p  The place, plane metres.
 std::vector<GroundHit> ground_at(const GroundIndex& index, Vec2 p);
+
+/// Returns the height of the highest ground within a distance in plan, plane metres; empty if there is none. Each face
+/// counts with its place nearest to p. It is the upper side of a step that the level moved by up to its error. O(faces
+/// within the distance).
+///
+/// @param p           Plane metres.
+/// @param distance_m  The distance in plan.
+std::optional<double> highest_ground_m(const GroundIndex& index, Vec2 p, double distance_m);
 
 }  // namespace citykiln::verify

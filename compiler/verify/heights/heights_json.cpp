@@ -43,7 +43,7 @@ RoadFaces graded_road_faces(const scene::Chunk& chunk, const Box2& box, const gr
 }
 
 Footing footing_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedTerrain& graded) {
-  const auto ground = [&](Vec2 p) -> std::optional<double> { return land_m(graded, p); };
+  const auto ground = [&](Vec2 p, double) -> std::optional<double> { return land_m(graded, p); };
   const auto wall = [](const buildings::Building& b, Vec2) -> std::optional<double> { return b.bottom_m; };
   return measure_footing(chunk, box, kAllowedGap_m, ground, wall);
 }

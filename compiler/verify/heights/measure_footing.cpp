@@ -11,18 +11,24 @@ namespace {
 
 using buildings::Building;
 
+/// Returns the gap between the ground and a wall's lower end. @param ground_m  Height of the ground below the corner.
+double gap_m_at(Vec2 corner, double wall_m, double ground_m, double allowed_m, const GroundHeightAt& ground) {
+  if (wall_m - ground_m <= allowed_m) return wall_m - ground_m;
+  return wall_m - ground(corner, allowed_m).value_or(ground_m);
+}
+
 /// Returns the largest gap below a building's corners inside the box. @param corners  Is raised by the corners with
 /// known heights.
-GapBelow gap_below(const Building& building, const Box2& box, const GroundHeightAt& ground, const WallBaseAt& wall,
-                   std::uint64_t& corners) {
+GapBelow gap_below(const Building& building, const Box2& box, double allowed_m, const GroundHeightAt& ground,
+                   const WallBaseAt& wall, std::uint64_t& corners) {
   GapBelow largest{building.id.osm, -1e9, {}};
   const auto look_at = [&](const Ring& ring) {
     for (const Vec2 corner : ring) {
       if (!box.contains_half_open(corner) || buildings::is_in_opening(building, corner)) continue;
-      const std::optional<double> ground_m = ground(corner), wall_m = wall(building, corner);
+      const std::optional<double> ground_m = ground(corner, 0), wall_m = wall(building, corner);
       if (!ground_m || !wall_m) continue;
       ++corners;
-      if (const double gap_m = *wall_m - *ground_m; gap_m > largest.gap_m)
+      if (const double gap_m = gap_m_at(corner, *wall_m, *ground_m, allowed_m, ground); gap_m > largest.gap_m)
         largest.gap_m = gap_m, largest.corner = corner;
     }
   };
@@ -98,7 +104,7 @@ Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allow
   Footing footing;
   for (const Building& building : chunk.buildings) {
     if (!building.stands_on_ground) continue;
-    const GapBelow gap = gap_below(building, box, ground, wall, footing.corners);
+    const GapBelow gap = gap_below(building, box, allowed_m, ground, wall, footing.corners);
     if (gap.gap_m > allowed_m) footing.floating.push_back(gap);
     if (gap.gap_m > footing.largest_gap_m) footing.largest_gap_m = gap.gap_m, footing.worst = gap.building;
   }
@@ -109,7 +115,8 @@ Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allow
                         const GroundIndex& ground) {
   const Walls walls = walls_of(chunk, tile);
   const std::map<OsmId, double> floors_m = floors_of(chunk);
-  const auto ground_under = [&](Vec2 p) -> std::optional<double> {
+  const auto ground_under = [&](Vec2 p, double within_m) -> std::optional<double> {
+    if (within_m > 0) return highest_ground_m(ground, p, within_m);
     const std::vector<GroundHit> places = ground_at(ground, p);
     // at a step in the ground the building stands on the upper side; the step's vertical face closes the gap below
     return places.empty() ? std::nullopt : std::optional(places.back().z_m);

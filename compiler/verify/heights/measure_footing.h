@@ -35,12 +35,16 @@ struct Footing {
 /// Combines two measurements: adds counts, joins lists and keeps the larger gap.
 Footing combined(const Footing& a, const Footing& b);
 
-/// Functions that return the height of the ground, and of the lower end of a building's wall, at a corner; empty if
-/// unknown.
-using GroundHeightAt = std::function<std::optional<double>(Vec2 corner)>;
+/// Functions that return the height of the highest ground within a distance in plan of a corner, and the height of the
+/// lower end of a building's wall at a corner; empty if unknown.
+using GroundHeightAt = std::function<std::optional<double>(Vec2 corner, double within_m)>;
 using WallBaseAt = std::function<std::optional<double>(const buildings::Building& building, Vec2 corner)>;
 
-/// Measures the corners, inside the box, of all buildings that stand on the ground. O(corners).
+/// Measures the corners, inside the box, of all buildings that stand on the ground. A gap over the limit counts only if
+/// there is no higher ground within allowed_m of the corner either: where the ground steps, as at retaining walls, a
+/// level moves the step sideways by up to its error, but not downwards. O(corners).
+///
+/// @param allowed_m  The limit of gaps, metres.
 Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allowed_m, const GroundHeightAt& ground,
                         const WallBaseAt& wall);
 

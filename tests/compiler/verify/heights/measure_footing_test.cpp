@@ -94,6 +94,25 @@ TEST(MeasureFooting, TakesTheUpperSideOfAStepAtACorner) {
   EXPECT_EQ(footing_of(tile).floating.size(), 0u);
 }
 
+// A coarse level moves a step by up to its error: the ground below a corner is the street's, and the land begins 2 m
+// beside it. The land counts where the error is larger than that.
+TEST(MeasureFooting, TakesTheUpperSideOfAStepThatALevelMoved) {
+  bake::BakedTile tile = tile_with_house(-1, {0, 0, 0, 0});
+  bake::Primitive& ground = tile.primitives.front();
+  for (bake::Float3& p : ground.positions) p[2] = -9;
+  const auto first = static_cast<std::uint32_t>(ground.positions.size());
+  ground.positions.insert(ground.positions.end(), {{12, 8, 0}, {30, 8, 0}, {12, 30, 0}});
+  ground.features.insert(ground.features.end(), 3, 1);
+  ground.triangles.push_back({first, first + 1, first + 2});
+  scene::Chunk chunk;
+  chunk.buildings = {house()};
+  const auto floating = [&](double allowed_m) {
+    return measure_footing(chunk, kMadeBox, allowed_m, tile, index_ground(tile)).floating.size();
+  };
+  EXPECT_EQ(floating(1.5), 1u);
+  EXPECT_EQ(floating(2.5), 0u);
+}
+
 TEST(MeasureFooting, SkipsRaisedBuildings) {
   scene::Chunk chunk;
   chunk.buildings = {house()};
