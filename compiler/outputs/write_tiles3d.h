@@ -22,14 +22,14 @@ Result<map::Geoid> geoid_of(const scene::Header& header, const Outputs& outputs)
 /// Bakes a scene and writes 3dtiles/tileset.json with its contents. An inner tile is a tile of the tree above the tiles
 /// of the scene.
 ///
-/// - The levels of a tile are a chain from coarse to fine. A level whose stated error is not larger than the error of
-///   the next finer level is left out.
+/// - The tree is that of plan_tree() (tiles3d/plan_tree.h), with its bounds of errors and boxes: the tileset is known
+///   before anything is baked, so that a server sends the same tree at once.
+/// - The levels of a tile are a chain from coarse to fine.
 /// - Above the tiles is a quadtree over the extent. The tolerance of an inner tile is twice the tolerance of its
 ///   children. Up to 4/3 kCoarsest_m an inner tile is joined from tiles that are baked at 3/4 of its tolerance. Above
 ///   that it is joined from its children, without objects near the terrain. The other quarter of the tolerance is spent
 ///   on decimating the terrain (bake/tiles/simplify_tile.h), unless the tile is very wide for its tolerance, as above
 ///   levels of 2.5 m.
-/// - error_m of each tile is at least the error of its content, and larger than the errors of its children.
 /// - Outputs::lights are lights of all levels of a tile.
 /// - Unless Outputs::surroundings is kNo, where the header has land around, the root has no content and two children:
 /// the tree and

@@ -43,7 +43,7 @@ void read_content(const Json& json, TilesetTile& tile) {
                  "refers to a content outside its folder");
   if (is_external(tile)) return;
   demand_tileset(tile.content.ends_with(".glb"), "refers to a content that is neither .glb nor .json");
-  tile.tolerance_m = json.at("extras").at("tolerance_m"), tile.plant_error_m = json.at("extras").at("plant_error_m");
+  tile.tolerance_m = json.at("extras").at("tolerance_m");
 }
 
 TilesetTile tile_in(const Json& json, int depth) {

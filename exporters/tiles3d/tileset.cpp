@@ -27,7 +27,7 @@ std::size_t tiles_of(const TilesetTile& tile) {
 }
 
 OrderedJson extras_of(const TilesetTile& tile) {
-  return {{"tolerance_m", tile.tolerance_m}, {"error_m", tile.error_m}, {"plant_error_m", tile.plant_error_m}};
+  return {{"tolerance_m", tile.tolerance_m}, {"error_m", tile.error_m}};
 }
 
 OrderedJson json_of(const TilesetTile& tile) {

@@ -13,11 +13,11 @@ namespace citykiln::exporters {
 /// A tile of the tileset. When its children are shown, they replace its content.
 struct TilesetTile {
   OrientedBox box;  ///< Contains the content and the children's boxes.
-  /// Certified distance between the content and the full shape; greater than the errors of the children.
+  /// A bound of the distance between the content and the full shape; greater than the errors of the children. The
+  /// content states its own certified error, which is not larger.
   double error_m = 0;
-  std::string content{};     ///< The path of its file relative to 3dtiles/; empty: no content.
-  double tolerance_m = 0;    ///< The tolerance for which the content was made; 0 without content.
-  double plant_error_m = 0;  ///< The error of plants, which is stated and not certified.
+  std::string content{};   ///< The path of its file relative to 3dtiles/; empty: no content.
+  double tolerance_m = 0;  ///< The tolerance for which the content was made; 0 without content.
   std::vector<TilesetTile> children{};
 };
 
@@ -54,7 +54,7 @@ inline constexpr std::size_t kMostTilesInFile = 256;
 /// |                       | twice the root's error                                                       |
 /// | box                   | boundingVolume.box, in the frame of the run                                  |
 /// | to_earth              | transform of the root                                                        |
-/// | tolerance_m, errors   | extras of the tile                                                           |
+/// | tolerance_m, error_m  | extras of the tile                                                           |
 /// | attributions          | asset.extras: copyright, and cesium.credits, which CesiumJS shows            |
 /// | origin, geoid         | metadata, with a schema                                                      |
 ///

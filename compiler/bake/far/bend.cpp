@@ -136,13 +136,8 @@ double largest_sag_m(const BakedTile& tile, const map::Cylinder& cylinder, doubl
   return largest_m;
 }
 
-/// The space that a mesh takes about its own vertical.
-struct MeshSize {
-  double across_m = 0, high_m = 0;  ///< The largest distance from the vertical, and from the mesh's z = 0.
-};
-
-MeshSize size_of(const InstancedMesh& mesh) {
-  MeshSize size;
+InstanceSize size_of(const InstancedMesh& mesh) {
+  InstanceSize size;
   for (const Primitive& p : mesh.primitives)
     for (const Float3& at : p.positions) {
       size.across_m = std::max(size.across_m, length(in_plan(widened(at))));
@@ -151,18 +146,23 @@ MeshSize size_of(const InstancedMesh& mesh) {
   return size;
 }
 
-// A bound of the distance between the instances of a mesh, which keep their shape, and the bent mesh: the factor of
-// lengths along y at their height, and half of the second derivative of map::at().
+// A bound of the distance between an instance, which keeps its shape, and the bent one: the factor of lengths along y
+// at its height, and half of the second derivative of map::at().
+double rigidity_m(const InstanceSize& size, double z_m, const map::Cylinder& cylinder, double stretch) {
+  return size.across_m * std::abs(z_m) / cylinder.radius_m +
+         4 * map::sag_m(cylinder, size.across_m, size.high_m, stretch);
+}
+
+// The largest of those of a mesh.
 double rigidity_m(const InstancedMesh& mesh, double origin_z_m, const map::Cylinder& cylinder, double stretch) {
-  const MeshSize size = size_of(mesh);
+  const InstanceSize size = size_of(mesh);
   double largest_m = 0;
   for (std::size_t i = 0; i < mesh.translations.size(); ++i) {
     const bool is_upright = mesh.rotations[i][0] == 0 && mesh.rotations[i][1] == 0;
     const double most_m = length(Vec2{size.across_m, size.high_m});
-    const double across_m = mesh.scales[i] * (is_upright ? size.across_m : most_m),
-                 high_m = mesh.scales[i] * (is_upright ? size.high_m : most_m);
-    const double share = std::abs(origin_z_m + mesh.translations[i][2]) / cylinder.radius_m;
-    largest_m = std::max(largest_m, across_m * share + 4 * map::sag_m(cylinder, across_m, high_m, stretch));
+    const InstanceSize copy{mesh.scales[i] * (is_upright ? size.across_m : most_m),
+                            mesh.scales[i] * (is_upright ? size.high_m : most_m)};
+    largest_m = std::max(largest_m, rigidity_m(copy, origin_z_m + mesh.translations[i][2], cylinder, stretch));
   }
   return largest_m;
 }
@@ -215,6 +215,44 @@ BakedTile bent(BakedTile tile, const map::Cylinder& cylinder) {
   tile.object_error_m = tile.error_m;
   tile.plant_error_m = tile.plant_error_m * stretch + rigid_plants_m;
   return tile;
+}
+
+namespace {
+
+// A bound of rounding_m() for a tile that reaches from one side of the bounds to the other.
+double rounding_bound_m(const Bounds& bounds) {
+  const double reach_m = bounds.plan.width() + bounds.plan.height() + bounds.high_m - bounds.low_m;
+  return kHalfDiagonal * kQuantum_m + 0x1p-23 * reach_m;
+}
+
+// Half of the range of the geoid's heights near a box.
+double geoid_error_bound_m(const Box2& box, const map::Geoid& geoid) {
+  if (geoid.heights_m.size() == 1) return 0;
+  Range heights;
+  for (double y = box.min.y; y < box.max.y + geoid.step_m; y += geoid.step_m)
+    for (double x = box.min.x; x < box.max.x + geoid.step_m; x += geoid.step_m)
+      heights.grow(map::height_m(geoid, {std::min(x, box.max.x), std::min(y, box.max.y)}));
+  return heights.extent();
+}
+
+}  // namespace
+
+double bent_error_bound_m(double shape_m, double tolerance_m, const Bounds& bounds, const map::Geoid& geoid) {
+  const double high_m = std::max(0.0, bounds.high_m + std::ranges::max(geoid.heights_m));
+  return (shape_m + geoid_error_bound_m(bounds.plan, geoid)) * (1 + high_m / map::kLeastRadius_m) +
+         kSagShare * tolerance_m + rounding_bound_m(bounds);
+}
+
+double bent_error_bound_m(double shape_m, double tolerance_m, const Bounds& bounds, const map::Cylinder& cylinder,
+                          const InstanceSize& largest) {
+  // extents of a triangle along y and z may be those of two of its edges, of which each keeps the limit
+  constexpr double kOfTwoEdges = 4;
+  const double stretch = map::stretch(cylinder, std::min(0.0, bounds.low_m));
+  const double farthest_m = std::max(std::abs(bounds.low_m), std::abs(bounds.high_m));
+  const double most_m = length(Vec2{largest.across_m, largest.high_m});
+  const double rigid_m = rigidity_m(InstanceSize{most_m, most_m}, farthest_m, cylinder, stretch);
+  return shape_m * stretch + std::max(kOfTwoEdges * kCylinderSagShare * tolerance_m * stretch, rigid_m) +
+         rounding_bound_m(bounds);
 }
 
 BakedTile in_world(BakedTile tile, const scene::Header& header) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "compiler/bake/baked_tile.h"
+#include "compiler/bake/bounds.h"
 #include "compiler/bake/place_lamps.h"
 #include "compiler/map/plane/cylinder.h"
 #include "compiler/map/plane/geoid.h"
@@ -46,6 +47,24 @@ inline constexpr double kCylinderSagShare = 0.1;
 ///
 /// Guarantees and cost as above.
 BakedTile bent(BakedTile tile, const map::Cylinder& cylinder);
+
+// Bounds of the error that bent() states, known before a tile is baked.
+//
+// @param shape_m  A bound of the tile's error in the plane.
+// @param bounds   Bounds of the tile in the plane.
+
+/// The bound for bent() to the ellipsoid.
+double bent_error_bound_m(double shape_m, double tolerance_m, const Bounds& bounds, const map::Geoid& geoid);
+
+/// The space that a mesh takes about its own vertical.
+struct InstanceSize {
+  double across_m = 0, high_m = 0;  ///< The largest distance from the vertical, and from the mesh's z = 0.
+};
+
+/// The bound for bent() into a cylinder.
+/// @param largest  The largest sizes of instances of the tile that are not plants.
+double bent_error_bound_m(double shape_m, double tolerance_m, const Bounds& bounds, const map::Cylinder& cylinder,
+                          const InstanceSize& largest);
 
 /// Returns a tile of a scene in the scene's world: bent() if that is the inside of a cylinder, else as it is.
 BakedTile in_world(BakedTile tile, const scene::Header& header);

@@ -80,10 +80,11 @@ double quantise(double step_m, double texel_m, double tolerance_m, Primitive& pr
   return farthest_m;
 }
 
+constexpr double kHalfALastBit = 0x1p-24, kSqrt3 = 1.7320508075688772;
+
 }  // namespace
 
 double rounding_m(std::span<const Primitive> primitives) {
-  constexpr double kHalfALastBit = 0x1p-24, kSqrt3 = 1.7320508075688772;
   double farthest_m = 0;
   for (const Primitive& primitive : primitives)
     for (const Float3& p : primitive.positions)
@@ -92,11 +93,17 @@ double rounding_m(std::span<const Primitive> primitives) {
   return farthest_m * kHalfALastBit * kSqrt3;
 }
 
+double quantising_bound_m(double tolerance_m, double reach_m, double largest_scale, Compression compression) {
+  if (compression == Compression::kNone || compression == Compression::kLean) return 0;
+  const double steps = kSqrt3 / 2 * std::max(1.0, kPrototypeStepRatio * largest_scale);
+  return steps * packed_position_step_m(tolerance_m) + reach_m * kHalfALastBit * kSqrt3;
+}
+
 bake::BakedTile quantised(bake::BakedTile tile, Compression compression) {
   assert(compression != Compression::kNone);
   const bool moves = compression != Compression::kLean;
   const double step_m = moves ? packed_position_step_m(tile.tolerance_m) : 0;
-  double farthest_m = 0, of_instances_m = 0;
+  double farthest_m = 0, of_plants_m = 0;
   const double rounded_m = moves ? rounding_m(tile.primitives) : 0;
   for (Primitive& p : tile.primitives) {
     // terrain keeps the map's own grid: borders, lakes and quays are measured by the height at a place, which a step
@@ -111,10 +118,11 @@ bake::BakedTile quantised(bake::BakedTile tile, Compression compression) {
       moved_m =
           std::max(moved_m, quantise(step_m * kPrototypeStepRatio,
                                      shown_texel_m(tile, &*instanced.cutout, p.colour_source), tile.tolerance_m, p));
-    for (const float scale : instanced.scales) of_instances_m = std::max(of_instances_m, moved_m * std::abs(scale));
+    double& largest_m = layer_of(instanced) == bake::Layer::kPlants ? of_plants_m : farthest_m;
+    for (const float scale : instanced.scales) largest_m = std::max(largest_m, moved_m * std::abs(scale));
   }
-  tile.object_error_m += rounded_m + std::max(farthest_m, of_instances_m);
-  tile.error_m = std::max(tile.error_m, tile.object_error_m), tile.plant_error_m += of_instances_m;
+  tile.object_error_m += rounded_m + farthest_m;
+  tile.error_m = std::max(tile.error_m, tile.object_error_m), tile.plant_error_m += of_plants_m;
   return tile;
 }
 

@@ -13,8 +13,8 @@ namespace citykiln::exporters {
 double rounding_m(std::span<const bake::Primitive> primitives);
 
 /// Returns the tile on the grids of packed meshes (packed_grids.h); with kLean only its uvs. object_error_m grows by
-/// the longest move of a position, at most half a step times √3, and by rounding_m(); error_m is at least that.
-/// plant_error_m grows by the longest move in instances, times their scale.
+/// the longest move of a position, at most half a step times √3 and the scale of its instance, and by rounding_m();
+/// error_m is at least that. plant_error_m grows by the longest move in plants.
 ///
 /// - Positions of ground, roads and water stay: they are on the grid of kQuantum_m. Others become multiples of
 ///   packed_position_step_m(); of prototypes, of kPrototypeStepRatio of it.
@@ -28,5 +28,10 @@ double rounding_m(std::span<const bake::Primitive> primitives);
 /// twice changes nothing more. Accepts any tile. O(n).
 /// @param compression  Not kNone.
 bake::BakedTile quantised(bake::BakedTile tile, Compression compression);
+
+/// Returns a bound of what quantised() adds to error_m, known before a tile is baked. 0 with kNone and kLean.
+/// @param reach_m        A bound of coordinates from the tile's origin.
+/// @param largest_scale  The largest scale of an instance that is no plant.
+double quantising_bound_m(double tolerance_m, double reach_m, double largest_scale, Compression compression);
 
 }  // namespace citykiln::exporters

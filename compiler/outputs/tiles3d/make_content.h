@@ -1,0 +1,50 @@
+// Makes the contents of a tile tree from baked tiles.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "compiler/bake/baked_tile.h"
+#include "compiler/bake/place_lamps.h"
+#include "compiler/outputs/texture_choice.h"
+#include "compiler/outputs/tiles3d/plan_tree.h"
+#include "compiler/outputs/tiles3d/tree_world.h"
+#include "compiler/spec.h"
+
+namespace citykiln::outputs {
+
+/// The scene of a tree, its plan, and how its contents look. All must outlive it.
+struct TreeContents {
+  const scene::Scene& scene;
+  const Outputs& outputs;
+  const TreeWorld& world;
+  const TreePlan& plan;
+  const TextureChoice& textures;
+};
+
+/// Returns the .glb of a baked tile, bent into the tree's world. Changes nothing that calls share; thread-safe.
+/// @param lights  Lamps that are lights of the content, in the plane.
+std::vector<std::byte> make_content(const TreeContents& tree, bake::BakedTile&& baked,
+                                    const std::vector<bake::PlacedLamp>& lights, int threads);
+
+/// Returns the tile of an inner node in the plane: its parts as one tile, simplified.
+/// @param parts  In the order of the plan: the tiles of InnerNode::chunks at InnerLevel::bake_m, or, if that is empty,
+///               the results for InnerNode::children.
+/// Errors: those of bake::join_tiles() (bake/tiles/join_tiles.h).
+Result<bake::BakedTile> make_inner_tile(const TreeContents& tree, exporters::NodeKey key,
+                                        std::span<const bake::BakedTile> parts);
+
+/// The land around a scene as a content, and its tile in the tree.
+struct AroundContent {
+  std::vector<std::byte> glb;
+  exporters::TilesetTile tile;
+};
+
+/// Bakes the land around; empty if the header has none. Cost: half a second.
+std::optional<AroundContent> make_surroundings(const TreeContents& tree, int threads);
+
+/// Returns a root without content above the scene's root and the land around, so that both are shown.
+exporters::TilesetTile with_surroundings(exporters::TilesetTile root, exporters::TilesetTile around);
+
+}  // namespace citykiln::outputs
