@@ -38,6 +38,10 @@ std::set<fs::path> folders_of(const FileList& list) {
 
 }  // namespace
 
+bool has_file(const FileList& list, std::string_view name) {
+  return std::ranges::find(list, name, &ListedFile::name) != list.end();
+}
+
 std::string file_list_json(const FileList& list) {
   std::string text = "{\"files\": [";
   for (const ListedFile& file : list) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/contract/result.h"
@@ -21,6 +22,9 @@ struct ListedFile {
 
 /// The files of a run, sorted by name, without files.json itself.
 using FileList = std::vector<ListedFile>;
+
+/// True if a list names a file. O(n).
+bool has_file(const FileList& list, std::string_view name);
 
 /// Returns the list as JSON, one file a line: {"files": [{"name": …, "bytes": …, "hash": …}, …]}. Deterministic.
 std::string file_list_json(const FileList& list);

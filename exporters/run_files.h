@@ -33,6 +33,7 @@ inline constexpr const char* kPageIndexName = "index.html";
 inline constexpr const char* kPageFolder = "page";
 inline constexpr const char* kPageName = "page/page.json";           ///< page/page_json.h
 inline constexpr const char* kPageNamesName = "page/names.json";     ///< The names of features.
+inline constexpr const char* kPageSkyFolder = "page/skies/";         ///< Tables of skies.
 inline constexpr const char* kPageFeatureFolder = "page/features/";  ///< Records of features.
 
 }  // namespace citykiln::exporters

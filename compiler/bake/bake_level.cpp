@@ -207,13 +207,15 @@ BakedTile bake_level(const LevelRequest& request, TileLevel& level, const Protot
       [&](const auto& b) { return bounds_of(b, baking.chunk.heights); },
       [&](const auto& b) { return within_extent(props::generate(b, graded, tolerance_m), baking.header.extent); });
   std::vector<wires::WireSpan> wire_spans = baking.chunk.wire_spans;
-  std::ranges::move(wires_of(shared.pole_spans, prototypes), std::back_inserter(wire_spans));
+  if (part || tolerance_m < kShowsFurniture_m)
+    std::ranges::move(wires_of(shared.pole_spans, prototypes), std::back_inserter(wire_spans));
   bake_each(
       baking, Layer::kProps, wire_spans, "wires", report, [](const auto& span) { return bounds_of(span); },
       [&](const auto& span) { return within_extent(wires::generate(span, tolerance_m), baking.header.extent); });
   report.append(shared.tree_report);
   bake_tree_pits(baking, shared);
   Placed placed = placed_in(baking, shared);
+  baking.certify(placed.drawn_left_out_m, bounds_of(chunk.heights, scene::box_of(header, chunk.tile)));
   bake_canopy(baking, level, placed);
   add_features_of(baking, placed);
   const BakedTufts tufts = tufts_on(baking, level);

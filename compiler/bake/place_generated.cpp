@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "compiler/bake/ground_on_top.h"
+#include "compiler/bake/place_people.h"
 #include "compiler/cars/car_mesh.h"
 #include "compiler/cars/moving_cars.h"
 #include "compiler/cars/parked_cars.h"
@@ -18,9 +19,11 @@
 #include "compiler/furniture/yard_things.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/countries/country_group.h"
+#include "compiler/people/people.h"
 #include "compiler/plants/species_mix.h"
 #include "compiler/things/facing.h"
 #include "compiler/things/generate.h"
+#include "compiler/things/yard_kinds.h"
 
 namespace citykiln::bake {
 namespace {
@@ -150,14 +153,24 @@ struct Generator {
   }
 
   void add_yard_things() {
-    constexpr double kMostRise_m = 0.4;
     std::vector<things::Thing> all = furniture::yard_things(recipes, zones, header.seed, box);
     std::ranges::move(furniture::plot_fences(recipes, header.seed, box), std::back_inserter(all));
-    for (const things::Thing& thing : all) {
+    add_on_even_ground(all);
+  }
+
+  void add_on_even_ground(std::span<const things::Thing> things) {
+    constexpr double kMostRise_m = 0.4;
+    for (const things::Thing& thing : things) {
       if (!has_rules(header, thing.form)) continue;
       PlacedThing placed = upright(thing, ground);
       if (rise_m(thing, placed.placement, ground.graded) <= kMostRise_m) made.placed.push_back(std::move(placed));
     }
+  }
+
+  void add_cranes() {
+    std::vector<things::Thing> all = furniture::plot_fences(recipes, header.seed, box);
+    std::erase_if(all, [](const things::Thing& thing) { return thing.form.kind != things::kSiteCrane; });
+    add_on_even_ground(all);
   }
 
   void add_poles() {
@@ -189,13 +202,36 @@ std::vector<plants::Tree> trees_with_street_trees(const scene::Header& header, c
   return trees;
 }
 
+double leave_out_drawn(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m,
+                       std::vector<PlacedThing>& things) {
+  double highest_m = 0;
+  const auto leave_out = [&](bool may_be_there, double height_m, auto is_kind) {
+    if (tolerance_m < height_m || !may_be_there) return;
+    std::erase_if(things, is_kind);
+    highest_m = std::max(highest_m, height_m);
+  };
+  const auto is_from = [](ThingSource source) {
+    return [source](const PlacedThing& thing) { return thing.source == source; };
+  };
+  const auto is_crane = [](const PlacedThing& thing) {
+    return thing.source == ThingSource::kFurniture && thing.form.kind == things::kSiteCrane;
+  };
+  leave_out(people::has_people(header.people), kShowsPeople_m, is_from(ThingSource::kPerson));
+  leave_out(cars::has_cars(header.cars) || cars::has_cars(header.traffic), kShowsCars_m, is_from(ThingSource::kCar));
+  leave_out(header.has_street_furniture || !chunk.yards.empty(), kShowsFurniture_m,
+            [&](const PlacedThing& thing) { return thing.source == ThingSource::kFurniture && !is_crane(thing); });
+  leave_out(has_rules(header, {.kind = std::string(things::kSiteCrane)}), kShowsCranes_m, is_crane);
+  return highest_m;
+}
+
 GeneratedThings place_generated(const scene::Header& header, const scene::Chunk& chunk, const TileGround& ground,
                                 const Box2& box, const WantedThings& wanted) {
-  if (!wanted.cars && !wanted.furniture) return {};
+  if (!wanted.cars && !wanted.furniture && !wanted.cranes) return {};
   Generator generator{header, ground, box, recipes_of(header, chunk, ground)};
   if (wanted.cars && cars::has_cars(header.cars)) generator.add_cars();
   if (wanted.cars && cars::has_cars(header.traffic)) generator.add_traffic();
   if (wanted.furniture) generator.add_yard_things();
+  if (wanted.cranes && !wanted.furniture) generator.add_cranes();
   if (wanted.furniture) generator.add_upright(furniture::refuges(generator.recipes, box));
   if (wanted.furniture && header.has_street_furniture) generator.add_furniture(), generator.add_poles();
   return std::move(generator.made);

@@ -13,12 +13,14 @@
 
 namespace citykiln::bake {
 
-/// Cars are shown at tolerances below their greatest height, furniture at tolerances below that of a bench, in metres.
-inline constexpr double kShowsCars_m = 3, kShowsFurniture_m = 1;
+/// The greatest heights of what is drawn: of cars; of furniture and things of yards, to utility poles; of cranes on
+/// building sites. A level whose tolerance is not below such a height has none of it, whatever other levels show.
+inline constexpr double kShowsCars_m = 3, kShowsFurniture_m = 10, kShowsCranes_m = 38;
 
 /// The kinds of things that are to be placed.
 struct WantedThings {
   bool cars = false, furniture = false;
+  bool cranes = false;  ///< Without other furniture; these are part of it.
 };
 
 /// The ground of a tile, and lamps and trees on it.
@@ -43,6 +45,11 @@ struct GeneratedThings {
   std::vector<PlacedThing> placed;
   std::vector<PlacedPoleSpan> pole_spans;  ///< The spans whose middle lies in the tile.
 };
+
+/// Removes the drawn things that are not at a tolerance. Returns a bound of their heights, for a level's error: the
+/// same whether or not they were placed for another level.
+double leave_out_drawn(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m,
+                       std::vector<PlacedThing>& things);
 
 /// Returns the trees of a tile's recipes and those that are assumed along its streets (furniture/street_trees.h), which
 /// there are none of without scene::Header::has_street_furniture.

@@ -104,7 +104,9 @@ struct SharedParts {
     Wanted wanted{.blades = has_roads && has_detail(Detail::kGrassBlades, std::ranges::min(tolerances_m)),
                   .hedge_plants = is_view || has_detail(Detail::kHedgePlants, tolerance_m),
                   .people = shows(kShowsPeople_m, has_roads),
-                  .things = {.cars = shows(kShowsCars_m, has_roads), .furniture = shows(kShowsFurniture_m, has_roads)}};
+                  .things = {.cars = shows(kShowsCars_m, has_roads),
+                             .furniture = shows(kShowsFurniture_m, has_roads),
+                             .cranes = shows(kShowsCranes_m, has_roads)}};
     if (!has_roads && !is_view) std::ranges::copy_if(tolerances_m, std::back_inserter(wanted.canopies_m), has_canopy);
     return shared = std::make_shared<SharedByLevels>(make_shared_part(header, chunk, tolerance_m, wanted));
   }

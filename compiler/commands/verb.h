@@ -61,6 +61,7 @@ Verb man_verb(std::vector<Verb> verbs);
 Verb completion_verb(std::vector<Verb> verbs);
 Verb addon_verb();
 Verb view_verb();
+Verb serve_verb();
 Verb invent_verb();
 
 /// A range of numbers. Both ends are included if it is closed, else neither.

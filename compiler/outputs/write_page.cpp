@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <memory>
+#include <mutex>
 
 #include "compiler/contract/system/for_each_slot.h"
 #include "compiler/geometry/trig.h"
@@ -20,6 +21,7 @@ namespace {
 
 using exporters::PageRgb;
 using exporters::PageSky;
+using exporters::PageSkyTable;
 constexpr std::size_t kColumns = 48, kRows = 24;
 constexpr int kHours = 3, kDayHours = 24;
 
@@ -40,14 +42,11 @@ std::vector<PageRgb> radiance_table(const sky::SkyModel& model) {
   return table;
 }
 
-PageSky page_sky(const sky::Sky& sky, std::string label, bool is_of_run) {
+// Cost: 0.4 s.
+PageSkyTable sky_table(const sky::Sky& sky) {
   const sky::SkyModel model = sky::generate(sky, sky.ground_m);
   const double solid_angle_sr = 2 * kPi * (1 - model.sun_cos_radius);
-  return {.time = sky::text_of(sky.time),
-          .label = std::move(label),
-          .is_of_run = is_of_run,
-          .are_lamps_lit = sky::are_lamps_lit(sky),
-          .to_light = model.to_sun,
+  return {.to_light = model.to_sun,
           .light = shown(model.sun_radiance, model.to_sun.z > 0 ? solid_angle_sr : 0),
           .disk = shown(model.sun_radiance),
           .white_ground = shown(model.white_ground),
@@ -81,6 +80,9 @@ sky::Sky sky_at(const scene::Header& header, const sky::Moment& time, int solar_
   return sky;
 }
 
+std::string sky_name(std::size_t number) { return fmt::format("{}{}.json", exporters::kPageSkyFolder, number); }
+
+/// A sky that the page offers.
 struct Hour {
   sky::Sky sky;
   double hours;
@@ -96,13 +98,17 @@ std::vector<Hour> hours_of(const scene::Header& header) {
   return hours;
 }
 
-// Returns the sky of the run, and skies every three hours of local mean solar time on its date, with the same air; in
-// the order of the day. Cost: 0.4 s each, in parallel.
-std::vector<PageSky> page_skies(const scene::Header& header, int threads) {
-  const std::vector<Hour> hours = hours_of(header);
-  return for_each_slot<PageSky>(hours.size(), threads, [&](std::size_t i) {
-    return page_sky(hours[i].sky, label_of(hours[i].hours), hours[i].is_of_run);
-  });
+// What page.json says of the skies: that of the run, and one every three hours of local mean solar time on its date,
+// with the same air; in the order of the day.
+std::vector<PageSky> page_skies(const std::vector<Hour>& hours) {
+  std::vector<PageSky> skies;
+  for (std::size_t i = 0; i < hours.size(); ++i)
+    skies.push_back({.time = sky::text_of(hours[i].sky.time),
+                     .label = label_of(hours[i].hours),
+                     .is_of_run = hours[i].is_of_run,
+                     .are_lamps_lit = sky::are_lamps_lit(hours[i].sky),
+                     .file = sky_name(i)});
+  return skies;
 }
 
 /// The name of the map without its ending: "town" of "town.osm.pbf".
@@ -112,7 +118,8 @@ std::string title_of(const scene::Header& header) {
   return source.substr(0, source.find('.'));
 }
 
-exporters::PageFacts facts_of(const scene::Scene& scene, const Outputs& outputs, const map::Geoid& geoid, int threads) {
+exporters::PageFacts facts_of(const scene::Scene& scene, const Outputs& outputs, const map::Geoid& geoid,
+                              const std::vector<Hour>& hours) {
   const scene::Header& header = scene.header;
   const auto keeps_tags = [](const scene::Chunk& chunk) {
     return std::ranges::any_of(chunk.texts, [](const map::ElementText& text) { return !text.tags.empty(); });
@@ -124,55 +131,78 @@ exporters::PageFacts facts_of(const scene::Scene& scene, const Outputs& outputs,
           .ground_m = header.sky.ground_m + map::height_m(geoid, header.extent.centre()),
           .lights = outputs.lights,
           .has_tags = std::ranges::any_of(scene.chunks, keeps_tags),
-          .skies = page_skies(header, threads)};
+          .skies = page_skies(hours)};
 }
 
-class PageWriter {
+/// What several files of the page are made of. Texts of records are made once, when the first of them is asked for.
+class PageData {
  public:
-  explicit PageWriter(exporters::OutputFolder& folder) : folder_(folder) {}
+  PageData(const scene::Scene& scene, const Outputs& outputs, const map::Geoid& geoid)
+      : scene_(scene),
+        outputs_(outputs),
+        geoid_(geoid),
+        hours_(hours_of(scene.header)),
+        records_(page_records(scene, geoid)) {}
 
-  Result<Done> write(const std::string& name, std::span<const std::byte> bytes) {
-    if (const Result<Done> done = folder_.write(name, bytes); !done) return done;
-    files.push_back({name, bytes.size()});
-    return Done{};
-  }
-  Result<Done> write(const std::string& name, const std::string& text) {
-    return write(name, exporters::bytes_of(text));
-  }
+  std::size_t skies() const { return hours_.size(); }
+  std::string sky(std::size_t number) const { return exporters::sky_json(sky_table(hours_[number].sky)); }
 
-  Result<Done> write_program_files() {
-    for (const exporters::PageFile& file : exporters::page_files())
-      if (const Result<Done> done = write(file.name, file.bytes); !done) return done;
-    return Done{};
-  }
-
-  Result<Done> write_records(const exporters::FeatureRecords& records) {
-    const std::vector<std::string> texts = exporters::feature_files(records, exporters::feature_file_count(records));
-    for (std::size_t i = 0; i < texts.size(); ++i)
-      if (const auto done = write(fmt::format("{}{}.json", exporters::kPageFeatureFolder, i), texts[i]); !done)
-        return done;
-    return write(exporters::kPageNamesName, exporters::names_json(records));
+  std::string page() const {
+    exporters::PageFacts facts = facts_of(scene_, outputs_, geoid_, hours_);
+    facts.feature_files = feature_files();
+    return exporters::page_json(facts, records_);
   }
 
-  std::vector<WrittenFile> files;
+  std::string names() const { return exporters::names_json(records_); }
+
+  std::size_t feature_files() const { return exporters::feature_file_count(records_); }
+  std::string features(std::size_t number) const {
+    std::call_once(texts_once_, [&] { texts_ = exporters::feature_files(records_, feature_files()); });
+    return texts_[number];
+  }
 
  private:
-  exporters::OutputFolder& folder_;
+  const scene::Scene& scene_;
+  Outputs outputs_;
+  const map::Geoid& geoid_;
+  std::vector<Hour> hours_;
+  exporters::FeatureRecords records_;
+  mutable std::once_flag texts_once_;
+  mutable std::vector<std::string> texts_;
 };
+
+std::string text_of(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
 }  // namespace
 
+std::vector<PageContent> page_contents(const scene::Scene& scene, const Outputs& outputs, const map::Geoid& geoid) {
+  const auto data = std::make_shared<const PageData>(scene, outputs, geoid);
+  std::vector<PageContent> files;
+  for (const exporters::PageFile& file : exporters::page_files())
+    files.push_back({file.name, [bytes = file.bytes] { return text_of(bytes); }});
+  files.push_back({exporters::kPageName, [data] { return data->page(); }});
+  for (std::size_t i = 0; i < data->skies(); ++i) files.push_back({sky_name(i), [data, i] { return data->sky(i); }});
+  for (std::size_t i = 0; i < data->feature_files(); ++i)
+    files.push_back(
+        {fmt::format("{}{}.json", exporters::kPageFeatureFolder, i), [data, i] { return data->features(i); }});
+  files.push_back({exporters::kPageNamesName, [data] { return data->names(); }});
+  return files;
+}
+
 Result<std::vector<WrittenFile>> write_page(const scene::Scene& scene, const Outputs& outputs, const map::Geoid& geoid,
                                             int threads, exporters::OutputFolder& folder) {
-  const exporters::FeatureRecords records = page_records(scene, geoid);
-  exporters::PageFacts facts = facts_of(scene, outputs, geoid, threads);
-  facts.feature_files = exporters::feature_file_count(records);
-  PageWriter writer(folder);
-  if (const Result<Done> done = writer.write_program_files(); !done) return done.error();
-  if (const Result<Done> done = writer.write(exporters::kPageName, exporters::page_json(facts, records)); !done)
-    return done.error();
-  if (const Result<Done> done = writer.write_records(records); !done) return done.error();
-  return std::move(writer.files);
+  const std::vector<PageContent> contents = page_contents(scene, outputs, geoid);
+  const std::vector<std::string> texts =
+      for_each_slot<std::string>(contents.size(), threads, [&](std::size_t i) { return contents[i].make(); });
+  std::vector<WrittenFile> files;
+  for (std::size_t i = 0; i < contents.size(); ++i) {
+    if (const Result<Done> done = folder.write(contents[i].name, exporters::bytes_of(texts[i])); !done)
+      return done.error();
+    files.push_back({contents[i].name, texts[i].size()});
+  }
+  return files;
 }
 
 }  // namespace citykiln::outputs

@@ -22,22 +22,12 @@ OrderedJson rgb_json(const PageRgb& rgb) {
   return json;
 }
 
-OrderedJson sky_json(const PageSky& sky) {
-  OrderedJson radiance = OrderedJson::array();
-  for (const PageRgb& rgb : sky.radiance)
-    for (const double c : rgb) radiance.push_back(with_four_digits(c));
+OrderedJson json_of(const PageSky& sky) {
   return {{"time", sky.time},
           {"label", sky.label},
           {"is_of_run", sky.is_of_run},
           {"are_lamps_lit", sky.are_lamps_lit},
-          {"to_light", {sky.to_light.x, sky.to_light.y, sky.to_light.z}},
-          {"light", rgb_json(sky.light)},
-          {"disk", rgb_json(sky.disk)},
-          {"white_ground", rgb_json(sky.white_ground)},
-          {"ground", rgb_json(sky.ground)},
-          {"columns", sky.columns},
-          {"rows", sky.rows},
-          {"radiance", std::move(radiance)}};
+          {"file", sky.file}};
 }
 
 OrderedJson assumption_texts() {
@@ -103,7 +93,22 @@ std::string page_json(const PageFacts& facts, const FeatureRecords& records) {
       {"codes", code_texts()},
       {"classes", class_counts(records)}};
   json["skies"] = OrderedJson::array();
-  for (const PageSky& sky : facts.skies) json["skies"].push_back(sky_json(sky));
+  for (const PageSky& sky : facts.skies) json["skies"].push_back(json_of(sky));
+  return text_of_json(json) + "\n";
+}
+
+std::string sky_json(const PageSkyTable& sky) {
+  OrderedJson radiance = OrderedJson::array();
+  for (const PageRgb& rgb : sky.radiance)
+    for (const double c : rgb) radiance.push_back(with_four_digits(c));
+  const OrderedJson json = {{"to_light", {sky.to_light.x, sky.to_light.y, sky.to_light.z}},
+                            {"light", rgb_json(sky.light)},
+                            {"disk", rgb_json(sky.disk)},
+                            {"white_ground", rgb_json(sky.white_ground)},
+                            {"ground", rgb_json(sky.ground)},
+                            {"columns", sky.columns},
+                            {"rows", sky.rows},
+                            {"radiance", std::move(radiance)}};
   return text_of_json(json) + "\n";
 }
 

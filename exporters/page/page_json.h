@@ -19,13 +19,18 @@ namespace citykiln::exporters {
 
 using PageRgb = std::array<double, 3>;
 
-/// A sky. Light is linear RGB; radiances are in sky::kUnitLuminance_cd_m2, `light` is the irradiance of a surface that
-/// faces the sun or, by night, the moon.
+/// A sky that the page offers.
 struct PageSky {
   std::string time;        ///< ISO 8601, UTC.
   std::string label;       ///< For people.
   bool is_of_run = false;  ///< True for the time that the run was compiled for.
   bool are_lamps_lit = false;
+  std::string file;  ///< The name of its table, relative to the folder of the run.
+};
+
+/// The light of a sky, linear RGB; radiances are in sky::kUnitLuminance_cd_m2, `light` is the irradiance of a surface
+/// that faces the sun or, by night, the moon.
+struct PageSkyTable {
   Vec3 to_light{0, 0, 1};  ///< The direction to sun or moon, unit length.
   PageRgb light{}, disk{}, white_ground{}, ground{};
   /// The radiance of the sky: columns by azimuth, counter-clockwise from east, at (column + 0.5) / columns of a turn;
@@ -65,9 +70,11 @@ struct PageFacts {
 };
 
 /// Returns page.json: the facts, the names and texts of assumptions and findings, and the number of features by class.
-/// Light of skies has four digits, since sky::generate() uses libm. `to_light` is written in full: it has equal bits on
-/// every CPU, and the page compares angles of less than 0.3° with it.
 std::string page_json(const PageFacts& facts, const FeatureRecords& records);
+
+/// Returns the table of a sky. Light has four digits, since sky::generate() uses libm. `to_light` is written in full:
+/// it has equal bits on every CPU, and the page compares angles of less than 0.3° with it.
+std::string sky_json(const PageSkyTable& sky);
 
 /// Returns how many files the records are divided into: one for each 500.
 std::size_t feature_file_count(const FeatureRecords& records);

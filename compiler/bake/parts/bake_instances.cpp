@@ -126,7 +126,10 @@ Placed placed_in(const Baking& baking, const SharedByLevels& shared) {
   if (has_detail(Detail::kGrassBlades, baking.tolerance_m))
     for (const auto& [prototype, placements] : shared.blades) placed.trees[prototype] = placements;
   leave_out_low_plants(placed, baking.tolerance_m);
-  if (!baking.part) return placed;
+  if (!baking.part) {
+    placed.drawn_left_out_m = leave_out_drawn(baking.header, baking.chunk, baking.tolerance_m, placed.things);
+    return placed;
+  }
   for (auto& [prototype, placements] : placed.trees)
     std::erase_if(placements, [&](const Placement& p) { return !baking.holds(bounds_of(p)); });
   std::erase_if(placed.things, [&](const PlacedThing& thing) { return !baking.holds(bounds_of(thing)); });

@@ -16,7 +16,8 @@ struct Placed {
   plants::PlacedPlants trees;
   Lamps lamps;
   std::vector<PlacedThing> things{};
-  double left_out_m = 0;  ///< The largest distance of a point of a plant that was left out from the plant's foot.
+  double left_out_m = 0;        ///< The largest distance of a point of a plant that was left out from the plant's foot.
+  double drawn_left_out_m = 0;  ///< A bound of the heights of drawn things that are not at this level.
 };
 
 /// Returns the instances of a mesh, without its primitives.

@@ -27,16 +27,11 @@ using OrderedJson = nlohmann::ordered_json;
 
 const std::string kTileset = std::string(exporters::kTilesetFolder) + "/" + exporters::kTilesetName;
 
-bool has_file(const exporters::FileList& list, const std::string& name) {
-  return std::ranges::find(list, name, &exporters::ListedFile::name) != list.end();
-}
-
 /// The settings of the run that matter for its tileset.
 Outputs outputs_of(const PageRequest& request, const outputs::RunRecord& record) {
-  Outputs outputs;
-  outputs.folder = request.folder, outputs.geoid = request.geoid, outputs.lights = request.lights;
-  outputs.materials_folder = request.materials_folder;
-  outputs.compress = record.compress;
+  Outputs outputs = request.outputs;
+  outputs.folder = request.folder;
+  if (!outputs.compress) outputs.compress = record.compress;
   // its ledger counts the objects that levels drop
   outputs.glb = true;
   std::set<double> levels_m;
@@ -95,7 +90,7 @@ Result<std::vector<outputs::WrittenFile>> write_missing(const scene::Scene& scen
 Result<Done> add_to_run(const PageRequest& request, const exporters::FileList& list, const Console& console) {
   const Result<outputs::RunRecord> record = outputs::read_report(request.folder);
   if (!record) return record.error();
-  if (!has_file(list, exporters::kManifestName)) return missing_manifest(request.folder);
+  if (!exporters::has_file(list, exporters::kManifestName)) return missing_manifest(request.folder);
   const Result<scene::Scene> scene = exporters::read_manifest(request.folder + "/" + exporters::kManifestName, {});
   if (!scene) return scene.error();
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(request.folder);
@@ -105,7 +100,7 @@ Result<Done> add_to_run(const PageRequest& request, const exporters::FileList& l
   const Outputs outputs = outputs_of(request, *record);
   if (const Result<Done> done = keep_files(request.folder, list, *folder); !done) return done;
   const auto files =
-      write_missing(*scene, outputs, request.threads, has_file(list, kTileset), *folder, console.progress());
+      write_missing(*scene, outputs, request.threads, exporters::has_file(list, kTileset), *folder, console.progress());
   if (!files) return files.error();
   const Result<std::string> report = report_with(request.folder, *files);
   if (!report) return report.error();
@@ -120,8 +115,8 @@ Result<Done> complete_page(const PageRequest& request, const Console& console) {
   const auto list = exporters::read_file_list(request.folder + "/" + exporters::kFileListName);
   if (!list) return list.error();
   if (!*list) return Error{request.folder, "holds no finished run; expected the folder that compile wrote"};
-  const bool has_tileset = has_file(**list, kTileset);
-  if (has_tileset && has_file(**list, exporters::kPageName)) return Done{};
+  const bool has_tileset = exporters::has_file(**list, kTileset);
+  if (has_tileset && exporters::has_file(**list, exporters::kPageName)) return Done{};
   console.print_line(fmt::format("{}: {}", request.folder,
                                  has_tileset ? "writing the page" : "baking the tileset and writing the page"));
   return add_to_run(request, **list, console);

@@ -1,21 +1,18 @@
 // Adds the page and, where there is none, a tileset to a finished run.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "compiler/commands/console.h"
 #include "compiler/contract/result.h"
-#include "compiler/map/plane/geoid.h"
+#include "compiler/spec.h"
 
 namespace citykiln::commands {
 
 /// Settings of the tileset and the page of a run.
 struct PageRequest {
-  std::string folder;                     ///< The folder of the run.
-  std::optional<map::GeoidSource> geoid;  ///< For a tileset that is baked.
-  std::size_t lights = 0;
-  std::string materials_folder;  ///< Artists' textures for a tileset that is baked; "" for none.
+  std::string folder;  ///< The folder of the run.
+  Outputs outputs;     ///< How a tileset is baked, but for its levels, which are the run's.
   int threads = 0;
 };
 

@@ -56,10 +56,15 @@ TEST(PageJson, ThePageHasTheTextsOfAllCodesAndAssumptions) {
   EXPECT_EQ(page.at("classes"), (json{{"House", 1}, {"oak", 1}}));
 }
 
-TEST(PageJson, LightHasFourDigitsAndItsDirectionAll) {
+TEST(PageJson, SkiesNameTheirTables) {
   PageFacts facts;
-  facts.skies = {{.to_light = {0.123456789, 0, 0.992349}, .light = {1.23456, 0, 0}}};
-  const json sky = json::parse(page_json(facts, {})).at("skies").at(0);
+  facts.skies = {{.time = "2026-06-21T12:00:00Z", .label = "12:00", .file = "page/skies/0.json"}};
+  EXPECT_EQ(json::parse(page_json(facts, {})).at("skies").at(0).at("file"), "page/skies/0.json");
+}
+
+TEST(PageJson, LightHasFourDigitsAndItsDirectionAll) {
+  const PageSkyTable table{.to_light = {0.123456789, 0, 0.992349}, .light = {1.23456, 0, 0}};
+  const json sky = json::parse(sky_json(table));
   EXPECT_EQ(sky.at("light").at(0), 1.235);
   EXPECT_EQ(sky.at("to_light").at(0), 0.123456789);
 }

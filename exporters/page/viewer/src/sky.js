@@ -1,7 +1,9 @@
-// The sky of page.json: a table of radiance that citykiln computed for each time, sun or moon as a light, and the light that the sky throws
-// on everything. Radiances are multiplied by the exposure before they go to the graphics card, so that nights keep their digits.
+// The sky that is shown: a table of radiance that citykiln computed for each time of page.json and the page loads when it is chosen, sun or moon
+// as a light, and the light that the sky throws on everything. Radiances are multiplied by the exposure before they go to the graphics card,
+// so that nights keep their digits.
 import * as THREE from "three";
 import { byId, make } from "./dom.js";
+import { fetchJson } from "./records.js";
 
 /** The radiance of material emission at 1, and of one candela a square metre, in the unit of the tables (compiler/sky/generate.h). */
 const EMISSION = 100 / 6250;
@@ -69,6 +71,7 @@ export class Sky {
     this.page = page;
     this.changed = changed;
     this.exposure = 1;
+    this.tables = {};
     this.dome = makeDome();
     this.sun = new THREE.DirectionalLight();
     this.maker = new THREE.PMREMGenerator(renderer);
@@ -78,24 +81,31 @@ export class Sky {
     byId("time").addEventListener("change", (event) => this.set(Number(event.target.value)));
   }
 
-  /** Shows the sky with a number. */
-  set(number) {
+  /** Shows the sky with a number, when its table is loaded. */
+  async set(number) {
     const sky = this.page.skies[number];
     if (!sky) return;
     this.number = number;
     byId("time").value = String(number);
-    const gains = exposureOf(sky.white_ground);
+    this.tables[number] ??= fetchJson(sky.file);
+    const table = await this.tables[number];
+    // another one may have been chosen meanwhile
+    if (this.number === number) this.show(sky, table);
+  }
+
+  show(sky, table) {
+    const gains = exposureOf(table.white_ground);
     const colour = (rgb) => new THREE.Color().setRGB(...rgb.map((c, i) => c * gains[i]));
     this.exposure = gains[1];
     const { uniforms } = this.dome.material;
     uniforms.table.value?.dispose();
-    uniforms.table.value = textureOf(sky, gains);
-    uniforms.ground.value = colour(sky.ground);
-    uniforms.toSun.value.fromArray(sky.to_light);
-    this.sun.position.fromArray(sky.to_light).multiplyScalar(1000);
-    this.sun.color = colour(sky.light);
+    uniforms.table.value = textureOf(table, gains);
+    uniforms.ground.value = colour(table.ground);
+    uniforms.toSun.value.fromArray(table.to_light);
+    this.sun.position.fromArray(table.to_light).multiplyScalar(1000);
+    this.sun.color = colour(table.light);
     this.setEnvironment();
-    uniforms.disk.value = colour(sky.disk.map((c) => Math.min(c, 500 / this.exposure)));
+    uniforms.disk.value = colour(table.disk.map((c) => Math.min(c, 500 / this.exposure)));
     this.showNote(sky);
     this.changed();
   }

@@ -1,0 +1,80 @@
+// What a server sends: files of a run, the page and the tree of tiles of a scene, by their names in a run. What is not
+// in the run is made when it is asked for.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "compiler/commands/serve/content_cache.h"
+#include "compiler/commands/serve_module/serve_io.h"
+#include "compiler/outputs/tiles3d/tree_source.h"
+#include "compiler/scene/scene.h"
+#include "compiler/spec.h"
+#include "exporters/file_list.h"
+
+namespace citykiln::commands {
+
+/// The choices of a site.
+struct SiteRequest {
+  std::string path;  ///< A manifest, or the folder of a run.
+  Outputs outputs;   ///< How contents are made.
+  bool has_page = false;
+  std::uint64_t cache_bytes = 0;
+  int threads = 0;
+};
+
+/// The names that are answered, and how. Thread-safe.
+class Site {
+ public:
+  /// Opens a run or a manifest. Tiles are files of the run if it has a tileset; else they are baked, with the levels of
+  /// the run, or those of the request for a manifest alone. Errors: neither of both; a run without a manifest, whose
+  /// tiles would have to be baked; a scene without tiles.
+  static Result<std::unique_ptr<Site>> open(const SiteRequest& request);
+
+  /// Returns the answer for a path such as "/page/page.json"; "/" is index.html. 404 for names that are not of the
+  /// site, 403 for paths with "..", 304 if the client has the same bytes already. O(log n).
+  HttpAnswer answer(const HttpRequest& request) const;
+
+  /// Makes what the first picture needs, while the browser starts.
+  void prepare() const;
+  bool bakes() const { return tree_ != nullptr; }
+  ContentCache::Counters counters() const { return cache_.counters(); }
+
+ private:
+  /// How a name is answered: by a file, or by bytes that are made. The tag names the bytes.
+  struct Entry {
+    std::string file{};
+    ContentCache::Make make{};
+    std::string etag{};
+  };
+
+  explicit Site(const SiteRequest& request);
+  Result<Done> add_run(const SiteRequest& request, const exporters::FileList& list);
+  Result<Done> add_scene(const SiteRequest& request, const std::string& manifest, bool has_tileset);
+  void add_page();
+  Entry made(std::string_view name, ContentCache::Make make) const;
+  std::optional<Entry> entry_at(const std::string& name) const;
+
+  Outputs outputs_;
+  bool has_page_;
+  int threads_;
+  std::uint64_t version_ = 0;  ///< Of all that is made: of the manifest, the settings and the program.
+  scene::Scene scene_;
+  map::Geoid geoid_;
+  std::unique_ptr<outputs::TreeSource> tree_;
+  std::map<std::string, Entry> entries_;
+  mutable ContentCache cache_;
+};
+
+/// Returns the media type by the ending of a name.
+const char* media_type_of(std::string_view name);
+
+/// True if a header Host names this machine: "127.0.0.1:8000" or "localhost:8000". Pages of others, whose names may be
+/// made to lead here, have other hosts.
+bool is_own_host(std::string_view host, int port);
+
+}  // namespace citykiln::commands
