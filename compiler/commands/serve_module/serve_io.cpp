@@ -47,11 +47,14 @@ void send_made(const HttpAnswer& answer, const httplib::Request& request, httpli
 }
 
 void answer(const HttpServer& server, const httplib::Request& request, httplib::Response& response) {
+  // the library decides between 200 and 206
   const HttpRequest asked{request.get_header_value("Host"), request.path, request.get_header_value("If-None-Match")};
   const HttpAnswer answer = server.decide(asked);
-  response.status = answer.status;
   if (!answer.etag.empty()) response.set_header("ETag", answer.etag);
-  if (answer.status != 200) return;
+  if (answer.status != 200) {
+    response.status = answer.status;
+    return;
+  }
   if (answer.make)
     send_made(answer, request, response);
   else
