@@ -94,12 +94,12 @@ bool is_paved_or_yard(const ground::LandCoverPolygon* polygon) {
   }
 }
 
-// True for land use without yards, where plots lie.
-bool is_left_over(const ground::LandCoverPolygon* polygon) {
-  if (!polygon) return true;
+// True for unmapped land, and for the land use that a plot is named after. Another land use may lie above its paving.
+bool is_ground_of_plot(const ground::LandCoverPolygon* polygon, OsmId plot) {
+  if (!polygon || polygon->surface == LandCoverClass::kUnknown) return true;
   const LandCoverGroup group = map::values_of(polygon->surface).group;
   const bool is_use = group == LandCoverGroup::kTown || group == LandCoverGroup::kIndustry;
-  return !ground::is_yard(*polygon) && (is_use || polygon->surface == LandCoverClass::kUnknown);
+  return is_use && polygon->id.osm == plot && !ground::is_yard(*polygon);
 }
 
 bool is_open(const ground::LandCoverPolygon* polygon) {
@@ -112,7 +112,8 @@ bool is_open(const ground::LandCoverPolygon* polygon) {
 bool has_ground(const Place& place, const LandCoverIndex& land_cover) {
   if (place.across != Vec2{}) return has_carriageway(place, land_cover);
   if (place.kind == PlaceKind::kSpace) return lies_on(place, land_cover, is_open);
-  if (place.kind == PlaceKind::kPlot) return lies_on(place, land_cover, is_left_over);
+  if (place.kind == PlaceKind::kPlot)
+    return lies_on(place, land_cover, [&](const auto* polygon) { return is_ground_of_plot(polygon, place.feature); });
   if (place.surface == LandCoverClass::kUnknown) return lies_on(place, land_cover, is_paved_or_yard);
   return lies_on(place, land_cover, [&](const auto* polygon) { return polygon && polygon->surface == place.surface; });
 }

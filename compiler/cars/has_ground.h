@@ -17,7 +17,7 @@ inline constexpr double kBuiltUp_m = 22;
 ///   1 m behind the kerb;
 /// - for places on car parks beside a road, kParking;
 /// - for bays and drives, a car park or a surface of yards;
-/// - on plots, land use without yards, or unmapped land;
+/// - on plots, unmapped land, or the land use whose element the plot belongs to, without yards;
 /// - for mapped spaces, neither water nor a building nor a railway.
 ///
 /// @param land_cover  With each road as one surface. O(edges near).

@@ -35,6 +35,7 @@ struct MadeTile {
   std::vector<roads::Junction> junctions{};
   std::vector<ground::LandCoverPolygon> cover{};
   std::vector<lots::Yard> yards{};
+  std::vector<lots::Yard> plots{};
   std::vector<pitches::Pitch> pitches{};
   std::vector<things::Thing> things{};
   std::vector<buildings::Building> buildings{};
@@ -66,7 +67,7 @@ struct MadeTile {
     return {.roads = roads,
             .junctions = junctions,
             .yards = yards,
-            .plots = {},
+            .plots = plots,
             .pitches = pitches,
             .trunks = trunks,
             .things = things,

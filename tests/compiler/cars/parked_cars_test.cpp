@@ -292,5 +292,27 @@ TEST(ParkedCars, DependOnTheSeed) {
   EXPECT_NE(tile.cars(kMadeBox, {.share = 0.5}, 1), tile.cars(kMadeBox, {.share = 0.5}, 2));
 }
 
+// A plot of 24 by 22 m that is a car park on the land use w3.
+MadeTile tile_with_plot() {
+  MadeTile tile;
+  lots::Yard plot{.building = {{OsmType::kWay, 3}, 1}, .kind = lots::LotKind::kCarPark};
+  plot.polygon.outer = {{0, 10}, {24, 10}, {24, 32}, {0, 32}};
+  tile.plots = {plot};
+  tile.cover = {made_cover(3, {{-50, 0}, {20, 50}}, LandCoverClass::kCommercial)};
+  return tile;
+}
+
+TEST(ParkedCars, OnPlotsStandOnTheLandUseOfTheirPlotAndOnUnmappedLand) {
+  MadeTile tile = tile_with_plot();
+  EXPECT_EQ(tile.places(kMadeBox).size(), 14u) << "two rows, also beyond x = 20";
+  // land use that lies above the paving
+  for (const LandCoverClass other : {LandCoverClass::kInstitution, LandCoverClass::kBrownfield}) {
+    tile = tile_with_plot();
+    tile.cover.push_back(made_cover(4, {{0, 10}, {9, 20}}, other));
+    EXPECT_EQ(tile.places(kMadeBox).size(), 11u);
+    for (const Place& place : tile.places(kMadeBox)) EXPECT_TRUE(place.at.y > 20 || place.at.x > 9);
+  }
+}
+
 }  // namespace
 }  // namespace citykiln::cars

@@ -78,6 +78,17 @@ TEST(Plots, SurfacesLieAboveTheLandUseAndBelowYards) {
   }
 }
 
+// Land use inside of a park covers the park, and the plot covers both.
+TEST(Plots, SurfacesLieAboveLandUseThatIsRaised) {
+  MadeLand land;
+  land.areas = {made_area(1, LandCoverClass::kIndustrial, {-195, -150}, {195, 150})};
+  land.areas[0].raised_priority = 28;
+  const Plots plots = land.plots();
+  ASSERT_FALSE(plots.surfaces.empty());
+  for (const ground::LandCoverPolygon& surface : plots.surfaces)
+    EXPECT_TRUE(ground::covers(surface, land.areas[0]));
+}
+
 TEST(Plots, FinerGroundAndLotsHaveNone) {
   for (const LandCoverClass finer : {LandCoverClass::kPark, LandCoverClass::kLawn, LandCoverClass::kParking}) {
     MadeLand land;
