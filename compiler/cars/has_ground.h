@@ -23,4 +23,8 @@ inline constexpr double kBuiltUp_m = 22;
 /// @param land_cover  With each road as one surface. O(edges near).
 bool has_ground(const Place& place, const ground::LandCoverIndex& land_cover);
 
+/// True if the corners of a car in a place, 0.3125 m inside of it, lie on such ground: a corner of a path may reach
+/// between the points at which the ground of the place was tested.
+bool is_on_ground(const OrientedRect& car, const Place& place, const ground::LandCoverIndex& land_cover);
+
 }  // namespace citykiln::cars

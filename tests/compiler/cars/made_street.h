@@ -39,6 +39,7 @@ struct MadeTile {
   std::vector<pitches::Pitch> pitches{};
   std::vector<things::Thing> things{};
   std::vector<buildings::Building> buildings{};
+  std::vector<props::Barrier> barriers{};
 
   std::vector<Vec2> trunks{};
 
@@ -72,7 +73,7 @@ struct MadeTile {
             .trunks = trunks,
             .things = things,
             .lamps = {},
-            .barriers = {},
+            .barriers = barriers,
             .buildings = buildings,
             .land_cover = index,
             .tile_m = 256};

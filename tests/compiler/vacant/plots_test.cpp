@@ -98,6 +98,17 @@ TEST(Plots, FinerGroundAndLotsHaveNone) {
   }
 }
 
+TEST(Plots, AreLeftOverForTheMostPart) {
+  MadeLand land;
+  // meadow covers the half of each plot that is farther from the street
+  land.areas = {made_area(1, LandCoverClass::kIndustrial, {-195, -150}, {195, 150}),
+                made_area(2, LandCoverClass::kMeadow, {-194, 13}, {194, 149}),
+                made_area(3, LandCoverClass::kMeadow, {-194, -149}, {194, -21})};
+  const Plots plots = land.plots();
+  EXPECT_EQ(plots.grounds.size(), 15u) << "on the side where a quarter is covered";
+  for (const lots::Yard& ground : plots.grounds) EXPECT_LT(ground.polygon.outer[0].y, 0);
+}
+
 TEST(Plots, UnmappedLandIsATownsNearBuildingsAlone) {
   MadeLand land;
   EXPECT_TRUE(land.plots().grounds.empty());
@@ -150,7 +161,10 @@ TEST(Plots, AllotmentsHaveRowsOfPlots) {
   land.areas = {made_area(1, LandCoverClass::kAllotments, {-100, 20}, {0, 120})};
   const Plots plots = land.plots();
   EXPECT_GT(count_of(plots, LotKind::kAllotment), 20);
-  for (const lots::Yard& ground : plots.grounds) EXPECT_NEAR(area_m2(ground.polygon), 11 * 18, 0.1);
+  for (const lots::Yard& ground : plots.grounds) {
+    EXPECT_NEAR(area_m2(ground.polygon), 11 * 18, 0.1);
+    for (const Vec2 p : ground.polygon.outer) EXPECT_TRUE((Box2{{-100, 20}, {0, 120}}.widened(0.01).contains(p)));
+  }
 }
 
 TEST(Plots, BuildingSitesAreGroundsAsMapped) {
