@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/map/things/thing_role.h"
 #include "compiler/things/facing.h"
 #include "tests/compiler/cars/made_street.h"
 
