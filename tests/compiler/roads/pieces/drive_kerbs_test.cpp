@@ -51,6 +51,7 @@ TEST(DriveKerbs, OfDrivesThatFaceEachOtherCutTheStreetAtQuarterMetres) {
   const Road road = street_with_drives();
   const std::vector<DriveKerb> kerbs = kerbs_of(road, mouths);
   EXPECT_EQ(kerbs, (std::vector<DriveKerb>{{38.5, 41.5, true}, {39.5, 42.5, false}}));
+  EXPECT_DOUBLE_EQ(lowered_at(road, {140.9, 97}, mouths), kLow_m) << "on the right";
   const std::vector<RoadStretch> runs = cut_at_drives(stretches_of(road, {}, kDriveTile_m), kerbs);
   EXPECT_EQ(runs.size(), 9u);
   EXPECT_EQ(runs.front().from_m, 0);
