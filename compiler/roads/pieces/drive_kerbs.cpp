@@ -53,7 +53,7 @@ std::optional<DriveKerb> drive_kerb_at(const Road& road, const std::vector<doubl
   return DriveKerb{from_m, from_m + kDriveKerb_m, is_left};
 }
 
-bool is_crossing(const RoadStretch& stretch) {
+bool keeps_its_kerb(const RoadStretch& stretch) {
   return stretch.stretch == StretchKind::kZebra || stretch.stretch == StretchKind::kCrossing || stretch.traits != 0;
 }
 
@@ -66,7 +66,7 @@ bool is_apart(const DriveKerb& drive, std::span<const RoadStretch> stretches,
     return from_m < each.at_m + each.after_m && to_m > each.at_m - each.before_m;
   };
   const auto is_at_crossing = [&](const RoadStretch& stretch) {
-    return is_crossing(stretch) && stretch.from_m - kKerbRamp_m < to_m && from_m < stretch.to_m + kKerbRamp_m;
+    return keeps_its_kerb(stretch) && stretch.from_m - kKerbRamp_m < to_m && from_m < stretch.to_m + kKerbRamp_m;
   };
   return std::ranges::none_of(intervals, is_in_junction) && std::ranges::none_of(stretches, is_at_crossing);
 }
