@@ -45,7 +45,7 @@ std::vector<RoadStretch> cut_at_drives(std::span<const RoadStretch> stretches, s
 void add_drive_ramps(const Road& road, std::span<const DriveKerb> drives, std::vector<KerbRamp>& ramps);
 
 /// Returns the ramps before drives of all roads of a tile.
-/// @param assumes  The parameter of with_dropped_kerbs().
+/// @param assumes  True if kerbs at crossings are assumed, as for with_dropped_kerbs().
 std::vector<KerbRamp> drive_ramps_of(std::span<const Road> roads, std::span<const Junction> junctions, double tile_m,
                                      bool assumes, std::span<const DriveMouth> mouths);
 
