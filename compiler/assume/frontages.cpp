@@ -133,6 +133,7 @@ bool may_have_wide_pavement(const Track& track) {
 bool may_be_wide_lane(const Track& track) {
   const bool is_lane =
       track.surface == LandCoverClass::kPedestrianStreet || track.surface == LandCoverClass::kPavedFootPath ||
+      track.surface == LandCoverClass::kServiceRoad ||
       (track.surface == LandCoverClass::kResidentialRoad && !has_usual_pavements(track.surface, track.country));
   return is_lane && may_be_fronted(track) && !track.has_tagged_width && !track.has_tagged_placement &&
          std::ranges::none_of(track.section.lanes, [](const Lane& lane) {

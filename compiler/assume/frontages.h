@@ -5,8 +5,8 @@
 //     .....................................   kFrontage_m of the kerb, and few see no house within kOpenFrontage_m
 //     pavement                          2. its pavement becomes as wide as an upper quantile of the distances from
 //     ===============================>     kerb to wall; width limits (roads/width_limits) narrow it at each wall
-//     .....................................  3. ways without pavements, such as pedestrian streets and footways between
-//     [####][#####][####][####][#####]     walls, become as wide themselves
+//     .....................................  3. ways without pavements, such as pedestrian streets, and footways and
+//     [####][#####][####][####][#####]     service roads between walls, become as wide themselves
 #pragma once
 
 #include <span>

@@ -14,6 +14,8 @@ using map::LandCoverGroup;
 
 // A place may reach over the border of its ground by this much, since bays are as wide as their cells.
 constexpr double kOver_m = 0.25;
+// A car may reach over it by this much.
+constexpr double kCarOver_m = 0.3125;
 
 const ground::LandCoverPolygon* polygon_at(const LandCoverIndex& land_cover, Vec2 p) {
   if (!land_cover.box.contains(p)) return nullptr;
@@ -68,11 +70,8 @@ bool is_before_car_park(const Place& place, const LandCoverIndex& land_cover) {
   return at == LandCoverClass::kParking || map::values_of(at).group == LandCoverGroup::kRoad;
 }
 
-bool has_carriageway(const Place& place, const LandCoverIndex& land_cover) {
-  const auto is_own = [&](const ground::LandCoverPolygon* polygon) {
-    return polygon && polygon->surface == place.surface && !is_junction(*polygon);
-  };
-  if (!lies_on(place, land_cover, is_own) || has_rails(place, land_cover)) return false;
+bool is_free_carriageway(const Place& place, const LandCoverIndex& land_cover) {
+  if (has_rails(place, land_cover)) return false;
   if (place.kind != PlaceKind::kKerb) return true;
   return is_built_up(place, land_cover) && !is_before_car_park(place, land_cover);
 }
@@ -94,12 +93,12 @@ bool is_paved_or_yard(const ground::LandCoverPolygon* polygon) {
   }
 }
 
-// True for land use without yards, where plots lie.
-bool is_left_over(const ground::LandCoverPolygon* polygon) {
-  if (!polygon) return true;
+// True for unmapped land, and for the land use that a plot is named after. Another land use may lie above its paving.
+bool is_ground_of_plot(const ground::LandCoverPolygon* polygon, OsmId plot) {
+  if (!polygon || polygon->surface == LandCoverClass::kUnknown) return true;
   const LandCoverGroup group = map::values_of(polygon->surface).group;
   const bool is_use = group == LandCoverGroup::kTown || group == LandCoverGroup::kIndustry;
-  return !ground::is_yard(*polygon) && (is_use || polygon->surface == LandCoverClass::kUnknown);
+  return is_use && polygon->id.osm == plot && !ground::is_yard(*polygon);
 }
 
 bool is_open(const ground::LandCoverPolygon* polygon) {
@@ -107,14 +106,29 @@ bool is_open(const ground::LandCoverPolygon* polygon) {
   return group != LandCoverGroup::kBuilding && group != LandCoverGroup::kWater && group != LandCoverGroup::kRail;
 }
 
+// True if a polygon is ground for the cars of a place.
+bool is_ground_of(const Place& place, const ground::LandCoverPolygon* polygon) {
+  if (place.surface != LandCoverClass::kUnknown) {
+    const bool is_own = polygon && polygon->surface == place.surface;
+    return is_own && (place.across == Vec2{} || !is_junction(*polygon));
+  }
+  if (place.kind == PlaceKind::kSpace) return is_open(polygon);
+  if (place.kind == PlaceKind::kPlot) return is_ground_of_plot(polygon, place.feature);
+  return is_paved_or_yard(polygon);
+}
+
 }  // namespace
 
 bool has_ground(const Place& place, const LandCoverIndex& land_cover) {
-  if (place.across != Vec2{}) return has_carriageway(place, land_cover);
-  if (place.kind == PlaceKind::kSpace) return lies_on(place, land_cover, is_open);
-  if (place.kind == PlaceKind::kPlot) return lies_on(place, land_cover, is_left_over);
-  if (place.surface == LandCoverClass::kUnknown) return lies_on(place, land_cover, is_paved_or_yard);
-  return lies_on(place, land_cover, [&](const auto* polygon) { return polygon && polygon->surface == place.surface; });
+  const auto is_ground = [&](const ground::LandCoverPolygon* polygon) { return is_ground_of(place, polygon); };
+  return lies_on(place, land_cover, is_ground) && (place.across == Vec2{} || is_free_carriageway(place, land_cover));
+}
+
+bool is_on_ground(const OrientedRect& car, const Place& place, const LandCoverIndex& land_cover) {
+  OrientedRect inner = car;
+  inner.length_m -= 2 * kCarOver_m, inner.width_m -= 2 * kCarOver_m;
+  return std::ranges::all_of(corners_of(inner),
+                             [&](Vec2 p) { return is_ground_of(place, polygon_at(land_cover, p)); });
 }
 
 }  // namespace citykiln::cars

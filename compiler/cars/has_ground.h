@@ -17,10 +17,14 @@ inline constexpr double kBuiltUp_m = 22;
 ///   1 m behind the kerb;
 /// - for places on car parks beside a road, kParking;
 /// - for bays and drives, a car park or a surface of yards;
-/// - on plots, land use without yards, or unmapped land;
+/// - on plots, unmapped land, or the land use whose element the plot belongs to, without yards;
 /// - for mapped spaces, neither water nor a building nor a railway.
 ///
 /// @param land_cover  With each road as one surface. O(edges near).
 bool has_ground(const Place& place, const ground::LandCoverIndex& land_cover);
+
+/// True if the corners of a car in a place, 0.3125 m inside of it, lie on such ground: a corner of a path may reach
+/// between the points at which the ground of the place was tested.
+bool is_on_ground(const OrientedRect& car, const Place& place, const ground::LandCoverIndex& land_cover);
 
 }  // namespace citykiln::cars

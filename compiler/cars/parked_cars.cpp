@@ -155,9 +155,11 @@ std::vector<things::Thing> parked_cars(const TileRecipes& recipes, const ClearZo
   std::vector<things::Thing> cars;
   if (!has_cars(settings.share)) return cars;
   std::uint32_t number = 0;
-  for (const Place& place : places_in(recipes, zones, settings, box))
-    if (is_taken(place, settings.share, settings.time, settings.seed))
-      cars.push_back(car_in(place, number++, settings.seed));
+  for (const Place& place : places_in(recipes, zones, settings, box)) {
+    if (!is_taken(place, settings.share, settings.time, settings.seed)) continue;
+    things::Thing car = car_in(place, number++, settings.seed);
+    if (is_on_ground(roadside::plan_of(car), place, recipes.land_cover)) cars.push_back(std::move(car));
+  }
   return cars;
 }
 

@@ -162,7 +162,7 @@ struct YardFurnisher {
   bool suits(const YardKind& kind, const YardRectangle& place) const {
     if (!recipes.land_cover.box.contains(place.at)) return false;
     if (kind.spot == YardSpot::kBesideHouse)
-      return is_free(place, 0) &&
+      return is_free(place, 0) && (is_home(yard) || is_off_doors(place)) &&
              to_wall_m(place.at, 2 * kBinToWall_m + kind.depth_m) < kBinToWall_m + kind.depth_m / 2;
     const bool is_rear = is_plot || frame.local(place.at).y > yard.setback_m + kBehindFront_m;
     const double margin_m = kind.spot == YardSpot::kBorder ? kInsideBorder_m / 2 : kApart_m;

@@ -12,11 +12,13 @@
 #include "compiler/roads/junctions/corner_pavements.h"
 #include "compiler/roads/junctions/through_road.h"
 #include "compiler/roads/network.h"
+#include "compiler/roads/pieces/drive_kerbs.h"
 #include "compiler/roads/pieces/dropped_kerbs.h"
 #include "compiler/roads/pieces/islands.h"
 #include "compiler/roads/pieces/lane_changes.h"
 #include "compiler/roads/pieces/lane_strips.h"
 #include "compiler/scene/box_junctions.h"
+#include "compiler/scene/drive_mouths.h"
 
 namespace citykiln::scene {
 namespace {
@@ -230,11 +232,13 @@ LandCover land_cover_of(const Header& header, const Chunk& chunk, double toleran
   const std::vector<roads::StripEnds> ends = roads::ends_of(chunk.roads);
   const auto changes = roads::lane_changes_of(chunk.roads, chunk.junctions);
   const auto gaps = roads::junction_intervals_of(chunk.roads, chunk.junctions);
+  const std::vector<roads::DriveMouth> mouths = drive_mouths_of(header, chunk);
   std::uint32_t next_run = 0;
   for (std::size_t i = 0; i < chunk.roads.size(); ++i) {
     const roads::Road& road = chunk.roads[i];
-    const auto stretches = roads::with_dropped_kerbs(road, roads::stretches_of(road, gaps[i], header.tile_m), gaps[i],
-                                                     header.has_street_furniture);
+    auto stretches = roads::with_dropped_kerbs(road, roads::stretches_of(road, gaps[i], header.tile_m), gaps[i],
+                                               header.has_street_furniture);
+    stretches = roads::cut_at_drives(stretches, roads::drive_kerbs_of(road, stretches, gaps[i], mouths));
     next_run = add_pieces(road, roads::pieces_of(road, ends[i], stretches, changes[i], header.tile_m, tolerance_m),
                           next_run, cover);
   }

@@ -12,15 +12,18 @@ using map::LandCoverGroup;
 struct UseCount {
   LandCoverClass use{};
   ObjectId area{};
+  int priority = 0;
   int count = 0;
 };
 
-void count_use(LandCoverClass use, ObjectId area, std::vector<UseCount>& counts) {
-  const auto found = std::ranges::find(counts, use, &UseCount::use);
+void count_use(const ground::LandCoverPolygon* cover, std::vector<UseCount>& counts) {
+  const LandCoverClass use = cover == nullptr ? LandCoverClass::kUnknown : cover->surface;
+  if (!is_left_over(use)) return;
+  auto found = std::ranges::find(counts, use, &UseCount::use);
   if (found == counts.end())
-    counts.push_back({use, area, 1});
-  else
-    ++found->count;
+    found = counts.insert(counts.end(), {use, cover == nullptr ? ObjectId{} : cover->id, 0, 0});
+  ++found->count;
+  if (cover != nullptr) found->priority = std::max(found->priority, ground::priority_of(*cover));
 }
 
 // True for green ground, false for paved ground, empty for all else.
@@ -68,13 +71,11 @@ LeftOver left_over_of(const PlotInputs& inputs, Vec2 corner, Vec2 right, Vec2 ba
     for (int j = 0; j < kSamples; ++j) {
       const Vec2 p = corner + right * ((i + 0.5) / kSamples) + back * ((j + 0.5) / kSamples);
       if (!inputs.land_cover.box.contains(p)) continue;
-      const ground::LandCoverPolygon* cover = cover_at(inputs, p);
-      const LandCoverClass use = cover == nullptr ? LandCoverClass::kUnknown : cover->surface;
-      if (is_left_over(use)) count_use(use, cover == nullptr ? ObjectId{} : cover->id, counts);
+      count_use(cover_at(inputs, p), counts);
     }
   if (counts.empty()) return {};
   const UseCount most = *std::ranges::max_element(counts, {}, &UseCount::count);
-  return {most.use, most.area, static_cast<double>(most.count) / (kSamples * kSamples)};
+  return {most.use, most.area, most.priority, static_cast<double>(most.count) / (kSamples * kSamples)};
 }
 
 std::optional<double> green_share_about(const PlotInputs& inputs, Vec2 p) {

@@ -23,6 +23,7 @@ bool is_left_over(map::LandCoverClass surface);
 struct LeftOver {
   map::LandCoverClass use{};  ///< The class that most of the left-over places have.
   ObjectId area{};            ///< An area of that class; none where nothing is mapped.
+  int priority = 0;           ///< The highest priority of areas of that class among the samples.
   double share = 0;           ///< The share of all samples that have this class, from 0 to 1.
 };
 

@@ -119,7 +119,7 @@ struct StreetPlotter {
     PlotRectangle paved = r;
     paved.depth_m -= kGrassRim_m;
     plots.surfaces.push_back(
-        surface_on(row.surface, derived_id({owner.osm, 0}, 0), map::values_of(ground.use).priority, {ring_of(paved)}));
+        surface_on(row.surface, derived_id({owner.osm, 0}, 0), ground.priority, {ring_of(paved)}));
   }
 };
 

@@ -202,6 +202,20 @@ TEST(NamedView, AStreetMayBeBelowTrees) {
   EXPECT_NEAR(camera.eye.z, 1.75, 0.06);  // on the street, or beside it
 }
 
+// Walls behind low crowns are seen: of two equal villages the one with crowns at its walls has a view into the street.
+TEST(NamedView, CrownsHideNoWalls) {
+  bake::BakedTile place = village({0, 0, 0});
+  place.primitives.push_back(box({-7.5, -220, 2.5}, {-5, 220, 7}, Material::kBroadLeaf));
+  place.primitives.push_back(box({5, -220, 2.5}, {7.5, 220, 7}, Material::kBroadLeaf));
+  const std::vector tiles = {place};
+  const Camera camera = *named_view(tiles, "street");
+  const Vec3 ahead = unit(camera.look_at - camera.eye);
+  EXPECT_LE(std::abs(camera.eye.x), 4);
+  // turned by a third of the picture, since both sides have walls
+  EXPECT_GT(std::abs(ahead.x), 0.1);
+  EXPECT_GT(std::abs(ahead.y), 0.8);
+}
+
 TEST(NamedView, ContentIsVariedAndCloseWallsCount) {
   const std::vector tiles = {village({0, 0, 0})};
   const World world(tiles, {0, 0, 2});

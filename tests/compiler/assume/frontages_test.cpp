@@ -202,5 +202,20 @@ TEST(AssumeFrontages, PedestrianStreetsAndAlleysReachTheWalls) {
   EXPECT_EQ(fronted(features).section.lanes.front().width_m, 4.5);
 }
 
+// A service road of 3.5 m whose walls stand this far from its edges.
+double width_of_alley(double left_m, double right_m) {
+  map::Track alley = way_of_foot(0, 3.5, LandCoverClass::kServiceRoad);
+  alley.section.lanes.front().kind = LaneKind::kDriving;
+  map::Features features = fronted_town(alley, 1.75 + left_m + 0.1);
+  add_row(features, 1.75 + right_m + 0.1, 4, false);
+  return fronted(features).section.lanes.front().width_m;
+}
+
+TEST(AssumeFrontages, ServiceRoadsReachWallsThatAreNearOnBothSides) {
+  EXPECT_EQ(width_of_alley(1, 2), 3.5 + 1 + 2);
+  EXPECT_EQ(width_of_alley(1, 5), 3.5) << "a yard on one side";
+  EXPECT_EQ(width_of_alley(8, 8), 3.5);
+}
+
 }  // namespace
 }  // namespace citykiln::assume

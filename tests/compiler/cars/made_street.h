@@ -35,9 +35,11 @@ struct MadeTile {
   std::vector<roads::Junction> junctions{};
   std::vector<ground::LandCoverPolygon> cover{};
   std::vector<lots::Yard> yards{};
+  std::vector<lots::Yard> plots{};
   std::vector<pitches::Pitch> pitches{};
   std::vector<things::Thing> things{};
   std::vector<buildings::Building> buildings{};
+  std::vector<props::Barrier> barriers{};
 
   std::vector<Vec2> trunks{};
 
@@ -66,12 +68,12 @@ struct MadeTile {
     return {.roads = roads,
             .junctions = junctions,
             .yards = yards,
-            .plots = {},
+            .plots = plots,
             .pitches = pitches,
             .trunks = trunks,
             .things = things,
             .lamps = {},
-            .barriers = {},
+            .barriers = barriers,
             .buildings = buildings,
             .land_cover = index,
             .tile_m = 256};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/map/things/thing_role.h"
 #include "compiler/things/facing.h"
 #include "tests/compiler/cars/made_street.h"
 
@@ -62,6 +63,21 @@ TEST(MovingCars, OverlapNeitherEachOtherNorParkedCars) {
   std::ranges::copy(tile.cars(kMadeBox, {.share = 1}), std::back_inserter(all));
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(overlap(roadside::plan_of(all[i]), roadside::plan_of(all[k]), 0));
+}
+
+TEST(MovingCars, KeepOffMappedSpacesInTheirLane) {
+  MadeTile tile = street_tile();
+  tile.roads[0].kerb_parking = 0;
+  for (int i = 0; i < 12; ++i)
+    tile.things.push_back({.id = {{OsmType::kNode, 60 + i}, 0},
+                           .at = {20.0 * i + 10, 1.75},
+                           .form = {.kind = std::string(map::name_of(map::ThingRole::kCar)), .width_m = 2, .depth_m = 5}});
+  const std::vector<things::Thing> moving = tile.traffic(kMadeBox, kEverySlot, {.share = 1});
+  EXPECT_FALSE(moving.empty());
+  const std::vector<things::Thing> parked = tile.cars(kMadeBox, {.share = 1});
+  EXPECT_EQ(parked.size(), 12u);
+  for (const things::Thing& car : moving)
+    for (const things::Thing& other : parked) EXPECT_FALSE(overlap(roadside::plan_of(car), roadside::plan_of(other), 0));
 }
 
 TEST(MovingCars, StandOnNoRailsAndNoOtherGround) {

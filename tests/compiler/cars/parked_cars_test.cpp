@@ -69,6 +69,28 @@ TEST(ParkedCars, KeepOffWhatReachesIntoTheSideOfAPlace) {
   EXPECT_TRUE(std::ranges::none_of(tile.places(kMadeBox), is_beside_it));
 }
 
+TEST(ParkedCars, KeepOffWhatReachesBetweenTheTestedPoints) {
+  MadeTile tile = street_tile();
+  // 7 points along each place of 5.75 m, from 0.25 m on
+  std::int64_t id = 100;
+  for (double from_m = 0; from_m < 230; from_m += 5.75)
+    for (const int i : {0, 1, 4, 5}) {
+      const double x = from_m + 0.25 + (i + 0.5) * 5.25 / 6;
+      tile.cover.push_back(made_cover(id++, {{x - 0.4, -3.5}, {x + 0.4, -2.9}}, LandCoverClass::kBuilding));
+    }
+  const std::vector<things::Thing> cars = tile.cars(kMadeBox, CarShare{1});
+  EXPECT_FALSE(tile.places(kMadeBox).empty());
+  for (const things::Thing& car : cars) {
+    OrientedRect inner = roadside::plan_of(car);
+    inner.length_m -= 0.625, inner.width_m -= 0.625;
+    for (const Vec2 p : corners_of(inner))
+      for (std::size_t i = 2; i < tile.cover.size(); ++i) {
+        const Ring& path = tile.cover[i].rings.front();
+        EXPECT_FALSE((Box2{path[0], path[2]}.contains(p))) << p.x << ", " << p.y;
+      }
+  }
+}
+
 TEST(ParkedCars, AreEachInOneTile) {
   const MadeTile tile = street_tile();
   const std::vector<Place> whole = tile.places(box_between(0, 256));
@@ -290,6 +312,51 @@ TEST(ParkedCars, DependOnTheSeed) {
   const MadeTile tile = street_tile();
   EXPECT_EQ(tile.cars(kMadeBox, {.share = 0.5}, 1), tile.cars(kMadeBox, {.share = 0.5}, 1));
   EXPECT_NE(tile.cars(kMadeBox, {.share = 0.5}, 1), tile.cars(kMadeBox, {.share = 0.5}, 2));
+}
+
+// A plot of 24 by 22 m that is a car park on the land use w3.
+MadeTile tile_with_plot() {
+  MadeTile tile;
+  lots::Yard plot{.building = {{OsmType::kWay, 3}, 1}, .kind = lots::LotKind::kCarPark};
+  plot.polygon.outer = {{0, 10}, {24, 10}, {24, 32}, {0, 32}};
+  tile.plots = {plot};
+  tile.cover = {made_cover(3, {{-50, 0}, {20, 50}}, LandCoverClass::kCommercial)};
+  return tile;
+}
+
+TEST(ParkedCars, OnPlotsStandOnTheLandUseOfTheirPlotAndOnUnmappedLand) {
+  MadeTile tile = tile_with_plot();
+  EXPECT_EQ(tile.places(kMadeBox).size(), 14u) << "two rows, also beyond x = 20";
+  // land use that lies above the paving
+  for (const LandCoverClass other : {LandCoverClass::kInstitution, LandCoverClass::kBrownfield}) {
+    tile = tile_with_plot();
+    tile.cover.push_back(made_cover(4, {{0, 10}, {9, 20}}, other));
+    EXPECT_EQ(tile.places(kMadeBox).size(), 11u);
+    for (const Place& place : tile.places(kMadeBox)) EXPECT_TRUE(place.at.y > 20 || place.at.x > 9);
+  }
+}
+
+// A shop whose wall stands at the kerb, from x = 100 to 110, with a door in its middle.
+TEST(ParkedCars, KeepOffDoors) {
+  MadeTile tile = street_tile();
+  buildings::Building shop{.id = {{OsmType::kWay, 50}, 0}};
+  shop.footprint.outer = {{100, -10}, {110, -10}, {110, -3.5}, {100, -3.5}};
+  shop.facade_edges.resize(4);
+  shop.facade_edges[2].doors = 1 << 7;
+  const Vec2 door = {105.3, -3.5};
+  const auto is_before_it = [&](const Place& place) { return distance_m(place, door) < 1; };
+  EXPECT_TRUE(std::ranges::any_of(tile.places(kMadeBox), is_before_it));
+  tile.buildings = {shop};
+  EXPECT_FALSE(tile.places(kMadeBox).empty());
+  EXPECT_TRUE(std::ranges::none_of(tile.places(kMadeBox), is_before_it));
+}
+
+TEST(ParkedCars, KeepOffBarriers) {
+  MadeTile tile = street_tile();
+  const auto is_across = [](const Place& place) { return std::abs(place.at.x - 100) < place.length_m / 2; };
+  EXPECT_TRUE(std::ranges::any_of(tile.places(kMadeBox), is_across));
+  tile.barriers = {{.id = {{OsmType::kWay, 51}, 0}, .axis = {{100, -6}, {100, -2}}, .kind = map::BarrierKind::kWall}};
+  EXPECT_TRUE(std::ranges::none_of(tile.places(kMadeBox), is_across));
 }
 
 }  // namespace

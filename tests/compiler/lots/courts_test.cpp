@@ -35,5 +35,20 @@ TEST(Courts, AreDrawnWhereNothingIsMappedNear) {
   EXPECT_EQ(court_among({court_area(1, LandCoverClass::kGrass, {-50, -50}, 90)}), LotKind::kPerimeter) << "a park";
 }
 
+TEST(Courts, OneLargeAreaCountsForNoMoreThanAUsualCourt) {
+  EXPECT_EQ(court_among({court_area(1, LandCoverClass::kParking, {10, 10}, 60),
+                         court_area(2, LandCoverClass::kGrass, {-40, 10}, 20),
+                         court_area(3, LandCoverClass::kGrass, {-40, -40}, 20)}),
+            LotKind::kGreenCourt);
+}
+
+TEST(Courts, AnAreaIsNoNeighbourOfItself) {
+  map::Features features;
+  features.areas = {court_area(1, LandCoverClass::kGrass, {20, 20}, 10)};
+  const CourtGreen green = index_court_green(features);
+  EXPECT_EQ(green_share(green, {0, 0}, {}), 1);
+  EXPECT_EQ(green_share(green, {0, 0}, features.areas[0].id), std::nullopt);
+}
+
 }  // namespace
 }  // namespace citykiln::lots

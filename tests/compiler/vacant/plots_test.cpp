@@ -78,6 +78,17 @@ TEST(Plots, SurfacesLieAboveTheLandUseAndBelowYards) {
   }
 }
 
+// Land use inside of a park covers the park, and the plot covers both.
+TEST(Plots, SurfacesLieAboveLandUseThatIsRaised) {
+  MadeLand land;
+  land.areas = {made_area(1, LandCoverClass::kIndustrial, {-195, -150}, {195, 150})};
+  land.areas[0].raised_priority = 28;
+  const Plots plots = land.plots();
+  ASSERT_FALSE(plots.surfaces.empty());
+  for (const ground::LandCoverPolygon& surface : plots.surfaces)
+    EXPECT_TRUE(ground::covers(surface, land.areas[0]));
+}
+
 TEST(Plots, FinerGroundAndLotsHaveNone) {
   for (const LandCoverClass finer : {LandCoverClass::kPark, LandCoverClass::kLawn, LandCoverClass::kParking}) {
     MadeLand land;
@@ -85,6 +96,17 @@ TEST(Plots, FinerGroundAndLotsHaveNone) {
                   made_area(2, finer, {-194, -149}, {194, 149})};
     EXPECT_TRUE(land.plots().grounds.empty());
   }
+}
+
+TEST(Plots, AreLeftOverForTheMostPart) {
+  MadeLand land;
+  // meadow covers the half of each plot that is farther from the street
+  land.areas = {made_area(1, LandCoverClass::kIndustrial, {-195, -150}, {195, 150}),
+                made_area(2, LandCoverClass::kMeadow, {-194, 13}, {194, 149}),
+                made_area(3, LandCoverClass::kMeadow, {-194, -149}, {194, -21})};
+  const Plots plots = land.plots();
+  EXPECT_EQ(plots.grounds.size(), 15u) << "on the side where a quarter is covered";
+  for (const lots::Yard& ground : plots.grounds) EXPECT_LT(ground.polygon.outer[0].y, 0);
 }
 
 TEST(Plots, UnmappedLandIsATownsNearBuildingsAlone) {
@@ -139,7 +161,10 @@ TEST(Plots, AllotmentsHaveRowsOfPlots) {
   land.areas = {made_area(1, LandCoverClass::kAllotments, {-100, 20}, {0, 120})};
   const Plots plots = land.plots();
   EXPECT_GT(count_of(plots, LotKind::kAllotment), 20);
-  for (const lots::Yard& ground : plots.grounds) EXPECT_NEAR(area_m2(ground.polygon), 11 * 18, 0.1);
+  for (const lots::Yard& ground : plots.grounds) {
+    EXPECT_NEAR(area_m2(ground.polygon), 11 * 18, 0.1);
+    for (const Vec2 p : ground.polygon.outer) EXPECT_TRUE((Box2{{-100, 20}, {0, 120}}.widened(0.01).contains(p)));
+  }
 }
 
 TEST(Plots, BuildingSitesAreGroundsAsMapped) {
