@@ -43,7 +43,7 @@ std::size_t budget_bytes_of(const CellRequest& request) {
 
 StoreValue store_bytes(std::size_t& bytes) {
   return [&bytes](const std::string& text) -> Result<Done> {
-    const Error wrong{text, "expected a size of at least 1 MB, such as 200MB or 4GB"};
+    const Error wrong{"", fmt::format("expected a size of at least 1 MB, such as 200MB or 4GB, found \"{}\"", text)};
     double number = 0;
     const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), number);
     const std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
