@@ -192,7 +192,7 @@ class AddsToARun(PageTest):
         out = self.compiled("bare", "--spec", TOWN / "spec.json", "--lods", "12.5", "--emit", "glb")
         done = run("view", out)
         self.assertEqual(done.returncode, 1)
-        self.assertRegex(done.stderr, r"^citykiln: .*scene\.kiln.*missing.*\n$")
+        self.assertRegex(done.stderr, r"^citykiln: .*without its manifest, scene\.kiln.*\n$")
 
     def test_a_page_without_a_tileset_is_one_clear_line(self):
         done = run("compile", TOWN / "town.osm", "--emit", "kiln,page", "-o", self.folder / "out")
