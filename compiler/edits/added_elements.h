@@ -13,7 +13,7 @@ namespace citykiln::edits {
 /// An element that a map has only since it was edited, and the place that decides which region owns it.
 struct AddedElement {
   OsmId id;
-  source::Location at;     ///< Of its first node.
+  source::Location at;     ///< The place of its first node.
   std::uint32_t line = 0;  ///< Index in Edits::lines.
 };
 

@@ -15,11 +15,14 @@ std::string place_text(const Edits& edits, const Edit& edit) {
 }
 
 double longest_move_m(const Edits& edits) {
-  double sum_m = 0;
-  for (const Edit& edit : edits.lines)
-    if (const auto& moved_m = edit.changes.moved_m)
-      sum_m += std::sqrt(moved_m->x * moved_m->x + moved_m->y * moved_m->y);
-  return sum_m;
+  double sum_m = 0, place_m = 0;
+  for (const Edit& edit : edits.lines) {
+    const Changes& changes = edit.changes;
+    if (changes.placed) place_m = kFarthestPlace_m;
+    if (changes.moved_m)
+      sum_m += std::sqrt(changes.moved_m->x * changes.moved_m->x + changes.moved_m->y * changes.moved_m->y);
+  }
+  return sum_m + place_m;
 }
 
 }  // namespace citykiln::edits

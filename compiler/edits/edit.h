@@ -15,7 +15,7 @@
 
 namespace citykiln::edits {
 
-/// What a condition tests.
+/// The kinds of conditions.
 enum class ConditionKind : std::uint8_t { kIds, kTag, kBox, kNear };
 
 /// The types of elements that a condition on a tag accepts: a sum of bits. An area is a closed way of four nodes or
@@ -28,7 +28,7 @@ inline constexpr ElementTypes kAnyType = kNodes | kWays | kRelations;
 struct Condition {
   ConditionKind kind = ConditionKind::kTag;
   bool is_negated = false;   ///< True if the condition fits all other elements.
-  std::vector<OsmId> ids{};  ///< Of kIds: sorted.
+  std::vector<OsmId> ids{};  ///< For kIds: sorted.
   // of kTag
   ElementTypes types = kAnyType;
   std::string key{};
@@ -43,7 +43,7 @@ struct Condition {
 /// Elements that fit all conditions; never empty.
 using Filter = std::vector<Condition>;
 
-/// What happens to elements. Tags are removed before others are set.
+/// The changes to elements. Tags are removed before others are set.
 struct Changes {
   bool is_dropped = false;
   std::vector<std::pair<std::string, std::string>> set{};  ///< Key and value, in the order of the line.
@@ -71,7 +71,7 @@ struct NewElement {
 
 /// One line of a file: changes to the elements that fit a filter, or a new element.
 struct Edit {
-  std::uint32_t line = 0, column = 0;  ///< Of its first word, counted from 1; columns count characters.
+  std::uint32_t line = 0, column = 0;  ///< The place of its first word, counted from 1; columns count characters.
   Filter filter{};                     ///< Empty for a new element.
   Changes changes{};
   std::optional<NewElement> added{};
@@ -80,7 +80,7 @@ struct Edit {
 /// A file of edits.
 struct Edits {
   std::string name;         ///< The file's name without its folder.
-  std::uint64_t hash = 0;   ///< Of its text.
+  std::uint64_t hash = 0;   ///< A hash of its text.
   std::vector<Edit> lines;  ///< In the order of the file.
 };
 
@@ -91,8 +91,12 @@ std::string source_text(const Edits& edits);
 /// Returns the place of an edit for findings: "mends.edits:3:1".
 std::string place_text(const Edits& edits, const Edit& edit);
 
-/// Returns the length of the longest way that a line moves anything by offsets, in metres; of several lines the sum, as
-/// all of them may move one node. Places of nodes (`placed`) do not count.
+/// The largest distance from its place in the map at which a node can be placed, in metres. A place farther away is not
+/// for this node: its line has no effect.
+inline constexpr double kFarthestPlace_m = 1000;
+
+/// Returns a bound of the distance by which the edits move any node, in metres: the sum of all offsets, since all lines
+/// may mean one node, and kFarthestPlace_m if a node is placed.
 double longest_move_m(const Edits& edits);
 
 }  // namespace citykiln::edits

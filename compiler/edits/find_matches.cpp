@@ -69,7 +69,7 @@ class MapElement {
   std::span<const source::Member> members_{};
 };
 
-// What a filter is looked up by: its ids, else the key of its first tag that must be there, else nothing.
+// A condition that a filter is looked up by: its ids, else the key of its first tag that must be there, else nothing.
 const Condition* anchor_of(const Filter& filter, ConditionKind kind) {
   const auto found = std::ranges::find_if(
       filter, [&](const Condition& condition) { return condition.kind == kind && !condition.is_negated; });
@@ -130,7 +130,7 @@ class Finder {
 
   void add_element(const MapElement& element, std::size_t index) {
     if (!index_.by_id.empty()) add_lines(index_.by_id, element.id(), lines_);
-    std::erase_if(lines_, [&](std::uint32_t line) { return !fits(edits_.lines[line].filter, element); });
+    std::erase_if(lines_, [&](std::uint32_t line) { return !fits(edits_.lines[line], element); });
     if (lines_.empty()) return;
     sort_unique(lines_);
     matches_.push_back({element.id(), index, lines_});

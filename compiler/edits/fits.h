@@ -68,10 +68,15 @@ bool fits_condition(const Condition& condition, const Element& element) {
   return holds() != condition.is_negated;
 }
 
-/// True if an element fits all conditions.
+/// True if an element fits all conditions of a line, and is not too far from the place that the line gives it.
 template <typename Element>
-bool fits(const Filter& filter, const Element& element) {
-  return std::ranges::all_of(filter, [&](const Condition& each) { return fits_condition(each, element); });
+bool fits(const Edit& edit, const Element& element) {
+  const auto& placed = edit.changes.placed;
+  const auto is_near = [&](source::Location at) {
+    return distance_m2(*placed, at) <= kFarthestPlace_m * kFarthestPlace_m;
+  };
+  return std::ranges::all_of(edit.filter, [&](const Condition& each) { return fits_condition(each, element); }) &&
+         (!placed || element.any_place(is_near));
 }
 
 }  // namespace citykiln::edits

@@ -15,7 +15,7 @@ struct Word {
   std::string text;
   /// The text with 'x' in place of each byte that was in quotation marks, so that separators are found in it alone.
   std::string plain;
-  std::uint32_t column = 1;  ///< Of its first character, counted from 1.
+  std::uint32_t column = 1;  ///< The place of its first character, counted from 1.
 };
 
 /// Returns a part of a word as a word. Bytes from `first` on, `count` of them.
