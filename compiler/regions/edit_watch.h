@@ -16,7 +16,7 @@
 
 namespace citykiln::regions {
 
-/// What an element can be after the edits: what its tags say, or something else, such as an area or water.
+/// The kind of an element after the edits: that of its tags, or something else, such as an area or water.
 enum class EditedAs : std::uint8_t { kSame, kOther, kCoastline };
 
 /// The lines of a file of edits, and which of them fit an element that was seen. The places of a relation are not known
@@ -31,7 +31,7 @@ class EditWatch {
   EditedAs see(const osmium::Way& way);
   EditedAs see(const osmium::Relation& relation);
 
-  /// For each line: true if an element fits it, or all nodes of a new element have been seen.
+  /// Returns for each line: true if an element fits it, or all nodes of a new element have been seen.
   std::vector<bool> had_effect() const;
 
  private:
