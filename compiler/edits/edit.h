@@ -24,6 +24,13 @@ using ElementTypes = std::uint8_t;
 inline constexpr ElementTypes kNodes = 1, kWays = 2, kRelations = 4, kAreas = 8;
 inline constexpr ElementTypes kAnyType = kNodes | kWays | kRelations;
 
+/// The places at most radius_m from a place (circle_about()).
+struct Circle {
+  source::Location centre{};
+  double radius_m = 0;
+  double east_m = 0;  ///< The length of 1e-7 degrees of longitude at the centre, in metres.
+};
+
 /// One word of a filter.
 struct Condition {
   ConditionKind kind = ConditionKind::kTag;
@@ -36,8 +43,7 @@ struct Condition {
   bool is_other = false;              ///< True if the value must be none of `values`, but the key must be there.
   // of kBox and kNear
   source::LonLatBox box{};
-  source::Location centre{};
-  double radius_m = 0;
+  Circle circle{};
 };
 
 /// Elements that fit all conditions; never empty.

@@ -61,9 +61,7 @@ bool fits_condition(const Condition& condition, const Element& element) {
       case ConditionKind::kNear:
         break;
     }
-    return element.any_place([&](source::Location at) {
-      return distance_m2(condition.centre, at) <= condition.radius_m * condition.radius_m;
-    });
+    return element.any_place([&](source::Location at) { return is_in(condition.circle, at); });
   };
   return holds() != condition.is_negated;
 }
@@ -72,9 +70,7 @@ bool fits_condition(const Condition& condition, const Element& element) {
 template <typename Element>
 bool fits(const Edit& edit, const Element& element) {
   const auto& placed = edit.changes.placed;
-  const auto is_near = [&](source::Location at) {
-    return distance_m2(*placed, at) <= kFarthestPlace_m * kFarthestPlace_m;
-  };
+  const auto is_near = [&](source::Location at) { return is_in(circle_about(*placed, kFarthestPlace_m), at); };
   return std::ranges::all_of(edit.filter, [&](const Condition& each) { return fits_condition(each, element); }) &&
          (!placed || element.any_place(is_near));
 }

@@ -29,7 +29,7 @@ void add_nodes_of_relation(const OsmData& map, const source::Relation& relation,
   }
 }
 
-// The place of a node without tags: that in the first way that has it. O(nodes).
+// The place of a node without tags, in the first way that has it. O(nodes).
 std::optional<source::Location> place_in_ways(const OsmData& map, std::int64_t node) {
   const auto found = std::ranges::find(map.way_nodes, node, &source::NodeRef::id);
   return found == map.way_nodes.end() ? std::nullopt : std::optional(found->at);

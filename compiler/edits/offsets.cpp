@@ -25,10 +25,15 @@ source::Location moved(source::Location at, Vec2 by_m) {
           std::clamp(at.lat_e7 + rounded(by_m.y / kNorth_m), -kPole_e7, kPole_e7)};
 }
 
-double distance_m2(source::Location a, source::Location b) {
-  const double x = (static_cast<double>(a.lon_e7) - b.lon_e7) * east_m_at(a.lat_e7),
-               y = (static_cast<double>(a.lat_e7) - b.lat_e7) * kNorth_m;
-  return x * x + y * y;
+Circle circle_about(source::Location centre, double radius_m) {
+  return {centre, radius_m, east_m_at(centre.lat_e7)};
+}
+
+bool is_in(const Circle& circle, source::Location at) {
+  const double y_m = (static_cast<double>(at.lat_e7) - circle.centre.lat_e7) * kNorth_m;
+  if (std::abs(y_m) > circle.radius_m) return false;
+  const double x_m = (static_cast<double>(at.lon_e7) - circle.centre.lon_e7) * circle.east_m;
+  return x_m * x_m + y_m * y_m <= circle.radius_m * circle.radius_m;
 }
 
 }  // namespace citykiln::edits

@@ -10,7 +10,10 @@ namespace citykiln::edits {
 /// Accurate to 0.5 % up to 10 km; none is moved beyond the poles.
 source::Location moved(source::Location at, Vec2 by_m);
 
-/// Returns the square of the distance between two places, in square metres. Accurate to 0.5 % up to 10 km.
-double distance_m2(source::Location a, source::Location b);
+/// Returns the places at most `radius_m` from a place. > 0.
+Circle circle_about(source::Location centre, double radius_m);
+
+/// True if a place is in a circle. Distances are accurate to 0.5 % up to 10 km.
+bool is_in(const Circle& circle, source::Location at);
 
 }  // namespace citykiln::edits

@@ -108,12 +108,17 @@ Error expected_verb(const Word& word) {
   return error;
 }
 
-// A word that is meant as a verb, such as "delete" or "sets": a key alone that no other word follows as its filter.
-Error without_verb(std::span<const Word> words) {
-  for (const Word& word : words) {
-    const std::vector<std::string> verbs(kVerbs.begin(), kVerbs.end());
+// The error of the first word that is almost a verb, such as "sets"; nothing if there is none. Filters have keys alone,
+// so that a mistyped verb is only found by what follows it.
+std::optional<Error> mistyped_verb(std::span<const Word> words) {
+  const std::vector<std::string> verbs(kVerbs.begin(), kVerbs.end());
+  for (const Word& word : words)
     if (!nearest_name(word.text, verbs).empty()) return expected_verb(word);
-  }
+  return std::nullopt;
+}
+
+Error without_verb(std::span<const Word> words) {
+  if (const std::optional<Error> mistyped = mistyped_verb(words)) return *mistyped;
   const Word& last = words.back();
   return {fmt::format("{}", last.column),
           fmt::format("expected drop, set, remove, move or place after the filter, found \"{}\" at the end of the line",
@@ -127,7 +132,7 @@ Result<Edit> parse_change(std::span<const Word> words) {
     if (words.front().plain == "and" || words.front().plain == "or")
       return expected_at(words.front(), "words of a filter side by side, all of which must fit (\"a,b\" lists values)");
     Result<Condition> condition = parse_condition(words.front());
-    if (!condition) return condition.error();
+    if (!condition) return mistyped_verb(all.first(edit.filter.size())).value_or(condition.error());
     edit.filter.push_back(std::move(*condition));
   }
   if (words.empty()) return without_verb(all);

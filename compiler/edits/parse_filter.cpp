@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/contract/texts/parse.h"
+#include "compiler/edits/offsets.h"
 #include "compiler/source/format/plain_words.h"
 
 namespace citykiln::edits {
@@ -47,7 +48,7 @@ Result<Condition> parse_near(const Word& word) {
   if (!n || !is_on_earth((*n)[0], (*n)[1]) || !((*n)[2] > 0))
     return expected_at(word, "longitude,latitude,metres, such as near=7.42,43.73,200");
   Condition condition{.kind = ConditionKind::kNear};
-  condition.centre = {degrees_e7((*n)[0]), degrees_e7((*n)[1])}, condition.radius_m = (*n)[2];
+  condition.circle = circle_about({degrees_e7((*n)[0]), degrees_e7((*n)[1])}, (*n)[2]);
   return condition;
 }
 
