@@ -25,9 +25,7 @@ source::Location moved(source::Location at, Vec2 by_m) {
           std::clamp(at.lat_e7 + rounded(by_m.y / kNorth_m), -kPole_e7, kPole_e7)};
 }
 
-Circle circle_about(source::Location centre, double radius_m) {
-  return {centre, radius_m, east_m_at(centre.lat_e7)};
-}
+Circle circle_about(source::Location centre, double radius_m) { return {centre, radius_m, east_m_at(centre.lat_e7)}; }
 
 bool is_in(const Circle& circle, source::Location at) {
   const double y_m = (static_cast<double>(at.lat_e7) - circle.centre.lat_e7) * kNorth_m;
