@@ -29,6 +29,7 @@
 #include "compiler/verify/worst_places.h"
 #include "exporters/file.h"
 #include "exporters/kiln/manifest.h"
+#include "exporters/output_folder.h"
 #include "exporters/run_files.h"
 
 namespace citykiln::commands {
