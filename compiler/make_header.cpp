@@ -166,6 +166,7 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
                        .traffic = spec.traffic};
   if (!header.snow_line_m && climate::is_under_snow(header.climate.origin_class, scene::local_month_of(header)))
     header.snow_line_m = kBelowAllLand_m;
+  if (spec.edits) header.sources.push_back(edits::source_text(*spec.edits));
   for (const source::RasterSpec& raster : spec.rasters) header.sources.push_back(file_name_of(raster.path));
   for (const source::RasterSpec& raster : spec.rasters) {
     const bool is_new = std::ranges::find(header.attributions, raster.credit) == header.attributions.end();

@@ -12,6 +12,7 @@
 #include "compiler/buildings/plan.h"
 #include "compiler/climate/climate_at.h"
 #include "compiler/contract/joined.h"
+#include "compiler/edits/with_edits.h"
 #include "compiler/fields/add_fields.h"
 #include "compiler/ground/correction/corrected_land.h"
 #include "compiler/ground/correction/known_waters.h"
@@ -70,11 +71,21 @@ struct Located {
   map::Heightfield heights;
 };
 
+// Reads a map and mends it by the edits of the spec. The survey has reported the lines of a region.
+Result<source::OsmData> read_map(const CompileSpec& spec, const std::string& extract, const Survey* survey,
+                                 const source::OwnsPlace& owns, Report& report) {
+  Result<source::OsmData> osm = source::read_osm(extract, spec.threads, report, owns);
+  if (!osm || !spec.edits) return osm;
+  edits::EditedMap edited = edits::with_edits(std::move(*osm), *spec.edits, report, owns);
+  if (!survey) edits::report_lines(*spec.edits, edited.had_effect, report);
+  return std::move(edited.map);
+}
+
 // Reads a map and its heights, projects it to the plane and classifies its elements.
 Result<Located> locate(const CompileSpec& spec, const std::string& extract, const Survey* survey,
                        const source::OwnsPlace& owns, const Tables& tables, StageTimer& timer, Report& report) {
   timer.enter("read map");
-  Result<source::OsmData> osm = source::read_osm(extract, spec.threads, report, owns);
+  Result<source::OsmData> osm = read_map(spec, extract, survey, owns, report);
   if (!osm) return osm.error();
   timer.enter("project and classify");
   const Result<source::LonLatBox> box = survey ? survey->extent : choose_worthwhile_extent(spec, *osm, report);

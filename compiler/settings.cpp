@@ -10,6 +10,7 @@
 #include "compiler/contract/findings/assumption_names.h"
 #include "compiler/contract/findings/code_names.h"
 #include "compiler/contract/texts/parse.h"
+#include "compiler/edits/parse_edits.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/parse_values.h"
 #include "compiler/sky/clouds/read_clouds.h"
@@ -59,6 +60,11 @@ Result<Done> set_dem(CompileSpec& spec, std::string_view text) {
   if (!raster) return raster.error();
   spec.rasters.push_back(std::move(*raster));
   return Done{};
+}
+
+Result<Done> set_edits(CompileSpec& spec, std::string_view text) {
+  if (text.empty()) return spec.edits.reset(), Done{};
+  return put(edits::read_edits(std::string(text)), spec.edits);
 }
 
 bool is_box_on_earth(const source::LonLatBox& box) {
@@ -349,6 +355,10 @@ constexpr Setting kSettings[] = {
      "a.png,bounds=7/43/8/44,scale=0.1; keys: bounds=W/S/E/N, scale=, offset=, encoding=terrarium|mapbox, tile=Z/X/Y, "
      "credit= (default: the ground is level)",
      true, set_dem},
+    {"edits", "FILE",
+     "file of edits that mend the map after it has been read, one a line, such as \"w123 set height=12\" (default: "
+     "none)",
+     false, set_edits},
     {"bbox", "W,S,E,N",
      "area to compile in degrees, such as 7.40,43.72,7.44,43.75 (default: the extract's bounding box)", false,
      set_bbox},

@@ -21,6 +21,7 @@
 #include "compiler/contract/system/compression.h"
 #include "compiler/contract/target.h"
 #include "compiler/contract/tolerance.h"
+#include "compiler/edits/edit.h"
 #include "compiler/map/locate.h"
 #include "compiler/map/plane/cylinder.h"
 #include "compiler/map/plane/geoid.h"
@@ -89,6 +90,7 @@ enum class World { kByOutput, kPlane, kEllipsoid, kCylinder };
 struct CompileSpec {
   std::string map_path;
   std::vector<source::RasterSpec> rasters;  ///< At each place the first heightmap that covers it is used.
+  std::optional<edits::Edits> edits;        ///< Mends of the map, made when it has been read; empty: none.
   map::Options map;
   double tile_m = map::kDefaultTile_m;  ///< A multiple of map::kCell_m.
   std::vector<scene::TileKey> only;     ///< Sorted. If not empty, only these tiles are compiled.

@@ -6,6 +6,7 @@
 
 #include "compiler/assume/curves/curves.h"
 #include "compiler/contract/system/give_back_memory.h"
+#include "compiler/edits/with_edits.h"
 #include "compiler/ground/plan.h"
 #include "compiler/make_header.h"
 #include "compiler/map/locate.h"
@@ -25,8 +26,9 @@ struct LocatedWaters {
 Result<LocatedWaters> locate_waters(const CompileSpec& spec, const std::string& extract, const map::Plane& plane,
                                     const source::LonLatBox& extent) {
   Report repeated;
-  const Result<source::OsmData> osm = source::read_osm(extract, spec.threads, repeated);
+  Result<source::OsmData> osm = source::read_osm(extract, spec.threads, repeated);
   if (!osm) return osm.error();
+  if (spec.edits) osm = edits::with_edits(std::move(*osm), *spec.edits, repeated).map;
   give_back_memory();
   return LocatedWaters{map::locate(*osm, plane, extent, spec.map, repeated), map::places_of_ways_and_areas(*osm)};
 }

@@ -52,7 +52,7 @@ STEPS = {"exporters/gltf": [["", "pictures"], ["pack"], ["write", "read"]]}
 
 # Functions whose last bits differ between CPUs and C libraries.
 NOT_REPRODUCIBLE = re.compile(r"<random>|std::hash\b|std::(a?sinh?|a?cosh?|a?tanh?|atan2|exp2?|expm1|pow|log(2|10|1p)?|cbrt|hypot)\(")
-REPRODUCIBLE_ROOMS = ["grammars", "lsystems", "compiler/parcels", "compiler/invent", "compiler/simplify", "compiler/climate"] + ["compiler/" + room for room in
+REPRODUCIBLE_ROOMS = ["grammars", "lsystems", "compiler/edits", "compiler/parcels", "compiler/invent", "compiler/simplify", "compiler/climate"] + ["compiler/" + room for room in
                       ("map", "assume", "roads", "lots", "fields", "ground", "structures", "buildings", "plants", "props", "pitches", "things", "wires", "roadside", "cars", "furniture", "vacant", "people", "sky",
                        "surroundings")]
 # sky light, which is only in rendered pictures

@@ -433,7 +433,9 @@ void set_fronts(std::vector<Front> fronts, const ground::GradedTerrain& ground, 
 }
 
 // Sets the style, and the materials that depend on it.
-void set_style(const map::Footprint& footprint, Planned& planned) {
+void set_style(const map::Footprint& footprint, Planned& planned, Report& report) {
+  if (!footprint.style_name.empty() && !style_named(footprint.style_name))
+    report.add_tag(Code::kBadTagValue, footprint.id.osm, "citykiln:style", footprint.style_name);
   Building& building = planned.building;
   building.style = style_of(footprint, above_entrance(planned));
   const BuildingMaterials materials = regional_materials(footprint, building.roof_shape.form, building.style);
@@ -557,7 +559,7 @@ std::vector<Building> plan(const map::FeatureView& features, const ground::Grade
   std::vector<Building> buildings;
   for (std::size_t i = 0; i < planned.size(); ++i) {
     if (!planned[i]) continue;
-    set_style(site.footprints[i], *planned[i]);
+    set_style(site.footprints[i], *planned[i], report);
     set_fronts(std::move(fronts[i]), site.ground, planned[i]->building);
     buildings.push_back(std::move(planned[i]->building));
   }

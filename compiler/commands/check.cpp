@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
 
+#include "compiler/commands/edits_template.h"
 #include "compiler/commands/print_check_results.h"
 #include "compiler/commands/run_paths.h"
 #include "compiler/commands/verb.h"
@@ -27,6 +29,7 @@
 #include "compiler/verify/worst_places.h"
 #include "exporters/file.h"
 #include "exporters/kiln/manifest.h"
+#include "exporters/output_folder.h"
 #include "exporters/run_files.h"
 
 namespace citykiln::commands {
@@ -171,7 +174,8 @@ Error failure(const std::string& folder, const verify::Check& check) {
 
 struct CheckRequest {
   std::string folder, page_folder;
-  std::size_t worst = 0;  // places of each kind on the page; 0: no page
+  std::string template_path;  // of a file of edits; "": none
+  std::size_t worst = 0;      // places of each kind on the page; 0: no page
   int threads = 0;
 };
 
@@ -198,6 +202,21 @@ Result<Done> write_page(const CheckRequest& request, const verify::LoadedRun& lo
   return Done{};
 }
 
+// The file of edits for what was found, if it is asked for.
+Result<Done> write_template(const CheckRequest& request, const verify::LoadedRun& loaded,
+                            std::span<const outputs::Finding> findings, const verify::CheckResults& results,
+                            const Console& console) {
+  if (request.template_path.empty()) return Done{};
+  const map::Plane plane(loaded.scene.header.origin);
+  const std::vector<verify::PlacesOfKind> kinds =
+      verify::worst_places(results, results.earthworks, findings, plane, std::numeric_limits<std::size_t>::max());
+  const std::string text = edits_template(kinds, findings, plane, loaded.folder);
+  const Result<Done> written = exporters::write_file(request.template_path, exporters::bytes_of(text));
+  if (!written) return written;
+  console.print_line(request.template_path + ": edits that would be the likely mends, as comments");
+  return Done{};
+}
+
 Result<Exit> run_check(const CheckRequest& request, const Console& console) {
   if (request.folder.empty())
     return Error{"", "no folder is given; expected the output folder of compile, such as out"};
@@ -207,6 +226,8 @@ Result<Exit> run_check(const CheckRequest& request, const Console& console) {
   const std::string folder = folder_of(request.folder);
   std::error_code none;
   if (!std::filesystem::is_directory(folder, none)) return Error{folder, "expected the folder of a run, found a file"};
+  if (!request.template_path.empty())
+    if (const Result<Done> fits = check_output_file(request.template_path); !fits) return fits.error();
   if (request.worst > 0)
     if (const Result<Done> made = make_output_folder(request.page_folder); !made) return made.error();
   const Result<verify::LoadedRun> loaded = open_run(folder);
@@ -226,6 +247,8 @@ Result<Exit> run_check(const CheckRequest& request, const Console& console) {
   verify::check_tileset(*loaded, request.threads, *results);
   print(*results, console);
   if (const Result<Done> done = write_page(request, *loaded, *findings, *results, console); !done) return done.error();
+  if (const Result<Done> done = write_template(request, *loaded, *findings, *results, console); !done)
+    return done.error();
   for (const verify::Check* check : verify::all_of(*results)) {
     if (!check->failures.empty()) return failure(folder, *check);
   }
@@ -243,8 +266,13 @@ Verb check_verb() {
                    store_whole(request->worst, 1)},
                   {"-o,--out", "FOLDER", "folder for the page of --worst: FOLDER/index.html", false,
                    store_text(request->page_folder)},
+                  {"--edits-template", "FILE",
+                   "writes a file for --edits of compile: each finding with the edit that would be the likely mend, as "
+                   "comments",
+                   false, store_text(request->template_path)},
                   threads_option(request->threads)};
-  verb.examples = {"citykiln check out/town", "citykiln check out/town --worst 20 -o out/town-worst"};
+  verb.examples = {"citykiln check out/town", "citykiln check out/town --worst 20 -o out/town-worst",
+                   "citykiln check out/town --edits-template town.edits"};
   verb.run = [request](const Console& console) { return run_check(*request, console); };
   return verb;
 }

@@ -128,7 +128,7 @@ Result<Done> add_findings(const std::string& path, Gathered& all) {
 /// Adds the ledger of a region and its counts of assumptions, without the accounts of elements, which the plan counts:
 /// regions do not have all elements.
 void add_region_ledger(const Report& region, Gathered& all) {
-  static const std::set<std::string> kOfPlan = {"source/node", "source/way", "source/relation"};
+  static const std::set<std::string> kOfPlan = {"source/node", "source/way", "source/relation", "edits/line"};
   Report own;
   for (const auto& [name, account] : region.ledger()) {
     const std::size_t slash = name.find('/');

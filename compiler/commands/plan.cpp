@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -15,6 +16,7 @@
 #include "compiler/commands/plan/zone_lists.h"
 #include "compiler/commands/verb.h"
 #include "compiler/contract/system/give_back_memory.h"
+#include "compiler/edits/with_edits.h"
 #include "compiler/map/extent/choose_extent.h"
 #include "compiler/outputs/findings.h"
 #include "compiler/regions/cut_extract.h"
@@ -62,7 +64,9 @@ Result<source::LonLatBox> extent_of(const CompileSpec& spec, Report& report) {
 }
 
 double usual_halo_m(const CompileSpec& spec) {
-  return regions::kRegionHalo_m + (spec.fill_lots ? regions::kFilledLotsHalo_m : 0);
+  const double moved_m = spec.edits ? edits::longest_move_m(*spec.edits) : 0;
+  return regions::kRegionHalo_m + (spec.fill_lots ? regions::kFilledLotsHalo_m : 0) +
+         std::ceil(moved_m / map::kCell_m) * map::kCell_m;
 }
 
 Result<Plan> make_plan(const PlanRequest& request, const CompileSpec& spec, const source::LonLatBox& extent,
@@ -160,10 +164,11 @@ Result<Exit> plan_extent(const PlanRequest& request, const CompileSpec& spec, co
   if (problem) return Error{folder, "cannot be created: " + problem.message()};
   const OnProgress on_progress = console.progress();
   on_progress("cut", 0);
-  const Result<regions::CutFiles> files =
-      regions::cut_extract({spec.map_path, folder + "/cut", extent, spec.threads}, plane, plan->grid);
+  const Result<regions::CutFiles> files = regions::cut_extract(
+      {spec.map_path, folder + "/cut", extent, spec.threads, spec.edits ? &*spec.edits : nullptr}, plane, plan->grid);
   if (!files) return files.error();
   give_back_memory();
+  if (spec.edits) edits::report_lines(*spec.edits, files->edits_had_effect, report);
   const Result<Survey> surveyed = survey(spec, folder + "/cut/survey.osm.pbf", extent, report, on_progress);
   if (!surveyed) return surveyed.error();
   if (Result<Done> done = write_survey(*surveyed, plan->grid, folder, spec.threads); !done) return done.error();
@@ -171,6 +176,7 @@ Result<Exit> plan_extent(const PlanRequest& request, const CompileSpec& spec, co
   const std::string diagnosed = outputs::findings_json(findings, surveyed->header);
   if (Result<Done> done = write_if_changed(survey_findings_path(folder), diagnosed); !done) return done.error();
   describe_regions(*files, surveyed->heights, spec, *plan);
+  if (spec.edits) plan->elements.account("edits", "line") = report.account("edits", "line");
   if (Result<Done> done = write_lists(*plan, folder); !done) return done.error();
   print_plan_summary(*plan, folder, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
                      console);

@@ -151,6 +151,7 @@ struct Footprint {
   CountryGroup country{};                ///< The group at its first point.
   BuildingTradition tradition{};         ///< The tradition at its first point.
   Assumptions assumed = kNoAssumptions;  ///< The assumptions made of it.
+  std::string style_name{};              ///< The rule file of a facade style, by citykiln:style=*; "": none.
 };
 
 /// The place where a way leads through a building on the ground. The building is open there, and the way's surface

@@ -30,6 +30,7 @@
 
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/regions/area_tags.h"
+#include "compiler/regions/edit_watch.h"
 #include "compiler/regions/spool.h"
 #include "compiler/source/areas/close_cut_areas.h"
 #include "compiler/source/closing_ring.h"
@@ -107,6 +108,8 @@ class Cutter {
         grid_(grid),
         keys_(regions_of(grid)),
         spools_(cut.folder + "/.cut", keys_.size() + 2),
+        edits_(cut.edits),
+        water_margin_m_(kCoastMargin_m + (cut.edits ? edits::longest_move_m(*cut.edits) : 0)),
         pool_(cut.threads > 0 ? cut.threads : 2) {}
 
   Result<CutFiles> run();
@@ -145,7 +148,8 @@ class Cutter {
   /// Projects the nodes of a way that have places. Call it once per way, since projecting takes more time than all
   /// else.
   const std::vector<Vec2>& projected(const osmium::Way& way);
-  std::vector<std::uint32_t> spools_of(const osmium::Way& way, std::span<const Vec2> line, const Box2& box) const;
+  std::vector<std::uint32_t> spools_of(const osmium::Way& way, std::span<const Vec2> line, const Box2& box,
+                                       EditedAs edited) const;
   /// Returns the index of a way's id in members_; members_.size() if it is not there.
   std::size_t member(osmium::object_id_type id) const;
 
@@ -157,6 +161,8 @@ class Cutter {
   const RegionGrid& grid_;
   std::vector<RegionKey> keys_;
   Spools spools_;
+  EditWatch edits_;
+  double water_margin_m_;
   osmium::thread::Pool pool_;
   std::vector<Vec2> line_;                                            // the projected nodes of the current way
   std::vector<osmium::object_id_type> members_;                       // sorted ids
@@ -202,12 +208,12 @@ std::uint32_t Cutter::owner(Vec2 place) const {
   return static_cast<std::uint32_t>(std::ranges::lower_bound(keys_, owner_of(grid_, place)) - keys_.begin());
 }
 
-std::vector<std::uint32_t> Cutter::spools_of(const osmium::Way& way, std::span<const Vec2> line,
-                                             const Box2& box) const {
+std::vector<std::uint32_t> Cutter::spools_of(const osmium::Way& way, std::span<const Vec2> line, const Box2& box,
+                                             EditedAs edited) const {
   std::vector<std::uint32_t> spools;
   const auto add = [&](std::uint32_t region) { spools.push_back(region); };
   if (line.empty()) return spools;
-  if (line.size() == 1 || (way.is_closed() && describes_area(way.tags())))
+  if (line.size() == 1 || (way.is_closed() && (edited != EditedAs::kSame || describes_area(way.tags()))))
     for_each_region_near(grid_, box, add);
   else
     for (std::size_t i = 1; i < line.size(); ++i) {
@@ -216,8 +222,10 @@ std::vector<std::uint32_t> Cutter::spools_of(const osmium::Way& way, std::span<c
       for_each_region_near(grid_, segment, add);
     }
   if (!spools.empty()) spools.push_back(owner(line.front()));
-  if (describes_water(way.tags()) && box.touches(grid_.extent.widened(kCoastMargin_m)))
-    spools.push_back(static_cast<std::uint32_t>(is_coastline(way.tags()) ? coasts() : survey()));
+  const bool is_coast = edited == EditedAs::kCoastline || is_coastline(way.tags());
+  const bool is_water = edited != EditedAs::kSame || describes_water(way.tags());
+  if (is_water && box.touches(grid_.extent.widened(water_margin_m_)))
+    spools.push_back(static_cast<std::uint32_t>(is_coast ? coasts() : survey()));
   sort_unique(spools);
   return spools;
 }
@@ -272,6 +280,7 @@ void Cutter::find_nested_areas(std::vector<osmium::object_id_type> ids) {
 void Cutter::spool_node(const osmium::Node& node) {
   if (node.deleted() || !node.location().valid()) return;
   node_box_.grow({node.location().lon_without_check(), node.location().lat_without_check()});
+  edits_.see(node);
   if (node.tags().empty()) return;
   Box2 box;
   box.grow(in_plane(node.location()));
@@ -282,12 +291,13 @@ void Cutter::spool_way(const osmium::Way& way) {
   const std::vector<Vec2>& line = projected(way);
   Box2 box;
   for (const Vec2 at : line) box.grow(at);
-  const std::vector<std::uint32_t> spools = spools_of(way, line, box);
+  const EditedAs edited = edits_.see(way);
+  const std::vector<std::uint32_t> spools = spools_of(way, line, box, edited);
   for (const std::uint32_t spool : spools) spools_.add(spool, way);
   const std::size_t index = member(way.id());
   if (index == members_.size()) return;
   member_ways_[index] = {box, line.empty() ? Vec2{} : line.front(), line.empty() ? Vec2{} : line.back(),
-                         describes_water(way.tags())};
+                         edited != EditedAs::kSame || describes_water(way.tags())};
   for (const std::uint32_t spool : spools) has_.emplace_back(static_cast<std::uint32_t>(index), spool);
 }
 
@@ -465,9 +475,9 @@ void Cutter::spool_relation(const osmium::Relation& relation) {
   if (!spools.empty() && !contents.ways.empty()) spools.push_back(owner(member_ways_[contents.ways.front()].first));
   sort_unique(spools);
   // a relation without tags of its own can have the tags of its outer ways
-  const bool is_water =
-      describes_water(relation.tags()) || (!describes_area(relation.tags()) && contents.has_water_ways);
-  if (is_water && contents.box.touches(grid_.extent.widened(kCoastMargin_m)))
+  const bool is_water = edits_.see(relation) != EditedAs::kSame || describes_water(relation.tags()) ||
+                        (!describes_area(relation.tags()) && contents.has_water_ways);
+  if (is_water && contents.box.touches(grid_.extent.widened(water_margin_m_)))
     spools.push_back(static_cast<std::uint32_t>(survey()));
   for (const std::uint32_t spool : spools) {
     spools_.add(spool, relation);
@@ -478,7 +488,10 @@ void Cutter::spool_relation(const osmium::Relation& relation) {
 
 void Cutter::spool_relations() {
   for_each<osmium::Relation>(cut_.map_path, bits::relation, pool_, [&](const osmium::Relation& relation) {
-    if (is_kept_with_members(relation.tags())) spool_relation(closed_or_same(relation));
+    if (is_kept_with_members(relation.tags()))
+      spool_relation(closed_or_same(relation));
+    else
+      edits_.see(relation);
   });
 }
 
@@ -570,6 +583,7 @@ Result<CutFiles> Cutter::run() {
   const Result<RegionFile> file = write("survey.osm.pbf", {survey(), coasts()}, grid_.extent);
   if (!file) return file.error();
   files.survey = *file;
+  files.edits_had_effect = edits_.had_effect();
   files.report = std::move(report_);
   places_.reset();
   spools_.remove();

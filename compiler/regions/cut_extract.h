@@ -14,6 +14,7 @@
 
 #include "compiler/contract/findings/report.h"
 #include "compiler/contract/result.h"
+#include "compiler/edits/edit.h"
 #include "compiler/map/plane/plane.h"
 #include "compiler/regions/region.h"
 #include "compiler/regions/region_file.h"
@@ -27,6 +28,8 @@ struct CutRequest {
   std::string folder;        ///< Must exist. X_Y.osm.pbf is written for each region, and survey.osm.pbf.
   source::LonLatBox extent;  ///< The box in the header of each file.
   int threads = 0;
+  /// Edits that are made when the files are read; null: none. The files have what they need for that.
+  const edits::Edits* edits = nullptr;
 };
 
 /// Counts of the files that were written. `regions` has the order of regions_of(); `survey` is the file with coastlines
@@ -34,6 +37,7 @@ struct CutRequest {
 struct CutFiles {
   std::vector<RegionFile> regions;
   RegionFile survey;
+  std::vector<bool> edits_had_effect{};  ///< For each line of the edits: true if an element of the map fits it.
   Report report;  ///< The accounts source/node, source/way and source/relation of the whole extract.
 };
 
@@ -51,6 +55,9 @@ Vec2 place_near(const map::Plane& plane, const source::LonLatBox& extent, double
 /// - all coastlines whose box touches the extent widened by kCoastMargin_m;
 /// - each way and area that the region owns and that is in another region's file: owner_of() the way's first node, or
 ///   of the area's first member way.
+/// With edits, an element whose tags a line changes counts as one that may become an area and water, and distances are
+/// longer by edits::longest_move_m(): the halo of the grid has to be, too.
+///
 /// The file of the survey holds these coastlines, and whole waterways and areas of water whose box touches the same
 /// box. Nodes without tags are left out, since ways hold the locations of their nodes (LocationsOnWays). If an element
 /// occurs several times, its highest version is kept.

@@ -145,6 +145,62 @@ class Plan(ProgramTest):
         self.assertEqual({name: each["count"] for name, each in ours["diagnoses"].items()},
                          {name: each["count"] for name, each in theirs["diagnoses"].items()})
 
+    EDITS = """# the field is a pond, as an aerial picture shows
+w24 set natural=water remove landuse
+building=house move 12,-7 set building:levels=4 roof:shape=flat
+n18 place 10.0101,0.0041
+w25 set landuse=forest
+add a 10.0062,0.0062 10.0066,0.0062 10.0066,0.0065 building=church height=12
+add w n4 10.0025,0.0029 10.0062,0.0060 highway=service
+add n 10.0030,0.0031 natural=tree height=9
+highway=residential near=10.005,0.001,2000 set width=7 sidewalk=both
+w4711 drop
+"""
+
+    def test_edits_in_regions_are_those_of_one_run(self):
+        path, edits = self.cut_lake(), self.folder / "lake.edits"
+        edits.write_text(self.EDITS)
+        plain = self.compiled("plain", path, *ARGUMENTS)
+        whole, gathered = (self.compiled("whole", path, "--edits", edits, *ARGUMENTS),
+                           self.gathered(path, "--edits", edits))
+        self.assertNotEqual(bytes_of_outputs(whole), bytes_of_outputs(plain))
+        self.assertEqual(bytes_of_outputs(gathered), bytes_of_outputs(whole))
+        ours, theirs = report_of(gathered), report_of(whole)
+        self.assertEqual(theirs["diagnoses"]["EditWithoutEffect"]["count"], 1)
+        self.assertEqual(theirs["ledger"]["edits/line"]["out"], 8)
+        self.assertEqual(theirs["ledger"]["edits/element"]["split"], 3)
+        self.assertEqual(ours["ledger"], theirs["ledger"])
+        self.assertEqual({name: each["count"] for name, each in ours["diagnoses"].items()},
+                         {name: each["count"] for name, each in theirs["diagnoses"].items()})
+        self.assertTrue(any(source.startswith("lake.edits (9 edits, ") for source in theirs["sources"]))
+        self.assertEqual(run("check", whole).returncode, 0)
+
+    def test_a_run_with_edits_is_baked_from_its_manifest_alone(self):
+        path, edits = self.cut_lake(), self.folder / "lake.edits"
+        edits.write_text(self.EDITS)
+        whole = self.compiled("whole", path, "--edits", edits, *ARGUMENTS)
+        edits.unlink()
+        done = run("bake", whole / "scene.kiln", "--lods", "2.5", "--emit", "kiln,glb", "-o", self.folder / "baked")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for tile in sorted((whole / "glb").glob("*_L*.glb")):
+            self.assertEqual((self.folder / "baked" / "glb" / tile.name).read_bytes(), tile.read_bytes(), tile.name)
+
+    def test_regions_are_not_compiled_with_other_edits_than_the_plan(self):
+        path, edits = self.cut_lake(), self.folder / "lake.edits"
+        edits.write_text(self.EDITS)
+        plan = self.planned("--edits", edits, map_path=path)
+        edits.write_text("w22 drop\n")
+        done = run("compile", "--plan", plan, "--region", self.regions_of(plan)[0])
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("lake.edits: has changed since the plan was made", done.stderr)
+
+    def test_a_wrong_line_of_edits_is_named_with_its_place(self):
+        edits = self.folder / "lake.edits"
+        edits.write_text("# a comment\nw22 set height\n")
+        done = run("compile", self.cut_lake(), "--edits", edits, "-o", self.folder / "out")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn(f'{edits}:2:9: expected a tag such as height=12, found "height"', done.stderr)
+
     def test_a_finished_region_is_not_compiled_again(self):
         plan = self.planned()
         region = self.regions_of(plan)[0]

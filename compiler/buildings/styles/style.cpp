@@ -1,5 +1,6 @@
 #include "compiler/buildings/styles/style.h"
 
+#include <algorithm>
 #include <cassert>
 #include <iterator>
 
@@ -93,11 +94,18 @@ Style style_of_class(const map::Footprint& footprint, const Building& building) 
 
 std::string_view rule_file_of(Style style) { return kRules[static_cast<std::size_t>(style)]; }
 
+std::optional<Style> style_named(std::string_view rule_file) {
+  const auto found = std::ranges::find(kRules, rule_file);
+  if (rule_file.empty() || found == std::end(kRules)) return std::nullopt;
+  return static_cast<Style>(found - std::begin(kRules));
+}
+
 Style style_of(const map::Footprint& footprint, const Building& building) {
   assert(footprint.id == building.id);
   const double wall_m = eaves_m(building) - building.floor_m;
   if (footprint.is_open || wall_m < kMinWindowedWall_m || area_m2(footprint.polygon) < kMinWindowedArea_m2)
     return Style::kPlain;
+  if (const std::optional<Style> named = style_named(footprint.style_name)) return *named;
   const bool is_glass = building.wall == materials::Material::kGlassFacade;
   const bool is_greenhouse = footprint.building_class == static_cast<std::uint8_t>(BuildingClass::kGreenhouse);
   if (!is_glass || is_greenhouse) return mixed_style(footprint, building, style_of_class(footprint, building));

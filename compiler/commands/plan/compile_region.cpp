@@ -59,6 +59,14 @@ Result<std::string> region_key(const Plan& plan, const PlannedRegion& region, co
                                           exporters::content_hash(*data), survey_hash, outputs::program_hash())));
 }
 
+/// Error: the file of edits is another than when the map was cut.
+Result<Done> has_edits_of(const CompileSpec& spec, const scene::Header& header) {
+  if (!spec.edits) return Done{};
+  const std::string text = edits::source_text(*spec.edits);
+  if (std::ranges::find(header.sources, text) != header.sources.end()) return Done{};
+  return Error{spec.edits->name, "has changed since the plan was made; make the plan again"};
+}
+
 /// True if the files of a finished run exist, with their sizes.
 bool has_outputs(const std::string& folder) {
   if (const Result<Done> done = exporters::finish_commit(folder); !done) return false;
@@ -82,6 +90,7 @@ Result<Exit> compile_unless_done(const Plan& plan, const PlannedRegion& region, 
   if (!spec) return spec.error();
   const Result<RegionSurvey> surveyed = read_survey(plan_folder, plan, region.key);
   if (!surveyed) return surveyed.error();
+  if (const Result<Done> same = has_edits_of(*spec, surveyed->survey.header); !same) return same.error();
   const Result<std::string> key = region_key(plan, region, plan_folder, surveyed->hash);
   if (!key) return key.error();
   lock_until_exit(plan_folder, region.key);

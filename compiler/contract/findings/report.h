@@ -84,6 +84,12 @@ class Report {
   /// object are ignored. account(), append() and add_assumed() are not limited: callers ask counts(). Earlier diagnoses
   /// are kept.
   void limit_to(std::vector<OsmId> objects) { limit_ = std::move(objects); }
+  /// Adds objects, in any order, to those that a limit lets through. Without a limit nothing changes.
+  void count_also(const std::vector<OsmId>& objects) {
+    if (!limit_) return;
+    limit_->insert(limit_->end(), objects.begin(), objects.end());
+    std::ranges::sort(*limit_);
+  }
   /// Ends the limit.
   void lift_limit() { limit_.reset(); }
   /// True if the object is diagnosed and counted. O(1) without a limit, O(log n) with a limit of n objects.

@@ -248,6 +248,7 @@ Footprint read_building_tags(const ReadContext& context, OsmId id, source::Range
   footprint.layer = tagged_layer(context, id, tags);
   footprint.has_tagged_layer = !context.tag(tags, "layer").empty();
   footprint.has_shop = is_shop(context, tags);
+  footprint.style_name = context.tag(tags, "citykiln:style");
   return footprint;
 }
 
