@@ -106,7 +106,7 @@ class ServesTheTown(PageTest):
                 self.assertEqual((status, len(body)), (200, file.get("bytes", len(body))), file["name"])
             status, body, kind = server.ask("/")
             self.assertEqual((status, body, kind), (200, (self.out / "index.html").read_bytes(), "text/html; charset=utf-8"))
-            self.assertEqual(server.ask("/page/viewer.js")[2], "text/javascript; charset=utf-8")
+            self.assertEqual(server.ask("/page/viewer.js")[2], "application/javascript; charset=utf-8")
 
     def test_buildings_have_the_recipe_of_a_building(self):
         records = {}

@@ -24,9 +24,9 @@ namespace {
 
 constexpr std::array<std::pair<std::string_view, const char*>, 9> kTypes = {
     {{".html", "text/html; charset=utf-8"},
-     {".js", "text/javascript; charset=utf-8"},
+     {".js", "application/javascript; charset=utf-8"},
      {".css", "text/css; charset=utf-8"},
-     {".json", "application/json"},
+     {".json", "application/json; charset=utf-8"},
      {".txt", "text/plain; charset=utf-8"},
      {".wasm", "application/wasm"},
      {".glb", "model/gltf-binary"},

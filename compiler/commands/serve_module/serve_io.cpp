@@ -1,6 +1,7 @@
 #include "compiler/commands/serve_module/serve_io.h"
 
 #include <httplib.h>
+#include <zlib.h>
 
 #include <fstream>
 #include <iterator>
@@ -12,17 +13,40 @@ namespace {
 // Browsers keep six connections open; requests that wait for a content to be baked need one each.
 constexpr std::size_t kConnections = 64;
 
-void send_file(const HttpAnswer& answer, httplib::Response& response) {
+bool is_text(const std::string& type) {
+  return type.starts_with("application/json") || type.starts_with("application/javascript");
+}
+
+std::string gzipped(const std::string& text) {
+  constexpr int kGzip = 15 + 16, kMemory = 8;  // the window with a gzip header; both as zlib has them by default
+  z_stream stream{};
+  deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzip, kMemory, Z_DEFAULT_STRATEGY);
+  std::string packed(deflateBound(&stream, text.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data()), stream.avail_out = static_cast<uInt>(packed.size());
+  deflate(&stream, Z_FINISH);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  return packed;
+}
+
+// The library would compress these with Brotli at its highest level, which takes two seconds for the page's script. It
+// leaves types alone that name a charset, but for text/.
+void send(std::string content, const std::string& type, const httplib::Request& request, httplib::Response& response) {
+  const bool is_packed = is_text(type) && request.get_header_value("Accept-Encoding").find("gzip") != std::string::npos;
+  if (is_packed) response.set_header("Content-Encoding", "gzip");
+  if (is_text(type)) response.set_header("Vary", "Accept-Encoding");
+  response.set_content(is_packed ? gzipped(content) : std::move(content), type);
+}
+
+void send_file(const HttpAnswer& answer, const httplib::Request& request, httplib::Response& response) {
   std::ifstream file(answer.file, std::ios::binary);
   if (!file) {
     response.status = 404;
     return;
   }
-  response.set_content(std::string(std::istreambuf_iterator<char>(file), {}), answer.type);
-}
-
-void send_bytes(const std::vector<std::byte>& bytes, const std::string& type, httplib::Response& response) {
-  response.set_content(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()), type);
+  send(std::string(std::istreambuf_iterator<char>(file), {}), answer.type, request, response);
 }
 
 // Sends bytes that are made while the client waits, in chunks, and stops making them if it goes.
@@ -36,12 +60,12 @@ void send_when_made(const HttpAnswer& answer, httplib::Response& response) {
 }
 
 void send_made(const HttpAnswer& answer, const httplib::Request& request, httplib::Response& response) {
-  // a length or a part needs the whole first; texts are compressed, which chunks of this library are not
-  const bool is_text = answer.type != "model/gltf-binary";
-  if (request.method == "GET" && !request.has_header("Range") && !is_text) return send_when_made(answer, response);
+  // a length, a part or a compressed text needs the whole first
+  const bool can_wait = request.method == "GET" && !request.has_header("Range") && answer.type == "model/gltf-binary";
+  if (can_wait) return send_when_made(answer, response);
   const SharedBytes bytes = answer.make([] { return true; });
   if (bytes)
-    send_bytes(*bytes, answer.type, response);
+    send({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, answer.type, request, response);
   else
     response.status = 500;
 }
@@ -58,7 +82,7 @@ void answer(const HttpServer& server, const httplib::Request& request, httplib::
   if (answer.make)
     send_made(answer, request, response);
   else
-    send_file(answer, response);
+    send_file(answer, request, response);
 }
 
 // Without SO_REUSEPORT, by which two servers could share a port and each answer some of the requests.

@@ -15,7 +15,7 @@ TEST(Site, OnlyThisMachineIsItsOwnHost) {
 }
 
 TEST(Site, MediaTypesAreThoseOfEndings) {
-  EXPECT_EQ(std::string(media_type_of("page/viewer.js")), "text/javascript; charset=utf-8");
+  EXPECT_EQ(std::string(media_type_of("page/viewer.js")), "application/javascript; charset=utf-8");
   EXPECT_EQ(std::string(media_type_of("3dtiles/a.glb")), "model/gltf-binary");
   EXPECT_EQ(std::string(media_type_of("scene.kiln")), "application/octet-stream");
 }
