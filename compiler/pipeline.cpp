@@ -22,6 +22,7 @@
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/water/pool_rims.h"
 #include "compiler/lots/add_yards.h"
+#include "compiler/make_clip.h"
 #include "compiler/make_header.h"
 #include "compiler/map/locate.h"
 #include "compiler/map/ways/private_ways.h"
@@ -291,6 +292,26 @@ Result<Standing> plan_standing(const CompileSpec& spec, const map::FeatureView& 
   return standing;
 }
 
+// Leaves out what stands beyond a clip, and counts it. Does nothing without a clip.
+void leave_out_beyond(const scene::Clip& clip, Standing& standing, Report& report) {
+  if (clip.empty()) return;
+  StandingRecipes all{.buildings = std::move(standing.buildings),
+                      .trees = std::move(standing.plants.trees),
+                      .lamps = std::move(standing.props.lamps),
+                      .things = std::move(standing.things.things),
+                      .barriers = std::move(standing.barriers),
+                      .wire_spans = std::move(standing.wire_spans)};
+  Account account;
+  account.in = all.buildings.size();
+  StandingRecipes kept = within_clip(std::move(all), clip);
+  account.out = kept.buildings.size();
+  if (account.in > account.out) account.dropped[Code::kOutsideBounds] = account.in - account.out;
+  report.account("clip", "building") = account;
+  standing.buildings = std::move(kept.buildings), standing.plants.trees = std::move(kept.trees);
+  standing.props.lamps = std::move(kept.lamps), standing.things.things = std::move(kept.things);
+  standing.barriers = std::move(kept.barriers), standing.wire_spans = std::move(kept.wire_spans);
+}
+
 // The header with the rules, species and things of the scene.
 Result<scene::Header> header_with_texts(scene::Header header, const CompileSpec& spec, const Standing& standing,
                                         const Tables& tables, std::span<const map::AreaFeature> areas) {
@@ -356,8 +377,9 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
 
   // what stands on the ground
   const Land land{.ground = ground, .roads = roads, .structures = structures, .graded = graded, .planned = planned};
-  const Result<Standing> standing = plan_standing(spec, features, land, *tables, timer, report);
+  Result<Standing> standing = plan_standing(spec, features, land, *tables, timer, report);
   if (!standing) return standing.error();
+  leave_out_beyond(make_clip(spec, plane), *standing, report);
   const auto& [buildings, plants, props, pitches, things, barriers, wire_spans] = *standing;
 
   // the sky, and the land around the extent

@@ -42,6 +42,8 @@ Result<Done> can_be_planned(const CompileSpec& spec) {
   if (!spec.outputs.manifest) return Error{"--emit", "a plan needs manifests; add kiln"};
   if (spec.outputs.page) return Error{"--emit", "a plan writes no page, which shows one run; leave page out"};
   if (spec.world == World::kCylinder) return Error{"--world", "a plan is for worlds in the plane; compile instead"};
+  if (spec.clip || !spec.area.empty())
+    return Error{spec.clip ? "--clip" : "--area", "a plan has whole boxes; give a part of the map with --bbox"};
   if (!spec.only.empty()) return Error{"--only", "a plan has all tiles; give a part of the map with --bbox"};
   return Done{};
 }

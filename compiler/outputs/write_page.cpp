@@ -40,13 +40,13 @@ std::vector<PageRgb> radiance_table(const sky::SkyModel& model) {
   return table;
 }
 
-PageSky page_sky(const sky::Sky& sky, std::string label, bool is_of_run) {
+PageSky page_sky(const scene::Shown& shown_lights, const sky::Sky& sky, std::string label, bool is_of_run) {
   const sky::SkyModel model = sky::generate(sky, sky.ground_m);
   const double solid_angle_sr = 2 * kPi * (1 - model.sun_cos_radius);
   return {.time = sky::text_of(sky.time),
           .label = std::move(label),
           .is_of_run = is_of_run,
-          .are_lamps_lit = sky::are_lamps_lit(sky),
+          .are_lamps_lit = scene::are_lamps_lit(shown_lights, sky),
           .to_light = model.to_sun,
           .light = shown(model.sun_radiance, model.to_sun.z > 0 ? solid_angle_sr : 0),
           .disk = shown(model.sun_radiance),
@@ -101,7 +101,7 @@ std::vector<Hour> hours_of(const scene::Header& header) {
 std::vector<PageSky> page_skies(const scene::Header& header, int threads) {
   const std::vector<Hour> hours = hours_of(header);
   return for_each_slot<PageSky>(hours.size(), threads, [&](std::size_t i) {
-    return page_sky(hours[i].sky, label_of(hours[i].hours), hours[i].is_of_run);
+    return page_sky(header.shown, hours[i].sky, label_of(hours[i].hours), hours[i].is_of_run);
   });
 }
 

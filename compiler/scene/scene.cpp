@@ -34,6 +34,10 @@ std::optional<buildings::WeekTime> night_of(const Header& header) {
   return week_time_of(header);
 }
 
+bool are_lamps_lit(const Shown& shown, const sky::Sky& sky) {
+  return shown.lamps == LampLight::kBySun ? sky::are_lamps_lit(sky) : shown.lamps == LampLight::kOn;
+}
+
 std::optional<map::Cylinder> cylinder_of(const Header& header) {
   return header.sky.inside ? std::optional(header.sky.inside->cylinder) : std::nullopt;
 }
@@ -52,6 +56,8 @@ std::vector<TileKey> tiles_of(const Header& header) {
   std::vector<TileKey> tiles;
   for (std::int32_t x = number(header.extent.min.x); x <= last(header.extent.max.x); ++x)
     for (std::int32_t y = number(header.extent.min.y); y <= last(header.extent.max.y); ++y) tiles.push_back({x, y});
+  if (!header.clip.empty())
+    std::erase_if(tiles, [&](TileKey tile) { return !touches_clip(header.clip, box_of(header, tile)); });
   return tiles;
 }
 
