@@ -379,7 +379,7 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
   const Land land{.ground = ground, .roads = roads, .structures = structures, .graded = graded, .planned = planned};
   Result<Standing> standing = plan_standing(spec, features, land, *tables, timer, report);
   if (!standing) return standing.error();
-  leave_out_beyond(make_clip(spec, plane), *standing, report);
+  leave_out_beyond(survey ? survey->header.clip : make_clip(spec, plane), *standing, report);
   const auto& [buildings, plants, props, pitches, things, barriers, wire_spans] = *standing;
 
   // the sky, and the land around the extent
