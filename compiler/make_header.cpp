@@ -64,10 +64,11 @@ surroundings::MappedWater mapped_water(const HeaderInputs& recipes, const Box2& 
   return water;
 }
 
-/// The land around the region; empty if it is not wanted, or in a cylinder.
+/// The land around the region; empty if it is not wanted, in a cylinder, or around a clip unless it is asked for.
 Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, const map::Plane& plane,
                                                      const HeaderInputs& recipes, const Box2& extent) {
-  if (spec.outputs.surroundings == AroundWish::kNo || spec.world == World::kCylinder)
+  const bool is_left_out = spec.clip && spec.outputs.surroundings != AroundWish::kYes;
+  if (is_left_out || spec.outputs.surroundings == AroundWish::kNo || spec.world == World::kCylinder)
     return surroundings::Surroundings();
   const source::LonLatBox window = map::lonlat_box_of(extent.widened(surroundings::kReach_m), plane);
   Report repeated;  // discarded: diagnosed for the region already, or lies beyond it
