@@ -32,7 +32,7 @@ const source::Area* area_of(const OsmData& osm, const source::Relation& relation
 }
 
 // "Vaduz (r1155955, level 8)".
-std::string text_of(const OsmData& osm, const source::Relation& relation) {
+std::string area_text(const OsmData& osm, const source::Relation& relation) {
   const std::string_view level = osm.value_of(relation.tags, "admin_level");
   return fmt::format("{} ({}{}{})", osm.value_of(relation.tags, "name"),
                      to_string(OsmId{OsmType::kRelation, relation.id}), level.empty() ? "" : ", level ", level);
@@ -42,7 +42,7 @@ std::string text_of(const OsmData& osm, const source::Relation& relation) {
 std::string listed(const OsmData& osm, const std::vector<const source::Relation*>& areas) {
   constexpr std::size_t kMost = 16;
   std::vector<std::string> texts;
-  for (const source::Relation* area : areas) texts.push_back(text_of(osm, *area));
+  for (const source::Relation* area : areas) texts.push_back(area_text(osm, *area));
   std::ranges::sort(texts);
   const std::size_t more = texts.size() > kMost ? texts.size() - kMost : 0;
   texts.resize(texts.size() - more);
@@ -83,7 +83,7 @@ Result<source::Outline> find_area(const OsmData& osm, const std::string& map_pat
                                     listed(osm, named))};
   const source::Area* area = area_of(osm, *named.front());
   if (area == nullptr)
-    return Error{where, fmt::format("{} has a boundary that is not complete in {}; {}", text_of(osm, *named.front()),
+    return Error{where, fmt::format("{} has a boundary that is not complete in {}; {}", area_text(osm, *named.front()),
                                     map_path, others)};
   return outline_of(osm, *area, where);
 }

@@ -85,7 +85,8 @@ Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, co
 /// Checks that a clip leaves ground, and that all tiles of `only` are tiles of the map.
 Result<Done> are_tiles_of(const scene::Header& header, const CompileSpec& spec) {
   const std::vector<scene::TileKey>& only = spec.only;
-  const std::vector<scene::TileKey> tiles = scene::tiles_of(header);
+  std::vector<scene::TileKey> tiles = scene::tiles_of(header);
+  std::erase_if(tiles, [&](scene::TileKey tile) { return !scene::touches_clip(header.clip, box_of(header, tile)); });
   if (tiles.empty() && spec.clip) return Error{spec.clip->where, "leaves no ground of the map inside"};
   for (const scene::TileKey tile : only) {
     if (std::ranges::binary_search(tiles, tile)) continue;

@@ -56,8 +56,6 @@ std::vector<TileKey> tiles_of(const Header& header) {
   std::vector<TileKey> tiles;
   for (std::int32_t x = number(header.extent.min.x); x <= last(header.extent.max.x); ++x)
     for (std::int32_t y = number(header.extent.min.y); y <= last(header.extent.max.y); ++y) tiles.push_back({x, y});
-  if (!header.clip.empty())
-    std::erase_if(tiles, [&](TileKey tile) { return !touches_clip(header.clip, box_of(header, tile)); });
   return tiles;
 }
 

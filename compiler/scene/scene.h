@@ -73,7 +73,7 @@ struct Header {
   bool has_street_furniture = false;
   people::PeopleShare people = people::kNobody;  ///< How many people are in the streets.
   cars::CarShare traffic = cars::kNoCars;        ///< How many slots of lanes have a moving car.
-  Shown shown{};                                 ///< What tiles show of the recipes.
+  Shown shown{};                                 ///< The recipes that tiles show, and how.
   Clip clip{};                                   ///< Beyond it there is no ground; empty: nothing is clipped.
   bool operator==(const Header&) const = default;
 };
@@ -139,7 +139,7 @@ Box2 box_of(const Header& header, TileKey tile);
 /// the nearest tile.
 /// @param anchor  The place of the object that decides: its centroid or first point, plane metres.
 bool is_anchored(const Header& header, TileKey tile, Vec2 anchor);
-/// Returns the keys of all tiles that the extent touches and that have ground inside of the clip, sorted.
+/// Returns the keys of all tiles that the extent touches, sorted; a scene lacks those without ground in its clip.
 std::vector<TileKey> tiles_of(const Header& header);
 /// Returns the chunk's junctions whose first node lies in its tile. Each junction of a scene belongs to exactly one
 /// chunk in this way; to none if its first node is outside of the extent's tiles.

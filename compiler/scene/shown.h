@@ -1,4 +1,4 @@
-// What the tiles of a scene show of its recipes: layers, the density of woods, and lights by night. A manifest holds all
+// The part of a scene's recipes that its tiles show: layers, the density of woods, and lights by night. A manifest holds all
 // recipes whatever its tiles show.
 #pragma once
 
@@ -10,10 +10,10 @@ namespace citykiln::scene {
 
 /// The layers that tiles may leave out. The first seven are those of a tile (bake/layer.h), in the same order.
 enum class SceneLayer : std::uint8_t {
-  kGround,      ///< Land. Where roads or water are left out, their faces are land that is not mapped.
+  kGround,      ///< Land. Where roads, water or buildings are left out, it is there too, as land that is not mapped.
   kRoads,       ///< Paved ground, with its markings.
   kWater,       ///< Seas, lakes, rivers.
-  kBuildings,   ///< Buildings. The ground below them stays.
+  kBuildings,   ///< Buildings.
   kStructures,  ///< Bridges with their roads, tunnels, stairs.
   kThings,      ///< Walls, fences, lamps, things, cars, people, wires, tree pits.
   kPlants,      ///< Trees, hedges, grass.
@@ -46,7 +46,7 @@ inline constexpr double kDensestWoods = 4, kWoodDensityStep = 0x1p-10;
 /// The step of Shown::lit_windows.
 inline constexpr double kLitWindowsStep = 0x1p-10;
 
-/// What tiles show of the recipes of a scene.
+/// The part of the recipes that tiles show.
 struct Shown {
   SceneLayers left_out = kNoLayers;
   /// A factor on Wood::trees_per_ha, from 0 to kDensestWoods, a multiple of kWoodDensityStep.

@@ -90,14 +90,14 @@ Error at_point(const Outline& outline, const NumberedRing& ring, std::size_t poi
           std::move(message)};
 }
 
-bool is_on_earth(LonLat at) { return std::abs(at.lon_deg) <= 360 && std::abs(at.lat_deg) <= 90; }
+bool lies_on_earth(LonLat at) { return std::abs(at.lon_deg) <= 360 && std::abs(at.lat_deg) <= 90; }
 
 // Points on Earth, at least three different ones, and no edge that is too long.
 Result<Done> check_points(const Outline& outline, const NumberedRing& ring) {
   const LonLatRing& points = *ring.points;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (is_on_earth(points[i])) continue;
-    const bool is_swapped = is_on_earth({points[i].lat_deg, points[i].lon_deg});
+    if (lies_on_earth(points[i])) continue;
+    const bool is_swapped = lies_on_earth({points[i].lat_deg, points[i].lon_deg});
     return at_point(outline, ring, i,
                     fmt::format("is not on Earth; expected longitude, then latitude, in degrees{}",
                                 is_swapped ? "; latitude and longitude swapped?" : ""));

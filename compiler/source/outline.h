@@ -22,7 +22,7 @@ struct LonLatPolygon {
 
 /// Polygons that together are one outline.
 struct Outline {
-  std::string where;  ///< What errors name: a file, or an area of the map.
+  std::string where;  ///< The name in errors: a file, or an area of the map.
   std::vector<LonLatPolygon> polygons;
   bool operator==(const Outline&) const = default;
 };

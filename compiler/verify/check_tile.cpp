@@ -15,6 +15,7 @@
 #include "compiler/map/plane/cylinder.h"
 #include "compiler/outputs/tile_lights.h"
 #include "compiler/scene/land_cover.h"
+#include "compiler/scene/shown_chunk.h"
 #include "compiler/source/voids/codes_to_voids.h"
 #include "compiler/verify/assumed/measure_assumed.h"
 #include "compiler/verify/ground/ground_index.h"
@@ -430,7 +431,8 @@ Result<Done> check_glb_level(TileUnderCheck& tile, bake::PreparedTile& prepared,
 Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const outputs::WrittenTile> levels) {
   const Result<RecipesOfTile> recipes = prepare_tile(loaded, levels);
   if (!recipes) return recipes.error();
-  const scene::Chunk& chunk = recipes->chunk;
+  const std::shared_ptr<const scene::Chunk> shown = scene::shared_shown_chunk(loaded.scene.header, recipes->chunk);
+  const scene::Chunk& chunk = *shown;
   TileUnderCheck tile{loaded,
                       chunk,
                       scene::box_of(loaded.scene.header, chunk.tile),

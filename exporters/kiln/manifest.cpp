@@ -173,7 +173,7 @@ std::uint16_t number_of_lit_windows(const scene::Shown& shown) {
   return shown.lit_windows ? static_cast<std::uint16_t>(*shown.lit_windows * kFullShare) : kUsualShare;
 }
 
-// What tiles show; nothing if a value is out of range.
+// Returns the part that tiles show; nothing if a value is out of range.
 std::optional<scene::Shown> shown_of(const fbs::Header& h) {
   scene::Shown shown{.left_out = h.left_out(),
                      .wood_density = static_cast<double>(h.wood_density()) / kFullShare,

@@ -10,7 +10,7 @@
 namespace citykiln {
 namespace {
 
-constexpr double kTolerance_m = 0.5;
+constexpr double kShownLevel_m = 0.5;
 
 CompileSpec town_spec() {
   CompileSpec spec;
@@ -18,7 +18,7 @@ CompileSpec town_spec() {
   return spec;
 }
 
-scene::Scene town() {
+scene::Scene shown_town() {
   Result<CompileResult> compiled = compile(town_spec(), [](auto&&...) {});
   EXPECT_TRUE(compiled);
   return compiled ? std::move(compiled->scene) : scene::Scene{};
@@ -26,7 +26,7 @@ scene::Scene town() {
 
 bake::BakedTile baked_without(scene::Scene scene, scene::SceneLayers left_out) {
   scene.header.shown.left_out = left_out;
-  return bake_tiles(scene, kTolerance_m, 2).front();
+  return bake_tiles(scene, kShownLevel_m, 2).front();
 }
 
 using Corners = std::vector<bake::Float3>;
@@ -57,7 +57,7 @@ double plan_area_m2(const bake::BakedTile& tile) {
 }
 
 TEST(ShownLayers, ALayerThatIsLeftOutIsGoneAndChangesNoOther) {
-  const scene::Scene scene = town();
+  const scene::Scene scene = shown_town();
   ASSERT_FALSE(scene.chunks.empty());
   const bake::BakedTile all = baked_without(scene, scene::kNoLayers);
   for (const bake::Layer out : {bake::Layer::kBuildings, bake::Layer::kStructures, bake::Layer::kProps,
@@ -74,7 +74,7 @@ TEST(ShownLayers, ALayerThatIsLeftOutIsGoneAndChangesNoOther) {
 }
 
 TEST(ShownLayers, WhereRoadsOrWaterAreLeftOutThereIsLandAtTheSameHeights) {
-  const scene::Scene scene = town();
+  const scene::Scene scene = shown_town();
   const bake::BakedTile all = baked_without(scene, scene::kNoLayers);
   const bake::BakedTile bare =
       baked_without(scene, bit_of(scene::SceneLayer::kRoads) | bit_of(scene::SceneLayer::kWater));
@@ -85,7 +85,7 @@ TEST(ShownLayers, WhereRoadsOrWaterAreLeftOutThereIsLandAtTheSameHeights) {
 }
 
 TEST(ShownLayers, YardsAreLeftOutWithWhatTheyGenerate) {
-  const scene::Scene scene = town();
+  const scene::Scene scene = shown_town();
   ASSERT_FALSE(scene.chunks.front().yards.empty());
   const bake::BakedTile all = baked_without(scene, scene::kNoLayers),
                         rest = baked_without(scene, bit_of(scene::SceneLayer::kYards));
@@ -95,11 +95,11 @@ TEST(ShownLayers, YardsAreLeftOutWithWhatTheyGenerate) {
 
 std::size_t trees_at(scene::Scene scene, double density) {
   scene.header.shown.wood_density = density;
-  return shown_of(bake_tiles(scene, kTolerance_m, 2).front(), bake::Layer::kPlants).size();
+  return shown_of(bake_tiles(scene, kShownLevel_m, 2).front(), bake::Layer::kPlants).size();
 }
 
 TEST(ShownLayers, WoodsHaveMoreTreesWithAHigherDensity) {
-  const scene::Scene scene = town();
+  const scene::Scene scene = shown_town();
   ASSERT_FALSE(scene.chunks.front().woods.empty());
   const std::size_t none = trees_at(scene, 0), half = trees_at(scene, 0.5), usual = trees_at(scene, 1),
                     more = trees_at(scene, 2);
@@ -122,7 +122,7 @@ source::Outline outline_in(const scene::Scene& scene) {
 }
 
 TEST(Clips, EndTheGroundAndAllThatStandsOnIt) {
-  const scene::Scene whole = town();
+  const scene::Scene whole = shown_town();
   CompileSpec spec = town_spec();
   clip_to(outline_in(whole), spec);
   spec.map.origin = whole.header.origin;
@@ -133,7 +133,7 @@ TEST(Clips, EndTheGroundAndAllThatStandsOnIt) {
   EXPECT_EQ(scene.header.extent.width(), std::ceil(scene.header.extent.width() / map::kCell_m) * map::kCell_m);
   double ground_m2 = 0;
   const scene::ClipTest clip(scene.header.clip, scene.header.extent.widened(1000));
-  for (const bake::BakedTile& tile : bake_tiles(scene, kTolerance_m, 2)) {
+  for (const bake::BakedTile& tile : bake_tiles(scene, kShownLevel_m, 2)) {
     ground_m2 += plan_area_m2(tile);
     for (const bake::InstancedMesh& mesh : tile.instanced)
       for (const bake::Float3& at : mesh.translations)

@@ -25,6 +25,11 @@ RemovedEdges edges_beyond(const ground::GroundMesh& ground, const scene::LandCov
   return edges;
 }
 
+// The layer that hides a face, or is it: the ground below a building is seen only without the building.
+Layer layer_below(map::LandCoverClass surface) {
+  return surface == map::LandCoverClass::kBuilding ? Layer::kBuildings : layer_of(surface);
+}
+
 }  // namespace
 
 RemovedEdges remove_beyond_clip(ground::GroundMesh& ground, const scene::LandCover& cover) {
@@ -45,12 +50,13 @@ RemovedEdges remove_beyond_clip(ground::GroundMesh& ground, const scene::LandCov
 }
 
 bool shows_land_for_others(const scene::Shown& shown) {
-  return is_shown(shown, Layer::kGround) && !(is_shown(shown, Layer::kRoads) && is_shown(shown, Layer::kWater));
+  return is_shown(shown, Layer::kGround) && !(is_shown(shown, Layer::kRoads) && is_shown(shown, Layer::kWater) &&
+                                              is_shown(shown, Layer::kBuildings));
 }
 
 ground::GroundMesh shown_ground(ground::GroundMesh ground, const scene::LandCover& cover, const scene::Shown& shown) {
   for (std::uint32_t& surface : ground.face_cover)
-    if (surface != ground::kNoLandCover && !is_shown(shown, layer_of(cover.surfaces[surface].surface)))
+    if (surface != ground::kNoLandCover && !is_shown(shown, layer_below(cover.surfaces[surface].surface)))
       surface = ground::kNoLandCover;
   return ground;
 }

@@ -17,11 +17,11 @@ using RemovedEdges = std::set<std::pair<Vec3, Vec3>>;
 /// changes nothing, where there are no such faces. O(faces · log).
 RemovedEdges remove_beyond_clip(ground::GroundMesh& ground, const scene::LandCover& cover);
 
-/// True if shown_ground() may change faces: roads or water are left out, and the land is not.
+/// True if shown_ground() may change faces: roads, water or buildings are left out, and the land is not.
 bool shows_land_for_others(const scene::Shown& shown);
 
-/// Returns a cell's ground in which the faces of roads or water, where these are left out, are land that is not mapped,
-/// at the same heights. O(faces).
+/// Returns a cell's ground in which the faces of roads and water and those below buildings, where these are left out,
+/// are land that is not mapped, at the same heights. O(faces).
 /// @param cover  The land cover that the faces refer to.
 ground::GroundMesh shown_ground(ground::GroundMesh ground, const scene::LandCover& cover, const scene::Shown& shown);
 

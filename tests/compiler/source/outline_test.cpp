@@ -7,7 +7,7 @@
 namespace citykiln::source {
 namespace {
 
-constexpr const char* kSquare = "[[0,0],[4,0],[4,4],[0,4],[0,0]]";
+constexpr const char* kOuterSquare = "[[0,0],[4,0],[4,4],[0,4],[0,0]]";
 
 std::string polygon(const std::string& rings) { return R"({"type":"Polygon","coordinates":[)" + rings + "]}"; }
 
@@ -19,7 +19,7 @@ std::string error_of(const Result<Outline>& outline) { return outline ? "" : to_
 
 TEST(Outline, ReadsPolygonsOfGeoJsonWithHolesAndInCollections) {
   const std::string hole = "[[1,1],[1,2],[2,2],[1,1]]", far = "[[10,0],[12,0],[12,2],[10,0]]";
-  const std::string first = polygon(std::string(kSquare) + "," + hole);
+  const std::string first = polygon(std::string(kOuterSquare) + "," + hole);
   const std::string second = R"({"type":"MultiPolygon","coordinates":[[)" + far + "]]}";
   const auto outline = parse(R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":)" + first +
                              R"(},{"type":"Feature","geometry":)" + second +
@@ -47,12 +47,12 @@ TEST(Outline, SaysWhereRingsCrossThemselves) {
   EXPECT_EQ(error_of(parse(polygon("[[0,0],[4,4],[4,0],[0,4],[0,0]]"))),
             "a.geojson: polygon 1, point 1 (0,0): the edge from here crosses or touches the one from polygon 1, point 3 "
             "(4,0)");
-  EXPECT_NE(error_of(parse(polygon(std::string(kSquare) + ",[[1,1],[6,1],[1,2],[1,1]]"))), "");
+  EXPECT_NE(error_of(parse(polygon(std::string(kOuterSquare) + ",[[1,1],[6,1],[1,2],[1,1]]"))), "");
   EXPECT_NE(error_of(parse(polygon("[[0,0],[4,0],[2,0],[2,3],[0,0]]"))), "") << "an edge that doubles back";
 }
 
 TEST(Outline, AcceptsRingsOfDifferentPolygonsThatTouchAtAPoint) {
-  const auto outline = parse(R"({"type":"MultiPolygon","coordinates":[[)" + std::string(kSquare) +
+  const auto outline = parse(R"({"type":"MultiPolygon","coordinates":[[)" + std::string(kOuterSquare) +
                              "],[[[4,4],[6,4],[6,6],[4,4]]]]}");
   EXPECT_TRUE(outline) << error_of(outline);
 }
@@ -75,7 +75,7 @@ TEST(Outline, SuspectsSwappedCoordinates) {
 }
 
 TEST(Outline, SaysThatAHoleIsOutside) {
-  EXPECT_EQ(error_of(parse(polygon(std::string(kSquare) + ",[[5,5],[5,6],[6,6],[5,5]]"))),
+  EXPECT_EQ(error_of(parse(polygon(std::string(kOuterSquare) + ",[[5,5],[5,6],[6,6],[5,5]]"))),
             "a.geojson: polygon 1, hole 1: lies outside of its polygon");
 }
 
@@ -84,7 +84,7 @@ TEST(Outline, SaysThatAFileHasNoPolygonOrIsOfAnotherFormat) {
   EXPECT_EQ(error_of(parse("{")), "a.geojson, byte 2: expected GeoJSON, found malformed JSON");
   EXPECT_NE(error_of(parse("hello", "a.txt")), "");
   EXPECT_NE(error_of(parse(R"({"type":"Polygon","crs":{"properties":{"name":"EPSG:3857"}},"coordinates":[)" +
-                           std::string(kSquare) + "]}")),
+                           std::string(kOuterSquare) + "]}")),
             "");
 }
 
