@@ -19,8 +19,8 @@ Result<source::Outline> find_area(const std::string& map_path, const std::string
 /// Returns the area by the data of a map, as find_area().
 Result<source::Outline> find_area(const source::OsmData& osm, const std::string& map_path, const std::string& name);
 
-/// Makes the area of a spec its clip (clip_to()). Does nothing without one. Errors: those of find_area(); a clip is given
-/// too.
+/// Makes the area of a spec its clip (clip_to()). Does nothing without one. Errors: those of find_area(); a clip is
+/// given too.
 Result<Done> resolve_area(CompileSpec& spec);
 
 }  // namespace citykiln

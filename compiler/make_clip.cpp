@@ -63,7 +63,9 @@ std::vector<Polyline> parts_inside(const Polyline& line, const scene::Clip& clip
     const Vec2 from = line[i], way = line[i + 1] - line[i];
     const std::vector<double> shares = crossings_of(from, line[i + 1], clip);
     for (std::size_t s = 0; s + 1 < shares.size(); ++s) {
-      const auto at = [&](double share) { return share == 1 ? line[i + 1] : snapped_to(map::kMapStep_m, from + way * share); };
+      const auto at = [&](double share) {
+        return share == 1 ? line[i + 1] : snapped_to(map::kMapStep_m, from + way * share);
+      };
       const Vec2 begin = at(shares[s]), end = at(shares[s + 1]);
       if (begin == end) continue;
       const bool is_inside = places.is_inside(from + way * ((shares[s] + shares[s + 1]) / 2));

@@ -333,7 +333,9 @@ Result<Done> set_people(CompileSpec& spec, std::string_view text) {
   return spec.people = *share, Done{};
 }
 
-Result<Done> set_layers(CompileSpec& spec, std::string_view text) { return put(parse_layers(text), spec.shown.left_out); }
+Result<Done> set_layers(CompileSpec& spec, std::string_view text) {
+  return put(parse_layers(text), spec.shown.left_out);
+}
 
 Result<Done> set_wood_density(CompileSpec& spec, std::string_view text) {
   return put(parse_wood_density(text), spec.shown.wood_density);
@@ -377,9 +379,8 @@ constexpr Setting kSettings[] = {
      "polygons to compile: ground, roads, water and things end there, and buildings stay if their centroid is inside "
      "(default: all of the box)",
      false, set_clip},
-    {"area", "NAME",
-     "an administrative area of the map, by its name, name:en or id (r123), as the polygons of --clip", false,
-     set_text<&CompileSpec::area>},
+    {"area", "NAME", "an administrative area of the map, by its name, name:en or id (r123), as the polygons of --clip",
+     false, set_text<&CompileSpec::area>},
     {"origin", "LON,LAT",
      "origin of the plane in degrees, such as 7.42,43.73 (default: the area's centre, rounded to 0.01)", false,
      set_origin},
@@ -490,7 +491,8 @@ constexpr Setting kSettings[] = {
      "ground and hour (default: none)",
      false, set_people},
     {"layers", "NAME,...|-NAME,...",
-     "the layers of tiles: ground, roads, water, buildings, structures, things, plants, yards; a list keeps these alone, "
+     "the layers of tiles: ground, roads, water, buildings, structures, things, plants, yards; a list keeps these "
+     "alone, "
      "-NAME leaves one out (default: all)",
      false, set_layers},
     {"wood-density", "X", "factor on the number of trees in woods, from 0 to 4 (default: 1)", false, set_wood_density},

@@ -91,10 +91,10 @@ struct CompileSpec {
   std::string map_path;
   std::vector<source::RasterSpec> rasters;  ///< At each place the first heightmap that covers it is used.
   map::Options map;
-  double tile_m = map::kDefaultTile_m;  ///< A multiple of map::kCell_m.
+  double tile_m = map::kDefaultTile_m;    ///< A multiple of map::kCell_m.
   std::optional<source::Outline> clip{};  ///< Nothing is compiled beyond it.
-  std::string area;                     ///< The name of an area of the map that becomes the clip; "" for none.
-  std::vector<scene::TileKey> only;     ///< Sorted. If not empty, only these tiles are compiled.
+  std::string area;                       ///< The name of an area of the map that becomes the clip; "" for none.
+  std::vector<scene::TileKey> only;       ///< Sorted. If not empty, only these tiles are compiled.
   std::uint64_t seed = 0;
   Assumptions assume = kNamedAssumptions;  ///< The assumptions made where the map is silent.
   std::optional<double> snow_line_m;       ///< Land above it is covered by snow.

@@ -49,18 +49,18 @@ PreparedTile prepared_tile(const scene::Header& header, const scene::Chunk& chun
 std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::Chunk& chunk,
                                       std::span<const double> tolerances_m, int threads,
                                       std::shared_ptr<const PrototypeCache> prototypes, std::size_t most_instances) {
-  return with_buildings(prepared_tile(header, chunk, tolerances_m, threads, KeptReferences::kNone,
-                                      std::move(prototypes), most_instances),
-                        threads);
+  return with_buildings(
+      prepared_tile(header, chunk, tolerances_m, threads, KeptReferences::kNone, std::move(prototypes), most_instances),
+      threads);
 }
 
 std::shared_ptr<PreparedTile> prepare_for_check(const scene::Header& header, const scene::Chunk& chunk,
                                                 std::span<const double> tolerances_m, int threads,
                                                 std::shared_ptr<const PrototypeCache> prototypes,
                                                 std::size_t most_instances) {
-  return with_buildings(prepared_tile(header, chunk, tolerances_m, threads, KeptReferences::kAll,
-                                      std::move(prototypes), most_instances),
-                        threads);
+  return with_buildings(
+      prepared_tile(header, chunk, tolerances_m, threads, KeptReferences::kAll, std::move(prototypes), most_instances),
+      threads);
 }
 
 ExpectedGround expected_ground_of(const PreparedTile& prepared, std::size_t level) {

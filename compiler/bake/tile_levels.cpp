@@ -150,7 +150,8 @@ struct SharedParts {
                   .people = has_things && shows(kShowsPeople_m, has_roads),
                   .things = {.cars = has_things && shows(kShowsCars_m, has_roads),
                              .furniture = has_things && shows(kShowsFurniture_m, has_roads)}};
-    if (has_plants && !has_roads && !is_view) std::ranges::copy_if(tolerances_m, std::back_inserter(wanted.canopies_m), has_canopy);
+    if (has_plants && !has_roads && !is_view)
+      std::ranges::copy_if(tolerances_m, std::back_inserter(wanted.canopies_m), has_canopy);
     return shared = std::make_shared<SharedByLevels>(make_shared_part(header, chunk, tolerance_m, wanted));
   }
 };

@@ -135,7 +135,7 @@ std::size_t count_without_effect(const grammars::Derivation& derivation) {
 grammars::AnswerContextQuery surroundings_of(const Level& level, std::vector<Vec2> doors) {
   grammars::AnswerContextQuery entrances, lit;
   if (!doors.empty()) entrances = grammars::answer_from_entrances(std::move(doors));
-  if (level.context.night) 
+  if (level.context.night)
     lit = lit_windows(level.building, *level.context.night, level.context.seed, level.context.lit_share);
   if (!lit) return entrances;
   return [entrances = std::move(entrances), lit = std::move(lit)](grammars::ContextQuery query,
@@ -150,7 +150,8 @@ grammars::DeriveOptions options_of(const Level& level, const MassModel& mass, do
   options.attributes = rule_attributes_of(level.building, mass.roof.form);
   const std::optional<WeekTime>& night = level.context.night;
   options.attributes["night"] = night.has_value();
-  options.attributes["shop_lit"] = night && is_shop_lit(level.building, *night, level.context.seed, level.context.lit_share);
+  options.attributes["shop_lit"] =
+      night && is_shop_lit(level.building, *night, level.context.seed, level.context.lit_share);
   std::vector<Vec2> doors = door_positions(level.building);
   options.attributes["entrances"] = static_cast<double>(doors.size());
   options.attributes["fronts"] = static_cast<double>(level.building.fronts.size());

@@ -181,7 +181,8 @@ grammars::AnswerContextQuery lit_windows(const Building& building, WeekTime time
     if (query != grammars::ContextQuery::kIsLit) return false;
     const UseRow& row = use_row(use);
     const Vec3 at = middle_of(shape.scope);
-    const bool is_lit_room = given || row.room_share == 1 || rooms.unit(cell_at(cells, at, row.room_m)) < row.room_share;
+    const bool is_lit_room =
+        given || row.room_share == 1 || rooms.unit(cell_at(cells, at, row.room_m)) < row.room_share;
     return is_lit_room && is_on(use, time, units, whole ? 0 : cell_at(cells, at, row.unit_m), given);
   };
 }

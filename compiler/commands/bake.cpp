@@ -248,8 +248,8 @@ void add_settings(Verb& verb, BakeRequest& request) {
     const std::string_view name = setting.name;
     if (name != "only" && name != "emit" && name != "lods" && name != "target" && name != "split" &&
         name != "compress" && name != "lights" && name != "layout" && name != "max-bytes" && name != "max-triangles" &&
-        name != "world" && name != "geoid-height" && name != "threads" && name != "surroundings" && name != "layers" && name != "wood-density" &&
-        name != "lamps" && name != "lit-windows") {
+        name != "world" && name != "geoid-height" && name != "threads" && name != "surroundings" && name != "layers" &&
+        name != "wood-density" && name != "lamps" && name != "lit-windows") {
       continue;
     }
     const std::string flags = name == "only" ? "--tile,--only" : "--" + std::string(name);

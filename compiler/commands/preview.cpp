@@ -428,7 +428,8 @@ StoreValue store_parsed(std::optional<T>& value, Parse parse) {
 std::vector<Option> shown_options(scene::ShownRequest& shown) {
   return {
       {"--layers", "NAME,...|-NAME,...",
-       "layers to render: ground, roads, water, buildings, structures, things, plants, yards; a list keeps these alone, "
+       "layers to render: ground, roads, water, buildings, structures, things, plants, yards; a list keeps these "
+       "alone, "
        "--layers=-NAME leaves one out (default: those of the scene)",
        false, store_parsed(shown.left_out, [](const std::string& text) { return parse_layers(text); })},
       {"--wood-density", "X", "for a manifest: factor on the number of trees in woods, 0 to 4 (default: the scene's)",
@@ -498,8 +499,8 @@ Verb preview_verb() {
             "renders a picture of a manifest, a run's folder or .glb files",
             tile_options(request->load, request->cells),
             {}};
-  for (std::vector<Option> options : {camera_options(request->camera), shown_options(request->load.shown), sampling_options(*request),
-                                      light_options(*request), picture_options(*request)})
+  for (std::vector<Option> options : {camera_options(request->camera), shown_options(request->load.shown),
+                                      sampling_options(*request), light_options(*request), picture_options(*request)})
     for (Option& option : options) verb.options.push_back(std::move(option));
   verb.examples = {"citykiln preview out/town -o town.png",
                    "citykiln preview out/town --view street --time 2026-12-21T22:00 -o night.png",

@@ -11,9 +11,7 @@ namespace {
 // Tiles with less ground than this have nothing to show.
 constexpr double kLeastGround_m2 = 1;
 
-Ring ring_of(const Box2& box) {
-  return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-}
+Ring ring_of(const Box2& box) { return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}; }
 
 // The rings of a clip near a box: with the same winding numbers in it.
 std::vector<Ring> rings_near(const Clip& clip, const Box2& box) {

@@ -1,5 +1,5 @@
-// The part of a scene's recipes that its tiles show: layers, the density of woods, and lights by night. A manifest holds all
-// recipes whatever its tiles show.
+// The part of a scene's recipes that its tiles show: layers, the density of woods, and lights by night. A manifest
+// holds all recipes whatever its tiles show.
 #pragma once
 
 #include <cstdint>

@@ -38,8 +38,8 @@ struct RingEdge {
 };
 
 bool is_between(GridPlace p, const RingEdge& e) {
-  return std::min(e.low.x, e.high.x) <= p.x && p.x <= std::max(e.low.x, e.high.x) && std::min(e.low.y, e.high.y) <= p.y &&
-         p.y <= std::max(e.low.y, e.high.y);
+  return std::min(e.low.x, e.high.x) <= p.x && p.x <= std::max(e.low.x, e.high.x) &&
+         std::min(e.low.y, e.high.y) <= p.y && p.y <= std::max(e.low.y, e.high.y);
 }
 
 bool lies_on(GridPlace p, const RingEdge& e) { return turn_of(e.low, e.high, p) == 0 && is_between(p, e); }
@@ -105,8 +105,7 @@ Result<Done> check_points(const Outline& outline, const NumberedRing& ring) {
   std::vector<GridPlace> places;
   std::ranges::transform(points, std::back_inserter(places), grid_place);
   std::ranges::sort(places);
-  const std::size_t different =
-      static_cast<std::size_t>(std::unique(places.begin(), places.end()) - places.begin());
+  const std::size_t different = static_cast<std::size_t>(std::unique(places.begin(), places.end()) - places.begin());
   if (different < 3)
     return Error{fmt::format("{}: {}", outline.where, name_of(ring)),
                  fmt::format("expected at least 3 different points, found {}", different)};
@@ -133,7 +132,8 @@ std::vector<RingEdge> edges_of(const std::vector<NumberedRing>& rings) {
 
 bool are_neighbours(const RingEdge& a, const RingEdge& b, const std::vector<NumberedRing>& rings) {
   if (a.ring != b.ring) return false;
-  const std::size_t count = rings[a.ring].points->size(), apart = a.number > b.number ? a.number - b.number : b.number - a.number;
+  const std::size_t count = rings[a.ring].points->size(),
+                    apart = a.number > b.number ? a.number - b.number : b.number - a.number;
   return apart == 1 || apart == count - 1;
 }
 

@@ -52,7 +52,8 @@ Result<Done> add_members(const json& members, Outline& outline);
 // Adds the polygons of an object of GeoJSON.
 Result<Done> add_object(const json& object, Outline& outline) {
   if (!object.is_object()) return Done{};
-  const std::string type = object.contains("type") && object["type"].is_string() ? object["type"].get<std::string>() : "";
+  const std::string type =
+      object.contains("type") && object["type"].is_string() ? object["type"].get<std::string>() : "";
   if (type == "FeatureCollection" && object.contains("features")) return add_members(object["features"], outline);
   if (type == "GeometryCollection" && object.contains("geometries")) return add_members(object["geometries"], outline);
   if (type == "Feature" && object.contains("geometry")) return add_object(object["geometry"], outline);
@@ -102,7 +103,8 @@ std::optional<LonLat> place_of(std::string_view line) {
   const auto gap = line.find_first_of(" \t");
   if (gap == std::string_view::npos) return std::nullopt;
   const std::string_view rest = trimmed(line.substr(gap));
-  const auto lon = number_in<double>(line.substr(0, gap)), lat = number_in<double>(rest.substr(0, rest.find_first_of(" \t")));
+  const auto lon = number_in<double>(line.substr(0, gap)),
+             lat = number_in<double>(rest.substr(0, rest.find_first_of(" \t")));
   if (!lon || !lat) return std::nullopt;
   return LonLat{*lon, *lat};
 }
@@ -149,7 +151,10 @@ Result<Outline> parse_geojson_outline(std::string_view text, const std::string& 
 Result<Outline> parse_poly_outline(std::string_view text, const std::string& name) {
   const std::vector<PolyLine> lines = poly_lines_of(without_byte_order_mark(text));
   const auto at_line = [&](std::size_t i, std::string message) {
-    return Error{fmt::format("{}:{}", name, i < lines.size() ? lines[i].number : lines.empty() ? 1 : lines.back().number),
+    return Error{fmt::format("{}:{}", name,
+                             i < lines.size() ? lines[i].number
+                             : lines.empty()  ? 1
+                                              : lines.back().number),
                  std::move(message)};
   };
   Outline outline{name, {}};

@@ -247,9 +247,9 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
       builder, kVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg, &extent, h.tile_m, h.seed,
       h.resampling_error_m, sky, &sources, &attributions, kLicence, index, dictionary.empty() ? nullptr : &dictionary,
       snow_line_m, &rules, &species, around, things.empty() ? nullptr : &things, climate, h.has_wild_slopes,
-      number_of(h.cars), h.has_street_furniture, number_of(h.people), number_of(h.traffic),
-      h.shown.left_out, static_cast<std::uint16_t>(h.shown.wood_density * kFullShare),
-      static_cast<std::uint8_t>(h.shown.lamps), number_of_lit_windows(h.shown), clip.empty() ? nullptr : &clip));
+      number_of(h.cars), h.has_street_furniture, number_of(h.people), number_of(h.traffic), h.shown.left_out,
+      static_cast<std::uint16_t>(h.shown.wood_density * kFullShare), static_cast<std::uint8_t>(h.shown.lamps),
+      number_of_lit_windows(h.shown), clip.empty() ? nullptr : &clip));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 

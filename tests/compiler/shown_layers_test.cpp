@@ -143,7 +143,6 @@ TEST(Clips, EndTheGroundAndAllThatStandsOnIt) {
   std::size_t buildings = 0;
   for (const scene::Chunk& chunk : scene.chunks) buildings += chunk.buildings.size();
   EXPECT_GT(buildings, 0u);
-  
 }
 
 }  // namespace

@@ -50,8 +50,8 @@ RemovedEdges remove_beyond_clip(ground::GroundMesh& ground, const scene::LandCov
 }
 
 bool shows_land_for_others(const scene::Shown& shown) {
-  return is_shown(shown, Layer::kGround) && !(is_shown(shown, Layer::kRoads) && is_shown(shown, Layer::kWater) &&
-                                              is_shown(shown, Layer::kBuildings));
+  return is_shown(shown, Layer::kGround) &&
+         !(is_shown(shown, Layer::kRoads) && is_shown(shown, Layer::kWater) && is_shown(shown, Layer::kBuildings));
 }
 
 ground::GroundMesh shown_ground(ground::GroundMesh ground, const scene::LandCover& cover, const scene::Shown& shown) {

@@ -13,8 +13,8 @@ namespace citykiln::bake {
 /// The edges of faces that were removed, by their ends: the left face of each is gone.
 using RemovedEdges = std::set<std::pair<Vec3, Vec3>>;
 
-/// Removes the faces of a cell's ground beyond the clip (scene::kBeyondClip), and returns their edges. Returns none, and
-/// changes nothing, where there are no such faces. O(faces · log).
+/// Removes the faces of a cell's ground beyond the clip (scene::kBeyondClip), and returns their edges. Returns none,
+/// and changes nothing, where there are no such faces. O(faces · log).
 RemovedEdges remove_beyond_clip(ground::GroundMesh& ground, const scene::LandCover& cover);
 
 /// True if shown_ground() may change faces: roads, water or buildings are left out, and the land is not.

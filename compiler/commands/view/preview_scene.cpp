@@ -238,9 +238,10 @@ void take_tiles(const LoadRequest& load, PreviewScene& scene) {
 Result<Done> check_shown(const LoadRequest& load) {
   const bool is_manifest = load.paths.size() == 1 && load.paths.front().ends_with(".kiln");
   const bool leaves_yards = load.shown.left_out && has(*load.shown.left_out, scene::SceneLayer::kYards);
-  const char* option = load.shown.wood_density ? "--wood-density"
+  const char* option = load.shown.wood_density  ? "--wood-density"
                        : load.shown.lit_windows ? "--lit-windows"
-                       : leaves_yards ? "--layers" : nullptr;
+                       : leaves_yards           ? "--layers"
+                                                : nullptr;
   if (is_manifest || option == nullptr) return Done{};
   return Error{option, fmt::format("{} decided when tiles are baked; give the manifest (scene.kiln) instead",
                                    leaves_yards ? "yards are" : "this is")};

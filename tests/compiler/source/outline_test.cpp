@@ -34,7 +34,8 @@ TEST(Outline, ReadsPolygonsOfGeoJsonWithHolesAndInCollections) {
 
 TEST(Outline, ReadsThePolygonFormatOfOsmosis) {
   const auto outline = parse(
-      "town\n1\n\t0.0 \t 0.0\n 4E0 0\n 4 4\n 0 4\n 0 0\nEND\n!2\n 1 1\n 1 2\n 2 2\nEND\nb\n 9 0\n 10 0\n 10 1\nEND\nEND\n",
+      "town\n1\n\t0.0 \t 0.0\n 4E0 0\n 4 4\n 0 4\n 0 0\nEND\n!2\n 1 1\n 1 2\n 2 2\nEND\nb\n 9 0\n 10 0\n 10 "
+      "1\nEND\nEND\n",
       "a.poly");
   ASSERT_TRUE(outline) << error_of(outline);
   ASSERT_EQ(outline->polygons.size(), 2u);
@@ -44,9 +45,10 @@ TEST(Outline, ReadsThePolygonFormatOfOsmosis) {
 }
 
 TEST(Outline, SaysWhereRingsCrossThemselves) {
-  EXPECT_EQ(error_of(parse(polygon("[[0,0],[4,4],[4,0],[0,4],[0,0]]"))),
-            "a.geojson: polygon 1, point 1 (0,0): the edge from here crosses or touches the one from polygon 1, point 3 "
-            "(4,0)");
+  EXPECT_EQ(
+      error_of(parse(polygon("[[0,0],[4,4],[4,0],[0,4],[0,0]]"))),
+      "a.geojson: polygon 1, point 1 (0,0): the edge from here crosses or touches the one from polygon 1, point 3 "
+      "(4,0)");
   EXPECT_NE(error_of(parse(polygon(std::string(kOuterSquare) + ",[[1,1],[6,1],[1,2],[1,1]]"))), "");
   EXPECT_NE(error_of(parse(polygon("[[0,0],[4,0],[2,0],[2,3],[0,0]]"))), "") << "an edge that doubles back";
 }
