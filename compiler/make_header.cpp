@@ -14,6 +14,7 @@
 
 #include "compiler/buildings/plan.h"
 #include "compiler/geometry/trig.h"
+#include "compiler/make_clip.h"
 #include "compiler/map/heights/fit_heightmaps.h"
 #include "compiler/map/plane/lonlat_box.h"
 #include "compiler/map/things/thing_role.h"
@@ -63,10 +64,11 @@ surroundings::MappedWater mapped_water(const HeaderInputs& recipes, const Box2& 
   return water;
 }
 
-/// The land around the region; empty if it is not wanted, or in a cylinder.
+/// The land around the region; empty if it is not wanted, in a cylinder, or around a clip unless it is asked for.
 Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, const map::Plane& plane,
                                                      const HeaderInputs& recipes, const Box2& extent) {
-  if (spec.outputs.surroundings == AroundWish::kNo || spec.world == World::kCylinder)
+  const bool is_left_out = spec.clip && spec.outputs.surroundings != AroundWish::kYes;
+  if (is_left_out || spec.outputs.surroundings == AroundWish::kNo || spec.world == World::kCylinder)
     return surroundings::Surroundings();
   const source::LonLatBox window = map::lonlat_box_of(extent.widened(surroundings::kReach_m), plane);
   Report repeated;  // discarded: diagnosed for the region already, or lies beyond it
@@ -80,9 +82,12 @@ Result<surroundings::Surroundings> plan_surroundings(const CompileSpec& spec, co
       {.extent = extent, .tile_m = spec.tile_m, .water = mapped_water(recipes, extent), .heights = &recipes.heights});
 }
 
-/// Checks that all tiles of `only` are tiles of the map.
-Result<Done> are_tiles_of(const scene::Header& header, std::span<const scene::TileKey> only) {
-  const std::vector<scene::TileKey> tiles = scene::tiles_of(header);
+/// Checks that a clip leaves ground, and that all tiles of `only` are tiles of the map.
+Result<Done> are_tiles_of(const scene::Header& header, const CompileSpec& spec) {
+  const std::vector<scene::TileKey>& only = spec.only;
+  std::vector<scene::TileKey> tiles = scene::tiles_of(header);
+  std::erase_if(tiles, [&](scene::TileKey tile) { return !scene::touches_clip(header.clip, box_of(header, tile)); });
+  if (tiles.empty() && spec.clip) return Error{spec.clip->where, "leaves no ground of the map inside"};
   for (const scene::TileKey tile : only) {
     if (std::ranges::binary_search(tiles, tile)) continue;
     return Error{"--only", fmt::format("the map has no tile {}; its tiles are {} to {}", to_string(tile),
@@ -163,7 +168,9 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
                        .cars = car_share_of(spec),
                        .has_street_furniture = has(spec.assume, Assumption::kRoadsides),
                        .people = spec.people,
-                       .traffic = spec.traffic};
+                       .traffic = spec.traffic,
+                       .shown = scene::with_request({}, spec.shown),
+                       .clip = make_clip(spec, plane)};
   if (!header.snow_line_m && climate::is_under_snow(header.climate.origin_class, scene::local_month_of(header)))
     header.snow_line_m = kBelowAllLand_m;
   if (spec.edits) header.sources.push_back(edits::source_text(*spec.edits));
@@ -172,7 +179,7 @@ Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& pla
     const bool is_new = std::ranges::find(header.attributions, raster.credit) == header.attributions.end();
     if (!raster.credit.empty() && is_new) header.attributions.push_back(raster.credit);
   }
-  if (const Result<Done> done = are_tiles_of(header, spec.only); !done) return done.error();
+  if (const Result<Done> done = are_tiles_of(header, spec); !done) return done.error();
   return header;
 }
 

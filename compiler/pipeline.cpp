@@ -23,6 +23,7 @@
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/water/pool_rims.h"
 #include "compiler/lots/add_yards.h"
+#include "compiler/make_clip.h"
 #include "compiler/make_header.h"
 #include "compiler/map/locate.h"
 #include "compiler/map/ways/private_ways.h"
@@ -277,9 +278,29 @@ std::vector<wires::WireSpan> wires_of(const CompileSpec& spec, const map::Featur
                 wires::order_of);
 }
 
-// Plans the objects that stand on the ground, and the wires.
+// Leaves out what stands beyond a clip, and counts it. Does nothing without a clip.
+void leave_out_beyond(const scene::Clip& clip, Standing& standing, Report& report) {
+  if (clip.empty()) return;
+  StandingRecipes all{.buildings = std::move(standing.buildings),
+                      .trees = std::move(standing.plants.trees),
+                      .lamps = std::move(standing.props.lamps),
+                      .things = std::move(standing.things.things),
+                      .barriers = std::move(standing.barriers),
+                      .wire_spans = std::move(standing.wire_spans)};
+  Account account;
+  account.in = all.buildings.size();
+  StandingRecipes kept = within_clip(std::move(all), clip);
+  account.out = kept.buildings.size();
+  if (account.in > account.out) account.dropped[Code::kOutsideBounds] = account.in - account.out;
+  report.account("clip", "building") = account;
+  standing.buildings = std::move(kept.buildings), standing.plants.trees = std::move(kept.trees);
+  standing.props.lamps = std::move(kept.lamps), standing.things.things = std::move(kept.things);
+  standing.barriers = std::move(kept.barriers), standing.wire_spans = std::move(kept.wire_spans);
+}
+
+// Plans the objects that stand on the ground inside of a clip, and the wires.
 Result<Standing> plan_standing(const CompileSpec& spec, const map::FeatureView& features, const Land& land,
-                               const Tables& tables, StageTimer& timer, Report& report) {
+                               const Tables& tables, const scene::Clip& clip, StageTimer& timer, Report& report) {
   Standing standing;
   timer.enter("buildings");
   standing.buildings =
@@ -299,6 +320,7 @@ Result<Standing> plan_standing(const CompileSpec& spec, const map::FeatureView& 
   standing.barriers = joined(std::move(standing.barriers), standing.things.railings, props::order_of);
   timer.enter("wires");
   standing.wire_spans = wires_of(spec, features, land, standing.things, report);
+  leave_out_beyond(clip, standing, report);
   return standing;
 }
 
@@ -367,7 +389,8 @@ Result<CompileResult> compile_part(const CompileSpec& spec, const std::string& e
 
   // what stands on the ground
   const Land land{.ground = ground, .roads = roads, .structures = structures, .graded = graded, .planned = planned};
-  const Result<Standing> standing = plan_standing(spec, features, land, *tables, timer, report);
+  const scene::Clip clip = survey ? survey->header.clip : make_clip(spec, plane);
+  const Result<Standing> standing = plan_standing(spec, features, land, *tables, clip, timer, report);
   if (!standing) return standing.error();
   const auto& [buildings, plants, props, pitches, things, barriers, wire_spans] = *standing;
 

@@ -12,6 +12,7 @@
 #include "compiler/contract/texts/parse.h"
 #include "compiler/edits/parse_edits.h"
 #include "compiler/geometry/snap.h"
+#include "compiler/parse_shown.h"
 #include "compiler/parse_values.h"
 #include "compiler/sky/clouds/read_clouds.h"
 #include "compiler/sky/moment.h"
@@ -87,6 +88,14 @@ Result<Done> set_bbox(CompileSpec& spec, std::string_view text) {
   }
   if (is_across_180) box.east += 360;
   spec.map.bbox = box;
+  return Done{};
+}
+
+// The extent is the outline's box, unless one is given.
+Result<Done> set_clip(CompileSpec& spec, std::string_view text) {
+  Result<source::Outline> outline = source::read_outline(std::string(text));
+  if (!outline) return outline.error();
+  clip_to(std::move(*outline), spec);
   return Done{};
 }
 
@@ -330,6 +339,20 @@ Result<Done> set_people(CompileSpec& spec, std::string_view text) {
   return spec.people = *share, Done{};
 }
 
+Result<Done> set_layers(CompileSpec& spec, std::string_view text) {
+  return put(parse_layers(text), spec.shown.left_out);
+}
+
+Result<Done> set_wood_density(CompileSpec& spec, std::string_view text) {
+  return put(parse_wood_density(text), spec.shown.wood_density);
+}
+
+Result<Done> set_lamps(CompileSpec& spec, std::string_view text) { return put(parse_lamps(text), spec.shown.lamps); }
+
+Result<Done> set_lit_windows(CompileSpec& spec, std::string_view text) {
+  return put(parse_lit_windows(text), spec.shown.lit_windows);
+}
+
 Result<Done> set_strict(CompileSpec& spec, std::string_view text) {
   spec.strict = {.is_on = text != "false", .codes = {}};
   if (text == "true" || text == "false") return Done{};
@@ -362,6 +385,12 @@ constexpr Setting kSettings[] = {
     {"bbox", "W,S,E,N",
      "area to compile in degrees, such as 7.40,43.72,7.44,43.75 (default: the extract's bounding box)", false,
      set_bbox},
+    {"clip", "FILE.geojson|FILE.poly",
+     "polygons to compile: ground, roads, water and things end there, and buildings stay if their centroid is inside "
+     "(default: all of the box)",
+     false, set_clip},
+    {"area", "NAME", "an administrative area of the map, by its name, name:en or id (r123), as the polygons of --clip",
+     false, set_text<&CompileSpec::area>},
     {"origin", "LON,LAT",
      "origin of the plane in degrees, such as 7.42,43.73 (default: the area's centre, rounded to 0.01)", false,
      set_origin},
@@ -471,6 +500,20 @@ constexpr Setting kSettings[] = {
      "the share of spots on pavements, squares and paths with somebody, from 0 to 1; usual: by country, use of the "
      "ground and hour (default: none)",
      false, set_people},
+    {"layers", "NAME,...|-NAME,...",
+     "the layers of tiles: ground, roads, water, buildings, structures, things, plants, yards; a list keeps these "
+     "alone, "
+     "-NAME leaves one out (default: all)",
+     false, set_layers},
+    {"wood-density", "X", "factor on the number of trees in woods, from 0 to 4 (default: 1)", false, set_wood_density},
+    {"lamps", "auto|on|off",
+     "when street lamps are lit: auto: while the sun is 4° below the horizon; on: at any time; off: never, and no lamp "
+     "is a light of tiles (default: auto)",
+     false, set_lamps},
+    {"lit-windows", "usual|none|SHARE",
+     "the share of flats, offices and shops with lit windows while it is dark, from 0 to 1; usual: by use and hour "
+     "(default: usual)",
+     false, set_lit_windows},
     {"tags", "", "keep all tags of the map's elements, in the manifest and as a property of each feature in .glb files",
      false, [](CompileSpec& spec, std::string_view text) { return put(parse_switch(text), spec.map.keeps_tags); }},
     {"threads", "N", "number of threads; 0 uses all processors (default: {})", false,

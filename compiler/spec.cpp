@@ -150,6 +150,11 @@ Result<Done> check_world(const CompileSpec& spec) {
   return Done{};
 }
 
+void clip_to(source::Outline outline, CompileSpec& spec) {
+  if (!spec.map.bbox) spec.map.bbox = source::box_of(outline);
+  spec.clip = std::move(outline);
+}
+
 cars::CarShare car_share_of(const CompileSpec& spec) {
   return spec.cars.value_or(has(spec.assume, Assumption::kParking) ? cars::kUsualCars : cars::kNoCars);
 }

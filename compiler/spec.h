@@ -30,6 +30,7 @@
 #include "compiler/sky/air_settings.h"
 #include "compiler/sky/clouds/read_clouds.h"
 #include "compiler/sky/moment.h"
+#include "compiler/source/outline.h"
 #include "compiler/source/raster.h"
 
 namespace citykiln {
@@ -92,8 +93,10 @@ struct CompileSpec {
   std::vector<source::RasterSpec> rasters;  ///< At each place the first heightmap that covers it is used.
   std::optional<edits::Edits> edits;        ///< Mends of the map, made when it has been read; empty: none.
   map::Options map;
-  double tile_m = map::kDefaultTile_m;  ///< A multiple of map::kCell_m.
-  std::vector<scene::TileKey> only;     ///< Sorted. If not empty, only these tiles are compiled.
+  double tile_m = map::kDefaultTile_m;    ///< A multiple of map::kCell_m.
+  std::optional<source::Outline> clip{};  ///< Nothing is compiled beyond it.
+  std::string area;                       ///< The name of an area of the map that becomes the clip; "" for none.
+  std::vector<scene::TileKey> only;       ///< Sorted. If not empty, only these tiles are compiled.
   std::uint64_t seed = 0;
   Assumptions assume = kNamedAssumptions;  ///< The assumptions made where the map is silent.
   std::optional<double> snow_line_m;       ///< Land above it is covered by snow.
@@ -103,6 +106,7 @@ struct CompileSpec {
   bool fill_lots = false;      ///< Houses on residential land without buildings (lots/fill_lots.h).
   std::optional<cars::CarShare> cars;            ///< Parked cars (cars/parked_cars.h). Empty: car_share_of() decides.
   people::PeopleShare people = people::kNobody;  ///< People in the streets (people/people.h).
+  scene::ShownRequest shown{};                   ///< Layers, density of woods and lights of the tiles.
   cars::CarShare traffic = cars::kNoCars;        ///< Cars in the lanes of carriageways (cars/moving_cars.h).
   World world = World::kByOutput;   ///< 3D Tiles need the ellipsoid or a cylinder, others the plane or a cylinder.
   map::Cylinder cylinder{};         ///< For World::kCylinder.
@@ -118,6 +122,9 @@ struct CompileSpec {
 /// Returns the share of parking places with a car: that of the spec, else the usual one if any rows of parked cars are
 /// assumed (Assumption::kParking), else none.
 cars::CarShare car_share_of(const CompileSpec& spec);
+
+/// Makes an outline the clip of a spec; its box becomes the box to compile if none is given.
+void clip_to(source::Outline outline, CompileSpec& spec);
 
 /// Reads spec.json: an object whose keys are names of settings and whose values are strings, numbers, booleans, or
 /// arrays of these. Paths are relative to the working directory. Errors: a missing file, malformed JSON (with line and

@@ -35,6 +35,7 @@ bool is_empty(const map::Features& features) {
 Result<source::LonLatBox> choose_worthwhile_extent(const CompileSpec& spec, const source::OsmData& osm,
                                                    Report& report) {
   Result<source::LonLatBox> box = map::choose_extent(osm, spec.map.bbox, report);
+  if (!box && spec.clip) return Error{spec.clip->where, box.error().message};
   if (!box) return box;
   const map::Plane plane(spec.map.origin.value_or(map::default_origin(*box)));
   const bool has_box = spec.map.bbox || osm.header_box;

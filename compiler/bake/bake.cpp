@@ -8,6 +8,7 @@
 #include "compiler/bake/tile_levels.h"
 #include "compiler/bake/view_markings.h"
 #include "compiler/contract/system/for_each_slot.h"
+#include "compiler/scene/shown_chunk.h"
 
 namespace citykiln::bake {
 namespace {
@@ -21,7 +22,7 @@ std::shared_ptr<const PrototypeCache> cache_or_own(const scene::Header& header,
 
 struct PreparedTile {
   const scene::Header& header;
-  const scene::Chunk& chunk;
+  std::shared_ptr<const scene::Chunk> chunk;
   std::vector<TileLevel> levels;
   std::shared_ptr<const PrototypeCache> prototypes;
   std::size_t most_instances;
@@ -30,8 +31,17 @@ struct PreparedTile {
 namespace {
 
 std::shared_ptr<PreparedTile> with_buildings(PreparedTile&& prepared, int threads) {
-  generate_textured_buildings(prepared.header, prepared.chunk, *prepared.prototypes, prepared.levels, threads);
+  if (shows(prepared.header, scene::SceneLayer::kBuildings))
+    generate_textured_buildings(prepared.header, *prepared.chunk, *prepared.prototypes, prepared.levels, threads);
   return std::make_shared<PreparedTile>(std::move(prepared));
+}
+
+PreparedTile prepared_tile(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> tolerances_m,
+                           int threads, KeptReferences kept, std::shared_ptr<const PrototypeCache> prototypes,
+                           std::size_t most_instances) {
+  std::shared_ptr<const scene::Chunk> shown = scene::shared_shown_chunk(header, chunk);
+  std::vector<TileLevel> levels = levels_of(header, *shown, tolerances_m, threads, kept);
+  return {header, std::move(shown), std::move(levels), cache_or_own(header, std::move(prototypes)), most_instances};
 }
 
 }  // namespace
@@ -39,18 +49,18 @@ std::shared_ptr<PreparedTile> with_buildings(PreparedTile&& prepared, int thread
 std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::Chunk& chunk,
                                       std::span<const double> tolerances_m, int threads,
                                       std::shared_ptr<const PrototypeCache> prototypes, std::size_t most_instances) {
-  return with_buildings({header, chunk, levels_of(header, chunk, tolerances_m, threads, KeptReferences::kNone),
-                         cache_or_own(header, std::move(prototypes)), most_instances},
-                        threads);
+  return with_buildings(
+      prepared_tile(header, chunk, tolerances_m, threads, KeptReferences::kNone, std::move(prototypes), most_instances),
+      threads);
 }
 
 std::shared_ptr<PreparedTile> prepare_for_check(const scene::Header& header, const scene::Chunk& chunk,
                                                 std::span<const double> tolerances_m, int threads,
                                                 std::shared_ptr<const PrototypeCache> prototypes,
                                                 std::size_t most_instances) {
-  return with_buildings({header, chunk, levels_of(header, chunk, tolerances_m, threads, KeptReferences::kAll),
-                         cache_or_own(header, std::move(prototypes)), most_instances},
-                        threads);
+  return with_buildings(
+      prepared_tile(header, chunk, tolerances_m, threads, KeptReferences::kAll, std::move(prototypes), most_instances),
+      threads);
 }
 
 ExpectedGround expected_ground_of(const PreparedTile& prepared, std::size_t level) {
@@ -69,7 +79,7 @@ BakedTile bake_prepared(PreparedTile& prepared, std::size_t level, int threads, 
   assert(level < prepared.levels.size() && prepared.levels[level].shared && "each level is baked once");
   TileLevel own = std::move(prepared.levels[level]);
   const LevelRequest request{.header = prepared.header,
-                             .chunk = prepared.chunk,
+                             .chunk = *prepared.chunk,
                              .part = nullptr,
                              .cell = nullptr,
                              .most_instances = prepared.most_instances};
@@ -102,8 +112,10 @@ std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chu
   return tiles;
 }
 
-std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view, int threads,
+std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& all, const ViewLevels& view, int threads,
                             std::shared_ptr<const PrototypeCache> prototypes, std::size_t most_instances) {
+  const std::shared_ptr<const scene::Chunk> shown = scene::shared_shown_chunk(header, all);
+  const scene::Chunk& chunk = *shown;
   prototypes = cache_or_own(header, std::move(prototypes));
   const std::vector<int> parts = levels_of_parts(view, header, chunk);
   std::vector<TileLevel> levels = levels_for_view(header, chunk, view, parts, threads);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "compiler/bake/clip_to_extent.h"
 #include "compiler/bake/ground/ground_meshes.h"
 #include "compiler/bake/ground/ground_uvs.h"
+#include "compiler/bake/ground/shown_ground.h"
 #include "compiler/bake/ground/skirt.h"
 #include "compiler/bake/image_uvs.h"
 #include "compiler/bake/merge.h"
@@ -30,13 +32,30 @@
 namespace citykiln::bake {
 namespace {
 
+// The depth of the ground's edge at a clip: that of the tile's border, and enough to be seen.
+double clip_skirt_m(double tolerance_m) {
+  constexpr double kLeastEdge_m = 2;
+  return std::max(kLeastEdge_m, kSkirtDepthTolerances * tolerance_m);
+}
+
 void bake_cells(Baking& baking, std::span<const ground::GroundMesh> cells, std::span<const ViewCell> seen,
                 const scene::LandCover& cover, const Markings& markings) {
   assert(cells.size() == seen.size());
+  const scene::Shown& shown = baking.header.shown;
+  const bool is_clipped = !baking.header.clip.empty(), has_land_for_others = shows_land_for_others(shown);
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    const ground::GroundMesh& ground = cells[c];
-    baking.certify_terrain(length(Vec2{ground.error_m, ground.border_error_m}), bounds_of(ground.mesh));
-    std::vector<LayeredMesh> meshes = material_meshes(ground, cover, markings, baking.header, baking.tolerance_m);
+    const ground::GroundMesh& whole = cells[c];
+    baking.certify_terrain(length(Vec2{whole.error_m, whole.border_error_m}), bounds_of(whole.mesh));
+    std::optional<ground::GroundMesh> changed;
+    if (is_clipped || has_land_for_others) changed = whole;
+    RemovedEdges removed;
+    if (is_clipped) removed = remove_beyond_clip(*changed, cover);
+    if (has_land_for_others) changed = shown_ground(std::move(*changed), cover, shown);
+    std::vector<LayeredMesh> meshes =
+        material_meshes(changed ? *changed : whole, cover, markings, baking.header, baking.tolerance_m);
+    std::erase_if(meshes, [&](const LayeredMesh& each) { return !is_shown(shown, each.layer); });
+    if (!removed.empty())
+      for (LayeredMesh& each : meshes) add_skirt(each.mesh, removed, clip_skirt_m(baking.tolerance_m));
     for (LayeredMesh& each : meshes) add_skirt(each.mesh, seen[c].skirt, seen[c].skirt_m);
     baking.take(std::move(meshes));
   }
@@ -183,6 +202,22 @@ Generated within_extent(Generated generated, const Box2& extent) {
   return generated;
 }
 
+void bake_barriers_and_wires(Baking& baking, const SharedByLevels& shared, const PrototypeCache& prototypes,
+                             Report& report) {
+  const double tolerance_m = baking.tolerance_m;
+  const Box2& extent = baking.header.extent;
+  bake_each(
+      baking, Layer::kProps, bands_of(baking), "barrier", report,
+      [&](const auto& b) { return bounds_of(b, baking.chunk.heights); },
+      [&](const auto& b) { return within_extent(props::generate(b, *shared.graded, tolerance_m), extent); });
+  std::vector<wires::WireSpan> wire_spans = baking.chunk.wire_spans;
+  if (baking.part || tolerance_m < kShowsFurniture_m)
+    std::ranges::move(wires_of(shared.pole_spans, prototypes), std::back_inserter(wire_spans));
+  bake_each(
+      baking, Layer::kProps, wire_spans, "wires", report, [](const auto& span) { return bounds_of(span); },
+      [&](const auto& span) { return within_extent(wires::generate(span, tolerance_m), extent); });
+}
+
 }  // namespace
 
 BakedTile bake_level(const LevelRequest& request, TileLevel& level, const PrototypeCache& prototypes, int threads,
@@ -197,28 +232,22 @@ BakedTile bake_level(const LevelRequest& request, TileLevel& level, const Protot
   if (part) tile.viewpoint = Viewpoint{part->levels.view.eye, part->levels.view.focal_px, 0};
   Baking baking{header, chunk, tolerance_m, tile, part, cell};
 
-  std::vector<GeneratedSpan> structures = generate_structures(baking, report);
+  const auto has_layer = [&](Layer layer) { return is_shown(header.shown, layer); };
+  std::vector<GeneratedSpan> structures;
+  if (has_layer(Layer::kStructures)) structures = generate_structures(baking, report);
   report.append(level.cell_report);
   bake_ground(baking, level, std::move(structures));
   bake_stairs(baking, shared.stairs);
-  bake_buildings(baking, level, prototypes, threads, report);
-  bake_each(
-      baking, Layer::kProps, bands_of(baking), "barrier", report,
-      [&](const auto& b) { return bounds_of(b, baking.chunk.heights); },
-      [&](const auto& b) { return within_extent(props::generate(b, graded, tolerance_m), baking.header.extent); });
-  std::vector<wires::WireSpan> wire_spans = baking.chunk.wire_spans;
-  if (part || tolerance_m < kShowsFurniture_m)
-    std::ranges::move(wires_of(shared.pole_spans, prototypes), std::back_inserter(wire_spans));
-  bake_each(
-      baking, Layer::kProps, wire_spans, "wires", report, [](const auto& span) { return bounds_of(span); },
-      [&](const auto& span) { return within_extent(wires::generate(span, tolerance_m), baking.header.extent); });
+  if (has_layer(Layer::kBuildings)) bake_buildings(baking, level, prototypes, threads, report);
+  if (has_layer(Layer::kProps)) bake_barriers_and_wires(baking, shared, prototypes, report);
   report.append(shared.tree_report);
   bake_tree_pits(baking, shared);
   Placed placed = placed_in(baking, shared);
   baking.certify(placed.drawn_left_out_m, bounds_of(chunk.heights, scene::box_of(header, chunk.tile)));
   bake_canopy(baking, level, placed);
   add_features_of(baking, placed);
-  const BakedTufts tufts = tufts_on(baking, level);
+  BakedTufts tufts;
+  if (has_layer(Layer::kPlants)) tufts = tufts_on(baking, level);
   for (const auto& [kind, placements] : tufts)
     for (const Placement& p : placements) baking.features.insert(p.feature);
 

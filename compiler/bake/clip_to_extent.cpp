@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "compiler/geometry/snap.h"
+#include "compiler/bake/cut_vertices.h"
 #include "compiler/geometry/triangles/triangulate.h"
 
 namespace citykiln::bake {
@@ -36,13 +36,6 @@ std::array<Side, 4> sides_of(const Box2& box) {
   return {Side{&Vec3::x, box.min.x, -1}, {&Vec3::x, box.max.x, 1}, {&Vec3::y, box.min.y, -1}, {&Vec3::y, box.max.y, 1}};
 }
 
-materials::Tint mixed_tint(materials::Tint a, materials::Tint b, double share) {
-  materials::Tint tint{};
-  for (std::size_t i = 0; i < tint.size(); ++i)
-    tint[i] = static_cast<std::uint8_t>(std::floor(a[i] + (b[i] - a[i]) * share + 0.5));
-  return tint;
-}
-
 // A mesh while one side cuts it.
 struct MeshCut {
   MaterialMesh& whole;
@@ -59,14 +52,8 @@ struct MeshCut {
     return found->second;
   }
   void add_between(std::uint32_t a, std::uint32_t b, double share) {
-    Mesh& mesh = whole.mesh;
-    Vec3 p = snapped(mesh.positions[a] + (mesh.positions[b] - mesh.positions[a]) * share);
-    p.*side.coordinate = side.at_m;
-    mesh.positions.push_back(p);
-    if (!mesh.normals.empty())
-      mesh.normals.push_back(unit(mesh.normals[a] + (mesh.normals[b] - mesh.normals[a]) * share));
-    if (!whole.uvs.empty()) whole.uvs.push_back(whole.uvs[a] + (whole.uvs[b] - whole.uvs[a]) * share);
-    if (!whole.tints.empty()) whole.tints.push_back(mixed_tint(whole.tints[a], whole.tints[b], share));
+    add_vertex_between(whole, a, b, share);
+    whole.mesh.positions.back().*side.coordinate = side.at_m;
     depths_m.push_back(0);
   }
   // The part of a triangle inside, as the corners of a convex polygon.
@@ -82,30 +69,6 @@ struct MeshCut {
   }
 };
 
-// Removes vertices without triangles.
-void drop_unused(MaterialMesh& whole) {
-  constexpr std::uint32_t kUnused = ~0u;
-  Mesh& mesh = whole.mesh;
-  std::vector<std::uint32_t> numbers(mesh.positions.size(), kUnused);
-  for (const Triangle& t : mesh.triangles)
-    for (const std::uint32_t v : t) numbers[v] = 0;
-  std::uint32_t next = 0;
-  const auto keep = [&](auto& values, std::uint32_t from, std::uint32_t to) {
-    if (!values.empty()) values[to] = values[from];
-  };
-  for (std::uint32_t v = 0; v < numbers.size(); ++v) {
-    if (numbers[v] == kUnused) continue;
-    keep(mesh.positions, v, next), keep(mesh.normals, v, next), keep(whole.uvs, v, next), keep(whole.tints, v, next);
-    numbers[v] = next++;
-  }
-  mesh.positions.resize(next);
-  if (!mesh.normals.empty()) mesh.normals.resize(next);
-  if (!whole.uvs.empty()) whole.uvs.resize(next);
-  if (!whole.tints.empty()) whole.tints.resize(next);
-  for (Triangle& t : mesh.triangles)
-    for (std::uint32_t& v : t) v = numbers[v];
-}
-
 // Returns whether anything was cut off.
 bool clip_to_side(MaterialMesh& whole, const Side& side) {
   MeshCut cut{whole, side};
@@ -120,7 +83,7 @@ bool clip_to_side(MaterialMesh& whole, const Side& side) {
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) kept.push_back({corners[0], corners[i], corners[i + 1]});
   }
   whole.mesh.triangles = std::move(kept);
-  drop_unused(whole);
+  drop_unused_vertices(whole);
   return true;
 }
 

@@ -7,6 +7,7 @@
 
 #include "compiler/map/land_cover_class.h"
 #include "compiler/materials/material_mesh.h"
+#include "compiler/scene/shown.h"
 
 namespace citykiln::bake {
 
@@ -30,6 +31,19 @@ std::optional<Layer> layer_named(std::string_view name);
 
 /// The layer of a face of the ground with a class of land cover.
 Layer layer_of(map::LandCoverClass surface);
+
+/// The layer of a scene that has the meshes of a layer of tiles.
+constexpr scene::SceneLayer scene_layer_of(Layer layer) { return static_cast<scene::SceneLayer>(layer); }
+static_assert(scene_layer_of(Layer::kGround) == scene::SceneLayer::kGround &&
+              scene_layer_of(Layer::kRoads) == scene::SceneLayer::kRoads &&
+              scene_layer_of(Layer::kWater) == scene::SceneLayer::kWater &&
+              scene_layer_of(Layer::kBuildings) == scene::SceneLayer::kBuildings &&
+              scene_layer_of(Layer::kStructures) == scene::SceneLayer::kStructures &&
+              scene_layer_of(Layer::kProps) == scene::SceneLayer::kThings &&
+              scene_layer_of(Layer::kPlants) == scene::SceneLayer::kPlants);
+
+/// True if tiles show the meshes of a layer.
+constexpr bool is_shown(const scene::Shown& shown, Layer layer) { return !has(shown.left_out, scene_layer_of(layer)); }
 
 /// A mesh and the layer it belongs to.
 struct LayeredMesh {

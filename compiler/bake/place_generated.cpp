@@ -204,6 +204,7 @@ std::vector<plants::Tree> trees_with_street_trees(const scene::Header& header, c
 
 double leave_out_drawn(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m,
                        std::vector<PlacedThing>& things) {
+  if (!scene::shows(header, scene::SceneLayer::kThings)) return 0;
   double highest_m = 0;
   const auto leave_out = [&](bool may_be_there, double height_m, auto is_kind) {
     if (tolerance_m < height_m || !may_be_there) return;

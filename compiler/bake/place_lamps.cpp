@@ -18,6 +18,7 @@ Lamps place_lamps(const scene::Chunk& chunk, const ground::LandCoverIndex& land_
 }
 
 std::vector<PlacedLamp> lamps_of(const scene::Header& header, const scene::Chunk& chunk) {
+  if (!shows(header, scene::SceneLayer::kThings)) return {};
   constexpr double kFinest_m = 0.01;  // with kerbs
   const Box2 box = scene::box_of(header, chunk.tile);
   const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(chunk);
@@ -25,8 +26,9 @@ std::vector<PlacedLamp> lamps_of(const scene::Header& header, const scene::Chunk
   std::vector<PlacedLamp> placed;
   if (lamps.standing.empty()) return placed;
   const ground::GradedTerrain graded = scene::graded_terrain_of(header, chunk, kFinest_m);
+  const scene::ClipTest clip(header.clip, box.widened(scene::kHalo_m));
   for (const props::StreetLamp& lamp : lamps.standing)
-    placed.push_back({props::place(lamp, graded), lamp.kind, lamp.light});
+    if (clip.is_inside(lamp.at)) placed.push_back({props::place(lamp, graded), lamp.kind, lamp.light});
   return placed;
 }
 

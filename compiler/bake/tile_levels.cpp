@@ -42,10 +42,47 @@ std::vector<PlacedThing> people_of(const scene::Header& header, const scene::Chu
   return place_people(header, chunk, furniture, ground, box);
 }
 
+// The plants of a tile. Where they are left out, only the trunks that things keep clear of, and no findings.
+plants::GeneratedPlants plants_of(const scene::Header& header, const scene::Chunk& chunk,
+                                  std::span<const plants::Tree> trees, const plants::PlacingContext& land,
+                                  Report& report) {
+  if (shows(header, scene::SceneLayer::kPlants))
+    return plants::generate({trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.corridors}, land, report);
+  if (!shows(header, scene::SceneLayer::kThings)) return {};
+  Report left_out;
+  plants::GeneratedPlants single = plants::generate({trees, {}, {}, chunk.tree_rows, {}}, land, left_out);
+  single.placed.clear();
+  return single;
+}
+
+// Leaves out what stands beyond the clip. Stairs end there with the ground if their middle is inside.
+void leave_out_beyond_clip(const scene::ClipTest& clip, SharedByLevels& shared) {
+  const auto is_outside = [&](Vec2 at) { return !clip.is_inside(at); };
+  for (plants::PlacedPlants* plants : {&shared.trees, &shared.blades})
+    for (auto& [prototype, placements] : *plants)
+      std::erase_if(placements, [&](const Placement& p) { return is_outside(in_plan(p.at)); });
+  std::vector<props::StreetLamp> lamps;
+  std::size_t mapped = 0;
+  for (std::size_t i = 0; i < shared.lamps.standing.size(); ++i) {
+    if (is_outside(shared.lamps.standing[i].at)) continue;
+    lamps.push_back(shared.lamps.standing[i]);
+    mapped += i < shared.lamps.mapped;
+  }
+  shared.lamps = {std::move(lamps), mapped};
+  std::erase_if(shared.things, [&](const PlacedThing& thing) { return is_outside(in_plan(thing.placement.at)); });
+  std::erase_if(shared.pits, [&](const props::TreePit& pit) { return is_outside(pit.at); });
+  std::erase_if(shared.pole_spans, [&](const PlacedPoleSpan& span) {
+    return is_outside(in_plan(span.from.at)) || is_outside(in_plan(span.to.at));
+  });
+  std::erase_if(shared.stairs,
+                [&](const structures::Stairs& stairs) { return is_outside(bounds_of(stairs).plan.centre()); });
+}
+
 SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m,
                                 const Wanted& wanted) {
   const Box2 box = scene::box_of(header, chunk.tile);
-  const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(chunk);
+  std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(chunk);
+  if (!header.clip.empty()) surfaces.push_back(scene::beyond_clip(header.clip, box.widened(scene::kHalo_m)));
   const ground::LandCoverIndex map = ground::index_land_cover(surfaces, box.widened(scene::kHalo_m));
   SharedByLevels shared{
       .graded = std::make_shared<ground::GradedTerrain>(scene::graded_terrain_of(header, chunk, tolerance_m)),
@@ -58,24 +95,29 @@ SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk&
   std::vector<plants::Tree> trees =
       trees_with_street_trees(header, chunk, {map, *shared.graded, shared.lamps, {}}, box);
   trees.insert(trees.end(), plots.plants.begin(), plots.plants.end());
-  plants::GeneratedPlants plants = plants::generate(
-      {trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.corridors}, land, shared.tree_report);
+  plants::GeneratedPlants plants = plants_of(header, chunk, trees, land, shared.tree_report);
   shared.trees = std::move(plants.placed);
   const TileGround on{map, *shared.graded, shared.lamps, plants.trunks, plots.grounds};
   GeneratedThings drawn = place_generated(header, chunk, on, box, wanted.things);
   if (wanted.people && people::has_people(header.people))
     std::ranges::move(people_of(header, chunk, on, box), std::back_inserter(drawn.placed));
-  shared.things = place_things(chunk.things, *shared.graded, std::move(drawn.placed));
-  shared.pole_spans = std::move(drawn.pole_spans);
-  shared.pits = props::tree_pits(joined(shared.trees), chunk.roads, map);
+  if (shows(header, scene::SceneLayer::kThings)) {
+    shared.things = place_things(chunk.things, *shared.graded, std::move(drawn.placed));
+    shared.pole_spans = std::move(drawn.pole_spans);
+    shared.pits = props::tree_pits(joined(shared.trees), chunk.roads, map);
+  } else {
+    shared.lamps = {};
+  }
   if (wanted.hedge_plants) add_hedges(chunk, land, shared.trees);
   if (wanted.blades) shared.blades = plants::generate_blades(chunk.plantings, land);
   for (const double canopy_m : wanted.canopies_m)
     shared.canopies.push_back(plants::make_canopy(chunk.woods, chunk.corridors, land, canopy_m, month_of(header)));
+  const bool has_stairs = shows(header, scene::SceneLayer::kStructures);
   for (const roads::Road& road : chunk.roads)
-    if (road.surface == map::LandCoverClass::kSteps)
+    if (has_stairs && road.surface == map::LandCoverClass::kSteps)
       shared.stairs.push_back(structures::stairs_on(road, map, *shared.graded, box));
   std::erase_if(shared.stairs, [](const structures::Stairs& stairs) { return stairs.mesh.triangles.empty(); });
+  if (!header.clip.empty()) leave_out_beyond_clip(scene::ClipTest(header.clip, box.widened(scene::kHalo_m)), shared);
   return shared;
 }
 
@@ -100,14 +142,17 @@ struct SharedParts {
     const bool has_roads = has_detail(Detail::kRoadSurfaces, tolerance_m);
     std::shared_ptr<const SharedByLevels>& shared = made[has_roads ? 0 : 1];
     if (shared) return shared;
+    const bool has_plants = scene::shows(header, scene::SceneLayer::kPlants),
+               has_things = scene::shows(header, scene::SceneLayer::kThings);
     // in a view a hedge may be near and far, so all of its parts have hedge plants
-    Wanted wanted{.blades = has_roads && has_detail(Detail::kGrassBlades, std::ranges::min(tolerances_m)),
-                  .hedge_plants = is_view || has_detail(Detail::kHedgePlants, tolerance_m),
-                  .people = shows(kShowsPeople_m, has_roads),
-                  .things = {.cars = shows(kShowsCars_m, has_roads),
-                             .furniture = shows(kShowsFurniture_m, has_roads),
-                             .cranes = shows(kShowsCranes_m, has_roads)}};
-    if (!has_roads && !is_view) std::ranges::copy_if(tolerances_m, std::back_inserter(wanted.canopies_m), has_canopy);
+    Wanted wanted{.blades = has_plants && has_roads && has_detail(Detail::kGrassBlades, std::ranges::min(tolerances_m)),
+                  .hedge_plants = has_plants && (is_view || has_detail(Detail::kHedgePlants, tolerance_m)),
+                  .people = has_things && shows(kShowsPeople_m, has_roads),
+                  .things = {.cars = has_things && shows(kShowsCars_m, has_roads),
+                             .furniture = has_things && shows(kShowsFurniture_m, has_roads),
+                             .cranes = has_things && shows(kShowsCranes_m, has_roads)}};
+    if (has_plants && !has_roads && !is_view)
+      std::ranges::copy_if(tolerances_m, std::back_inserter(wanted.canopies_m), has_canopy);
     return shared = std::make_shared<SharedByLevels>(make_shared_part(header, chunk, tolerance_m, wanted));
   }
 };
@@ -151,6 +196,7 @@ std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk
                                  std::span<const double> tolerances_m, int threads, KeptReferences kept) {
   const Box2 box = scene::box_of(header, chunk.tile);
   SharedParts shared{header, chunk, tolerances_m};
+  const bool has_plants = shows(header, scene::SceneLayer::kPlants);
   std::vector<TileLevel> levels;
   std::size_t canopies = 0;
   for (const double tolerance_m : tolerances_m) {
@@ -159,7 +205,7 @@ std::vector<TileLevel> levels_of(const scene::Header& header, const scene::Chunk
     level.cover = std::make_shared<scene::LandCover>(scene::land_cover_of(header, chunk, tolerance_m)),
     level.seen = cells_at(box, tolerance_m);
     level.barriers = chunk.barriers;
-    if (has_canopy(tolerance_m)) level.canopy = canopies++;
+    if (has_plants && has_canopy(tolerance_m)) level.canopy = canopies++;
   }
   generate_grounds(levels, box, threads, kept);
   const std::vector<Box2> beyond = ground_beyond(header, chunk);

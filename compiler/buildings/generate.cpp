@@ -26,9 +26,10 @@ using materials::MaterialMesh;
 
 // Returns one line for each of Building::fronts, in the same order, plane metres. The seed, the building and the index
 // of the front select one of the fascia colours of its kind (map::FrontValues::colours).
-// @param night  The time if it is dark; else empty, and no front is lit.
-std::vector<grammars::FrontLine> front_lines(const Building& building, const std::optional<WeekTime>& night,
-                                             std::uint64_t seed) {
+// By day no front is lit.
+std::vector<grammars::FrontLine> front_lines(const Building& building, const SceneContext& context) {
+  const std::optional<WeekTime>& night = context.night;
+  const std::uint64_t seed = context.seed;
   const Ring& ring = building.footprint.outer;
   const RandomSequence colours(seed, stable_id(building.id), "front colour");
   std::vector<grammars::FrontLine> lines;
@@ -40,7 +41,7 @@ std::vector<grammars::FrontLine> front_lines(const Building& building, const std
                      .to = from + along * front.to_m,
                      .kind = std::string(values.name),
                      .colour = std::string(values.colours[colours.below(map::kFasciaColours, i)]),
-                     .is_lit = night && is_front_lit(building, i, *night, seed)});
+                     .is_lit = night && is_front_lit(building, i, *night, seed, context.lit_share)});
   }
   return lines;
 }
@@ -134,7 +135,8 @@ std::size_t count_without_effect(const grammars::Derivation& derivation) {
 grammars::AnswerContextQuery surroundings_of(const Level& level, std::vector<Vec2> doors) {
   grammars::AnswerContextQuery entrances, lit;
   if (!doors.empty()) entrances = grammars::answer_from_entrances(std::move(doors));
-  if (level.context.night) lit = lit_windows(level.building, *level.context.night, level.context.seed);
+  if (level.context.night)
+    lit = lit_windows(level.building, *level.context.night, level.context.seed, level.context.lit_share);
   if (!lit) return entrances;
   return [entrances = std::move(entrances), lit = std::move(lit)](grammars::ContextQuery query,
                                                                   const grammars::Shape& shape) {
@@ -148,13 +150,14 @@ grammars::DeriveOptions options_of(const Level& level, const MassModel& mass, do
   options.attributes = rule_attributes_of(level.building, mass.roof.form);
   const std::optional<WeekTime>& night = level.context.night;
   options.attributes["night"] = night.has_value();
-  options.attributes["shop_lit"] = night && is_shop_lit(level.building, *night, level.context.seed);
+  options.attributes["shop_lit"] =
+      night && is_shop_lit(level.building, *night, level.context.seed, level.context.lit_share);
   std::vector<Vec2> doors = door_positions(level.building);
   options.attributes["entrances"] = static_cast<double>(doors.size());
   options.attributes["fronts"] = static_cast<double>(level.building.fronts.size());
   options.answer_context_query = surroundings_of(level, std::move(doors));
   if (!level.building.fronts.empty())
-    options.find_front = grammars::find_among_fronts(front_lines(level.building, night, level.context.seed));
+    options.find_front = grammars::find_among_fronts(front_lines(level.building, level.context));
   options.seed = level.context.seed;
   options.tolerance_m = tolerance_m;
   options.keep_start = true, options.ids = false;

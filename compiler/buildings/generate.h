@@ -35,6 +35,8 @@ struct SceneContext {
   bool is_for_blocks = false;
   /// Pictures of elements that were drawn before; null: there are no elements.
   const ElementPictures* pictures = nullptr;
+  /// While it is dark, the share of units with lit windows; empty: by use and hour.
+  std::optional<double> lit_share{};
 };
 
 /// Generates a building at one tolerance.

@@ -122,7 +122,8 @@ Vec3 middle_of(const grammars::Scope& scope) {
   return middle;
 }
 
-bool is_on(Use use, WeekTime time, const RandomSequence& draw, std::uint32_t unit) {
+bool is_on(Use use, WeekTime time, const RandomSequence& draw, std::uint32_t unit, std::optional<double> given) {
+  if (given) return draw.unit(2 * unit + 1) < *given;
   const double habit_h = draw.between(-kHabit_h, kHabit_h, 2 * unit);
   return draw.unit(2 * unit + 1) < lit_share(use, {wrapped(time.hours + habit_h)});
 }
@@ -170,7 +171,8 @@ double lit_share(Use use, WeekTime time) {
 
 double lit_window_share(Use use, WeekTime time) { return lit_share(use, time) * use_row(use).room_share; }
 
-grammars::AnswerContextQuery lit_windows(const Building& building, WeekTime time, std::uint64_t seed) {
+grammars::AnswerContextQuery lit_windows(const Building& building, WeekTime time, std::uint64_t seed,
+                                         std::optional<double> given) {
   const Use use = use_of(building);
   return [=, cells = cells_of(building), whole = is_one_unit(building, use),
           units = RandomSequence(seed, id_of(building), "lit unit"),
@@ -179,15 +181,18 @@ grammars::AnswerContextQuery lit_windows(const Building& building, WeekTime time
     if (query != grammars::ContextQuery::kIsLit) return false;
     const UseRow& row = use_row(use);
     const Vec3 at = middle_of(shape.scope);
-    const bool is_lit_room = row.room_share == 1 || rooms.unit(cell_at(cells, at, row.room_m)) < row.room_share;
-    return is_lit_room && is_on(use, time, units, whole ? 0 : cell_at(cells, at, row.unit_m));
+    const bool is_lit_room =
+        given || row.room_share == 1 || rooms.unit(cell_at(cells, at, row.room_m)) < row.room_share;
+    return is_lit_room && is_on(use, time, units, whole ? 0 : cell_at(cells, at, row.unit_m), given);
   };
 }
 
-bool is_front_lit(const Building& building, std::uint32_t front, WeekTime time, std::uint64_t seed) {
+bool is_front_lit(const Building& building, std::uint32_t front, WeekTime time, std::uint64_t seed,
+                  std::optional<double> given) {
   constexpr double kEarly_h = 0.5, kLate_h = 0.75, kWindowsFrom_h = 15, kWindowsUntil_h = 23.5;
   const map::FrontValues& values = map::values_of(building.fronts[front].kind);
   const RandomSequence draw(seed, id_of(building), "lit front");
+  if (given) return draw.unit(3 * front + 2) < *given;
   const double hours = wrapped(time.hours), of_day = hours - 24 * std::floor(hours / 24);
   if (is_open_at(building.fronts[front].hours.value_or(values.hours), hours, draw.between(0, kEarly_h, 3 * front),
                  draw.between(0, kLate_h, 3 * front + 1)))
@@ -196,8 +201,8 @@ bool is_front_lit(const Building& building, std::uint32_t front, WeekTime time, 
   return has_lit_window && of_day >= kWindowsFrom_h && of_day < kWindowsUntil_h;
 }
 
-bool is_shop_lit(const Building& building, WeekTime time, std::uint64_t seed) {
-  return is_on(Use::kShop, time, RandomSequence(seed, id_of(building), "lit shop"), 0);
+bool is_shop_lit(const Building& building, WeekTime time, std::uint64_t seed, std::optional<double> given) {
+  return is_on(Use::kShop, time, RandomSequence(seed, id_of(building), "lit shop"), 0, given);
 }
 
 }  // namespace citykiln::buildings

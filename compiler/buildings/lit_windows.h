@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "compiler/buildings/recipe.h"
 #include "grammars/derivation/context_query.h"
@@ -40,14 +41,18 @@ double lit_window_share(Use use, WeekTime time);
 /// Returns a function that answers ContextQuery::kIsLit: true if the window at the middle of a shape's scope is lit.
 /// O(1) per query.
 /// @param building  Must outlive the function.
-grammars::AnswerContextQuery lit_windows(const Building& building, WeekTime time, std::uint64_t seed);
+/// @param given     The share of units with lamps on, in place of lit_share(). All of their rooms are then lit.
+grammars::AnswerContextQuery lit_windows(const Building& building, WeekTime time, std::uint64_t seed,
+                                         std::optional<double> given = {});
 
 /// True if lamps are on behind a shop front: during its hours (as tagged, else of its kind), and up to half an hour
 /// before and three quarters after them. A share of the fronts, by kind, is lit from 15:00 to 23:30 on all days.
 /// @param front  Index into building.fronts.
-bool is_front_lit(const Building& building, std::uint32_t front, WeekTime time, std::uint64_t seed);
+/// @param given  The share of fronts that are lit, in place of hours.
+bool is_front_lit(const Building& building, std::uint32_t front, WeekTime time, std::uint64_t seed,
+                  std::optional<double> given = {});
 
 /// True if lamps are on in the shops of a building's ground floor.
-bool is_shop_lit(const Building& building, WeekTime time, std::uint64_t seed);
+bool is_shop_lit(const Building& building, WeekTime time, std::uint64_t seed, std::optional<double> given = {});
 
 }  // namespace citykiln::buildings

@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 
 #include "compiler/bake/far/bend.h"
 #include "compiler/bake/tiles/join_tiles.h"
@@ -44,6 +45,13 @@ struct BakeRequest {
   double pixel_error = 1;
   CompileSpec spec;  ///< The settings shared with compile: only, emit, lods, target, split, compress, threads.
 };
+
+/// Reads the manifest, of which tiles show what is requested.
+Result<scene::Scene> read_shown_scene(const BakeRequest& request, std::span<const scene::TileKey> only) {
+  Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, only);
+  if (scene) scene->header.shown = scene::with_request(scene->header.shown, request.spec.shown);
+  return scene;
+}
 
 /// All tiles of the scene joined to one.
 Result<bake::BakedTile> bake_as_one_tile(const scene::Scene& scene, const BakeRequest& request,
@@ -90,7 +98,7 @@ Result<double> write_one_file(const BakeRequest& request, const scene::Scene& sc
 }
 
 Result<Exit> bake_to_file(const BakeRequest& request, const Console& console) {
-  const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, request.spec.only);
+  const Result<scene::Scene> scene = read_shown_scene(request, request.spec.only);
   if (!scene) return scene.error();
   if (scene->chunks.empty()) return Error{request.manifest_path, "contains no tiles"};
   const Result<bake::BakedTile> tile = bake_as_one_tile(*scene, request, console.progress());
@@ -136,7 +144,7 @@ Result<bake::BakedTile> bake_for_view(const BakeRequest& request, const scene::S
 }
 
 Result<Exit> bake_view_to_file(const BakeRequest& request, const Console& console) {
-  const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, {});
+  const Result<scene::Scene> scene = read_shown_scene(request, {});
   if (!scene) return scene.error();
   if (scene::cylinder_of(scene->header))
     return Error{"--eye", "is for worlds in the plane, found one inside of a cylinder; give --tolerance M instead"};
@@ -171,7 +179,7 @@ Result<Done> fits_manifest(const CompileSpec& spec, const scene::Header& header)
 }
 
 Result<Exit> bake_to_folder(const BakeRequest& request, const Console& console) {
-  const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, request.spec.only);
+  const Result<scene::Scene> scene = read_shown_scene(request, request.spec.only);
   if (!scene) return scene.error();
   if (const Result<Done> fits = fits_manifest(request.spec, scene->header); !fits) return fits.error();
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(request.out_path);
@@ -240,7 +248,8 @@ void add_settings(Verb& verb, BakeRequest& request) {
     const std::string_view name = setting.name;
     if (name != "only" && name != "emit" && name != "lods" && name != "target" && name != "split" &&
         name != "compress" && name != "lights" && name != "layout" && name != "max-bytes" && name != "max-triangles" &&
-        name != "world" && name != "geoid-height" && name != "threads" && name != "surroundings") {
+        name != "world" && name != "geoid-height" && name != "threads" && name != "surroundings" && name != "layers" &&
+        name != "wood-density" && name != "lamps" && name != "lit-windows") {
       continue;
     }
     const std::string flags = name == "only" ? "--tile,--only" : "--" + std::string(name);

@@ -146,7 +146,8 @@ Result<verify::CheckResults> check_tiles(const verify::LoadedRun& loaded, int th
   for_each_in_order(
       tiles.size(), threads, [&](std::size_t i) { slots[i] = verify::check_tile(loaded, tiles[i]); }, take);
   if (!done) return done.error();
-  verify::check_seams(borders, results.seams);
+  // where one tile has a road along its border, its neighbour may have land, which is left out
+  if (shows(loaded.scene.header, scene::SceneLayer::kGround)) verify::check_seams(borders, results.seams);
   return results;
 }
 

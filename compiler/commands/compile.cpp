@@ -5,6 +5,7 @@
 #include "compiler/commands/compile_to_folder.h"
 #include "compiler/commands/plan/compile_region.h"
 #include "compiler/commands/verb.h"
+#include "compiler/find_area.h"
 #include "compiler/pipeline.h"
 
 namespace citykiln::commands {
@@ -24,9 +25,10 @@ Verb compile_verb() {
                    "citykiln compile --plan PLAN --region 0_-1"};
   verb.run = [request](const Console& console) -> Result<Exit> {
     if (!request->plan.empty()) return compile_region(request->plan, request->region, request->compile, console);
-    const Result<CompileSpec> spec = spec_of(request->compile);
+    Result<CompileSpec> spec = spec_of(request->compile);
     if (!spec) return spec.error();
     if (const Result<Done> complete = check_complete(*spec); !complete) return complete.error();
+    if (const Result<Done> area = resolve_area(*spec); !area) return area.error();
     const Result<Compiled> compiled = compile_to_folder(
         *spec, [&](const OnProgress& progress) { return compile(*spec, progress); }, console);
     return compiled ? Result<Exit>(compiled->exit) : compiled.error();

@@ -17,6 +17,8 @@
 #include "compiler/commands/verb.h"
 #include "compiler/contract/system/give_back_memory.h"
 #include "compiler/edits/with_edits.h"
+#include "compiler/find_area.h"
+#include "compiler/make_clip.h"
 #include "compiler/map/extent/choose_extent.h"
 #include "compiler/outputs/findings.h"
 #include "compiler/regions/cut_extract.h"
@@ -82,7 +84,8 @@ Result<Plan> make_plan(const PlanRequest& request, const CompileSpec& spec, cons
   plan.grid = {.extent = map::extent_of(plane, extent),
                .tile_m = spec.tile_m,
                .region_m = request.region_m,
-               .halo_m = request.halo_m > 0 ? request.halo_m : usual_halo_m(spec)};
+               .halo_m = request.halo_m > 0 ? request.halo_m : usual_halo_m(spec),
+               .clip = make_clip(spec, plane)};
   if (const Result<Done> sound = regions::check_grid(plan.grid); !sound) return sound.error();
   if (plan.grid.extent.width() > map::kMaxSide_m || plan.grid.extent.height() > map::kMaxSide_m)
     return Error{spec.map_path, fmt::format("the area measures {:.0f} x {:.0f} km; give a part of at most {:.0f} km a "
@@ -102,6 +105,7 @@ void describe_regions(const regions::CutFiles& files, const map::Heightfield& he
                       Plan& plan) {
   const std::vector<regions::RegionKey> keys = regions::regions_of(plan.grid);
   for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (regions::tiles_of(plan.grid, keys[i]).empty()) continue;
     PlannedRegion region{.key = keys[i],
                          .tiles = regions::tiles_of(plan.grid, keys[i]).size(),
                          .file = files.regions[i],
@@ -212,9 +216,10 @@ Result<Exit> plan_zones(const PlanRequest& request, const CompileSpec& spec, con
 }
 
 Result<Exit> plan_map(const PlanRequest& request, const Console& console) {
-  const Result<CompileSpec> spec = spec_of(request.compile);
+  Result<CompileSpec> spec = spec_of(request.compile);
   if (!spec) return spec.error();
   if (const Result<Done> complete = check_complete(*spec); !complete) return complete.error();
+  if (const Result<Done> area = resolve_area(*spec); !area) return area.error();
   if (const Result<Done> can = can_be_planned(*spec); !can) return can.error();
   if (spec->outputs.surroundings == AroundWish::kWherePossible && (spec->outputs.usd || spec->outputs.tiles3d))
     console.print_line("note: a plan writes the land around the map as .glb only, without usd and 3dtiles");

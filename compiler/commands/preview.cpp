@@ -18,6 +18,7 @@
 #include "compiler/commands/view/view_options.h"
 #include "compiler/contract/texts/parse.h"
 #include "compiler/outputs/texture_choice.h"
+#include "compiler/parse_shown.h"
 #include "compiler/parse_values.h"
 #include "preview/camera/camera_rays.h"
 #include "preview/camera/cell_view.h"
@@ -424,6 +425,24 @@ StoreValue store_parsed(std::optional<T>& value, Parse parse) {
   };
 }
 
+std::vector<Option> shown_options(scene::ShownRequest& shown) {
+  return {
+      {"--layers", "NAME,...|-NAME,...",
+       "layers to render: ground, roads, water, buildings, structures, things, plants, yards; a list keeps these "
+       "alone, "
+       "--layers=-NAME leaves one out (default: those of the scene)",
+       false, store_parsed(shown.left_out, [](const std::string& text) { return parse_layers(text); })},
+      {"--wood-density", "X", "for a manifest: factor on the number of trees in woods, 0 to 4 (default: the scene's)",
+       false, store_parsed(shown.wood_density, [](const std::string& text) { return parse_wood_density(text); })},
+      {"--lamps", "auto|on|off", "when street lamps are lit; auto: by the sun (default: the scene's)", false,
+       store_parsed(shown.lamps, [](const std::string& text) { return parse_lamps(text); })},
+      {"--lit-windows", "usual|none|SHARE",
+       "for a manifest: share of flats, offices and shops with lit windows while it is dark, 0 to 1 (default: the "
+       "scene's)",
+       false, store_parsed(shown.lit_windows, [](const std::string& text) { return parse_lit_windows(text); })},
+  };
+}
+
 std::vector<Option> light_options(PreviewRequest& request) {
   return {
       {"--time", "ISO",
@@ -480,8 +499,8 @@ Verb preview_verb() {
             "renders a picture of a manifest, a run's folder or .glb files",
             tile_options(request->load, request->cells),
             {}};
-  for (std::vector<Option> options : {camera_options(request->camera), sampling_options(*request),
-                                      light_options(*request), picture_options(*request)})
+  for (std::vector<Option> options : {camera_options(request->camera), shown_options(request->load.shown),
+                                      sampling_options(*request), light_options(*request), picture_options(*request)})
     for (Option& option : options) verb.options.push_back(std::move(option));
   verb.examples = {"citykiln preview out/town -o town.png",
                    "citykiln preview out/town --view street --time 2026-12-21T22:00 -o night.png",

@@ -6,7 +6,7 @@
 namespace citykiln::outputs {
 
 std::vector<bake::PlacedLamp> lights_of(const scene::Header& header, const scene::Chunk& chunk, std::size_t most) {
-  if (most == 0) return {};
+  if (most == 0 || header.shown.lamps == scene::LampLight::kOff) return {};
   return bake::in_world(bake::brightest(bake::lamps_of(header, chunk), most), header);
 }
 

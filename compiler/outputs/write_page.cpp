@@ -100,13 +100,13 @@ std::vector<Hour> hours_of(const scene::Header& header) {
 
 // What page.json says of the skies: that of the run, and one every three hours of local mean solar time on its date,
 // with the same air; in the order of the day.
-std::vector<PageSky> page_skies(const std::vector<Hour>& hours) {
+std::vector<PageSky> page_skies(const scene::Header& header, const std::vector<Hour>& hours) {
   std::vector<PageSky> skies;
   for (std::size_t i = 0; i < hours.size(); ++i)
     skies.push_back({.time = sky::text_of(hours[i].sky.time),
                      .label = label_of(hours[i].hours),
                      .is_of_run = hours[i].is_of_run,
-                     .are_lamps_lit = sky::are_lamps_lit(hours[i].sky),
+                     .are_lamps_lit = scene::are_lamps_lit(header.shown, hours[i].sky),
                      .file = sky_name(i)});
   return skies;
 }
@@ -131,7 +131,7 @@ exporters::PageFacts facts_of(const scene::Scene& scene, const Outputs& outputs,
           .ground_m = header.sky.ground_m + map::height_m(geoid, header.extent.centre()),
           .lights = outputs.lights,
           .has_tags = std::ranges::any_of(scene.chunks, keeps_tags),
-          .skies = page_skies(hours)};
+          .skies = page_skies(header, hours)};
 }
 
 /// What several files of the page are made of. Texts of records are made once, when the first of them is asked for.

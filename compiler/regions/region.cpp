@@ -76,6 +76,13 @@ std::vector<scene::TileKey> tiles_of(const RegionGrid& grid, RegionKey region) {
   for (std::int32_t x = down(box.min.x, grid.tile_m); x <= last_below(box.max.x, grid.tile_m); ++x)
     for (std::int32_t y = down(box.min.y, grid.tile_m); y <= last_below(box.max.y, grid.tile_m); ++y)
       tiles.push_back({x, y});
+  if (!grid.clip.empty())
+    std::erase_if(tiles, [&](scene::TileKey tile) {
+      const Vec2 min{tile.x * grid.tile_m, tile.y * grid.tile_m};
+      const Box2 own{{std::max(min.x, box.min.x), std::max(min.y, box.min.y)},
+                     {std::min(min.x + grid.tile_m, box.max.x), std::min(min.y + grid.tile_m, box.max.y)}};
+      return !scene::touches_clip(grid.clip, own);
+    });
   return tiles;
 }
 

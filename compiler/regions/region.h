@@ -26,6 +26,7 @@ struct RegionGrid {
   double tile_m = map::kDefaultTile_m;  ///< The side of a tile: a whole multiple of map::kCell_m.
   double region_m = 16384;              ///< The side of a region: a whole multiple of tile_m.
   double halo_m = 0;                    ///< The width of the data around a region that are compiled with it.
+  scene::Clip clip{};                   ///< Tiles without ground inside are of no region; empty: all are.
 };
 
 /// Returns an error if region_m is not a whole multiple of tile_m. Other members are not checked.
@@ -37,7 +38,7 @@ std::vector<RegionKey> regions_of(const RegionGrid& grid);
 /// Returns the part of the extent that belongs to a region.
 Box2 box_of(const RegionGrid& grid, RegionKey region);
 
-/// Returns the tiles of a region that the extent touches, sorted.
+/// Returns the tiles of a region that the extent touches and that have ground inside of the clip, sorted.
 std::vector<scene::TileKey> tiles_of(const RegionGrid& grid, RegionKey region);
 
 /// Returns the region that owns a place of the plane: the region around it, or the nearest region if the place is

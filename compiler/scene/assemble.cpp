@@ -358,7 +358,9 @@ Scene assemble(const Recipes& recipes, const Header& header, std::span<const Til
   const Sorted sorted = sort_by_tile(grid, recipes, junctions.surfaces);
   std::vector<std::size_t> wanted;
   for (std::size_t t = 0; t < grid.tiles.size(); ++t)
-    if (only.empty() || std::find(only.begin(), only.end(), grid.tiles[t]) != only.end()) wanted.push_back(t);
+    if ((only.empty() || std::find(only.begin(), only.end(), grid.tiles[t]) != only.end()) &&
+        touches_clip(header.clip, box_of(header, grid.tiles[t])))
+      wanted.push_back(t);
   return {header, for_each_slot<Chunk>(wanted.size(), threads, [&](std::size_t i) {
             return chunk_of(recipes, sorted, junctions, grid, wanted[i]);
           })};

@@ -220,6 +220,7 @@ vacant::Plots plots_of(const Header& header, const Chunk& chunk) {
 LandCover land_cover_of(const Header& header, const Chunk& chunk, double tolerance_m) {
   assert(tolerance_m > 0);
   std::vector<LandCoverPolygon> plots = plots_of(header, chunk).surfaces;
+  add(beyond_clip(header.clip, box_of(header, chunk.tile).widened(kHalo_m)), plots);
   if (!has_detail(Detail::kRoadSurfaces, tolerance_m)) {
     LandCover cover{coarse_land_cover(chunk), {}, {}};
     std::ranges::move(plots, std::back_inserter(cover.surfaces));

@@ -34,6 +34,10 @@ std::optional<buildings::WeekTime> night_of(const Header& header) {
   return week_time_of(header);
 }
 
+bool are_lamps_lit(const Shown& shown, const sky::Sky& sky) {
+  return shown.lamps == LampLight::kBySun ? sky::are_lamps_lit(sky) : shown.lamps == LampLight::kOn;
+}
+
 std::optional<map::Cylinder> cylinder_of(const Header& header) {
   return header.sky.inside ? std::optional(header.sky.inside->cylinder) : std::nullopt;
 }

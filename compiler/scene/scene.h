@@ -25,6 +25,8 @@
 #include "compiler/plants/species_texts.h"
 #include "compiler/props/recipe.h"
 #include "compiler/roads/junctions/junction.h"
+#include "compiler/scene/clip.h"
+#include "compiler/scene/shown.h"
 #include "compiler/sky/recipe.h"
 #include "compiler/structures/recipe.h"
 #include "compiler/surroundings/recipe.h"
@@ -71,6 +73,8 @@ struct Header {
   bool has_street_furniture = false;
   people::PeopleShare people = people::kNobody;  ///< How many people are in the streets.
   cars::CarShare traffic = cars::kNoCars;        ///< How many slots of lanes have a moving car.
+  Shown shown{};                                 ///< The recipes that tiles show, and how.
+  Clip clip{};                                   ///< Beyond it there is no ground; empty: nothing is clipped.
   bool operator==(const Header&) const = default;
 };
 
@@ -120,6 +124,12 @@ buildings::WeekTime week_time_of(const Header& header);
 /// Returns the time of the week if it is dark, which decides which windows are lit; empty by day.
 std::optional<buildings::WeekTime> night_of(const Header& header);
 
+/// True if street lamps are lit under a sky, which need not be the header's.
+bool are_lamps_lit(const Shown& shown, const sky::Sky& sky);
+
+/// True if the tiles of a scene show a layer.
+inline bool shows(const Header& header, SceneLayer layer) { return !has(header.shown.left_out, layer); }
+
 /// Returns the cylinder in which the world is; empty if it is not in one. Recipes are in the plane in either case.
 std::optional<map::Cylinder> cylinder_of(const Header& header);
 
@@ -129,7 +139,7 @@ Box2 box_of(const Header& header, TileKey tile);
 /// the nearest tile.
 /// @param anchor  The place of the object that decides: its centroid or first point, plane metres.
 bool is_anchored(const Header& header, TileKey tile, Vec2 anchor);
-/// Returns the keys of all tiles that the extent touches, sorted.
+/// Returns the keys of all tiles that the extent touches, sorted; a scene lacks those without ground in its clip.
 std::vector<TileKey> tiles_of(const Header& header);
 /// Returns the chunk's junctions whose first node lies in its tile. Each junction of a scene belongs to exactly one
 /// chunk in this way; to none if its first node is outside of the extent's tiles.

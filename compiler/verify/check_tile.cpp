@@ -15,6 +15,7 @@
 #include "compiler/map/plane/cylinder.h"
 #include "compiler/outputs/tile_lights.h"
 #include "compiler/scene/land_cover.h"
+#include "compiler/scene/shown_chunk.h"
 #include "compiler/source/voids/codes_to_voids.h"
 #include "compiler/verify/assumed/measure_assumed.h"
 #include "compiler/verify/ground/ground_index.h"
@@ -164,12 +165,27 @@ double deviation_m(const TileUnderCheck& tile, Vec2 p, double z_m, OsmId feature
   return stands_at(water->second, p) ? off_m : std::min(off_m, off_layers_m(tile, p, z_m));
 }
 
+// True for places inside of the clip and not near its border, which a level moves by up to its error.
+ExpectsGround expected_places(const TileUnderCheck& tile, double error_m) {
+  const scene::Clip& clip = tile.loaded.scene.header.clip;
+  if (clip.empty()) return {};
+  constexpr double kDiagonal = 0.7071;
+  const double far_m = error_m + kQuantum_m, near_m = kDiagonal * far_m;
+  return [=, test = scene::ClipTest(clip, tile.box.widened(far_m + 1))](Vec2 p) {
+    constexpr double kSigns[] = {-1, 0, 1};
+    for (const double x : kSigns)
+      for (const double y : kSigns)
+        if (const double by_m = x != 0 && y != 0 ? near_m : far_m; !test.is_inside(p + Vec2{x, y} * by_m)) return false;
+    return true;
+  };
+}
+
 // Samples the ground of one file.
 void check_ground(TileUnderCheck& tile, const bake::BakedTile& level, const GroundIndex& ground,
                   const std::string& name) {
   const GroundSamples samples = sample_ground(
       level, [&](Vec2 p, double z_m, OsmId feature) { return deviation_m(tile, p, z_m, feature); }, tile.box,
-      samples_a_side(ground.faces.size() + faces_of(tile.expected.references)));
+      samples_a_side(ground.faces.size() + faces_of(tile.expected.references)), expected_places(tile, level.error_m));
   // baked ground is snapped to the grid, by up to half a quantum
   tile.results().height.test_all(samples.count, samples.error_m <= level.error_m + kQuantum_m,
                                  {fmt::format("{}: {} m where {} m is stated, at {},{}", name, samples.error_m,
@@ -178,6 +194,7 @@ void check_ground(TileUnderCheck& tile, const bake::BakedTile& level, const Grou
                                   {},
                                   samples.error_m,
                                   name});
+  if (!shows(tile.loaded.scene.header, scene::SceneLayer::kGround)) return;
   tile.results().height.test_all(
       0, samples.uncovered == 0,
       {fmt::format("{}: {} places without ground, at {},{}", name, samples.uncovered, samples.hole.x, samples.hole.y),
@@ -414,7 +431,8 @@ Result<Done> check_glb_level(TileUnderCheck& tile, bake::PreparedTile& prepared,
 Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const outputs::WrittenTile> levels) {
   const Result<RecipesOfTile> recipes = prepare_tile(loaded, levels);
   if (!recipes) return recipes.error();
-  const scene::Chunk& chunk = recipes->chunk;
+  const std::shared_ptr<const scene::Chunk> shown = scene::shared_shown_chunk(loaded.scene.header, recipes->chunk);
+  const scene::Chunk& chunk = *shown;
   TileUnderCheck tile{loaded,
                       chunk,
                       scene::box_of(loaded.scene.header, chunk.tile),

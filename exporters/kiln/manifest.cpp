@@ -154,7 +154,8 @@ flatbuffers::Offset<fbs::Climate> climate_of(flatbuffers::FlatBufferBuilder& bui
 
 // Shares of cars and people. 0: none; 1 to 1,024: their share in 1,024ths; kUsualShare: the usual share.
 constexpr std::uint16_t kUsualShare = 0xffff, kFullShare = 1024;
-static_assert(cars::kShareStep * kFullShare == 1 && people::kPeopleStep * kFullShare == 1);
+static_assert(cars::kShareStep * kFullShare == 1 && people::kPeopleStep * kFullShare == 1 &&
+              scene::kWoodDensityStep * kFullShare == 1 && scene::kLitWindowsStep * kFullShare == 1);
 
 template <typename Share>
 std::uint16_t number_of(const Share& wish) {
@@ -166,6 +167,62 @@ std::optional<Share> share_of(std::uint16_t number) {
   if (number == kUsualShare) return Share{.is_by_table = true};
   if (number > kFullShare) return std::nullopt;
   return Share{.share = static_cast<double>(number) / kFullShare};
+}
+
+std::uint16_t number_of_lit_windows(const scene::Shown& shown) {
+  return shown.lit_windows ? static_cast<std::uint16_t>(*shown.lit_windows * kFullShare) : kUsualShare;
+}
+
+// Returns the part that tiles show; nothing if a value is out of range.
+std::optional<scene::Shown> shown_of(const fbs::Header& h) {
+  scene::Shown shown{.left_out = h.left_out(),
+                     .wood_density = static_cast<double>(h.wood_density()) / kFullShare,
+                     .lamps = static_cast<scene::LampLight>(h.lamps())};
+  if (shown.wood_density > scene::kDensestWoods || h.lamps() > static_cast<std::uint8_t>(scene::LampLight::kOff))
+    return std::nullopt;
+  if (h.lit_windows() == kUsualShare) return shown;
+  if (h.lit_windows() > kFullShare) return std::nullopt;
+  shown.lit_windows = static_cast<double>(h.lit_windows()) / kFullShare;
+  return shown;
+}
+
+// A coordinate of the clip as a number of steps, and back.
+std::int32_t steps_of(double coordinate_m) { return static_cast<std::int32_t>(coordinate_m / map::kMapStep_m); }
+
+flatbuffers::Offset<fbs::ClipRing> clip_ring_of(flatbuffers::FlatBufferBuilder& builder, const Ring& ring,
+                                                bool is_hole) {
+  std::vector<std::int32_t> x, y;
+  for (const Vec2 p : ring) x.push_back(steps_of(p.x)), y.push_back(steps_of(p.y));
+  return fbs::CreateClipRingDirect(builder, is_hole, &x, &y);
+}
+
+std::vector<flatbuffers::Offset<fbs::ClipRing>> clip_of(flatbuffers::FlatBufferBuilder& builder,
+                                                        const scene::Clip& clip) {
+  std::vector<flatbuffers::Offset<fbs::ClipRing>> rings;
+  for (const Polygon& polygon : clip) {
+    rings.push_back(clip_ring_of(builder, polygon.outer, false));
+    for (const Ring& hole : polygon.holes) rings.push_back(clip_ring_of(builder, hole, true));
+  }
+  return rings;
+}
+
+// The clip of a header; nothing if a ring is damaged.
+std::optional<scene::Clip> clip_of(const fbs::Header& h) {
+  scene::Clip clip;
+  if (h.clip() == nullptr) return clip;
+  for (const fbs::ClipRing* ring : *h.clip()) {
+    const bool is_ring = ring->x() != nullptr && ring->y() != nullptr && ring->x()->size() == ring->y()->size();
+    if (!is_ring || ring->x()->size() < 3 || (ring->is_hole() && clip.empty())) return std::nullopt;
+    Ring points;
+    for (flatbuffers::uoffset_t i = 0; i < ring->x()->size(); ++i)
+      points.push_back(Vec2{static_cast<double>(ring->x()->Get(i)), static_cast<double>(ring->y()->Get(i))} *
+                       map::kMapStep_m);
+    if (ring->is_hole())
+      clip.back().holes.push_back(std::move(points));
+    else
+      clip.push_back({std::move(points), {}});
+  }
+  return clip;
 }
 
 RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, const RawBytes& dictionary) {
@@ -185,11 +242,14 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
              things = rules_of(builder, h.things);
   const auto around = surroundings_of(builder, h.around);
   const auto climate = climate_of(builder, h.climate);
+  const auto clip = clip_of(builder, h.clip);
   builder.Finish(fbs::CreateHeaderDirect(
       builder, kVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg, &extent, h.tile_m, h.seed,
       h.resampling_error_m, sky, &sources, &attributions, kLicence, index, dictionary.empty() ? nullptr : &dictionary,
       snow_line_m, &rules, &species, around, things.empty() ? nullptr : &things, climate, h.has_wild_slopes,
-      number_of(h.cars), h.has_street_furniture, number_of(h.people), number_of(h.traffic)));
+      number_of(h.cars), h.has_street_furniture, number_of(h.people), number_of(h.traffic), h.shown.left_out,
+      static_cast<std::uint16_t>(h.shown.wood_density * kFullShare), static_cast<std::uint8_t>(h.shown.lamps),
+      number_of_lit_windows(h.shown), clip.empty() ? nullptr : &clip));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -410,8 +470,11 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   const auto cars = share_of<cars::CarShare>(h.cars());
   const auto people = share_of<people::PeopleShare>(h.people());
   const auto traffic = share_of<cars::CarShare>(h.traffic());
-  if (!cars || !people || !traffic) return damaged;
+  const std::optional<scene::Shown> shown = shown_of(h);
+  std::optional<scene::Clip> clip = clip_of(h);
+  if (!cars || !people || !traffic || !shown || !clip) return damaged;
   header.cars = *cars, header.people = *people, header.traffic = *traffic;
+  header.shown = *shown, header.clip = std::move(*clip);
   header.has_street_furniture = h.has_street_furniture();
   if (h.around() == nullptr) return header;
   std::optional<surroundings::Surroundings> around = plain(*h.around());

@@ -107,7 +107,7 @@ bool is_near(const buildings::Building& building, std::span<const Vec3> eyes) {
 
 std::vector<LitPane> lit_panes_of(const scene::Scene& scene, std::span<const Vec3> eyes, int threads) {
   const std::optional<buildings::WeekTime> night = scene::night_of(scene.header);
-  if (!night) return {};
+  if (!night || !shows(scene.header, scene::SceneLayer::kBuildings)) return {};
   std::vector<const buildings::Building*> near;
   for (const scene::Chunk& chunk : scene.chunks)
     for (const buildings::Building& building : chunk.buildings)
@@ -115,8 +115,11 @@ std::vector<LitPane> lit_panes_of(const scene::Scene& scene, std::span<const Vec
   const buildings::Rulebook rulebook = buildings::parse_rulebook(scene.header.rules);
   const auto by_building = for_each_slot<std::vector<LitPane>>(near.size(), threads, [&](std::size_t i) {
     Report ignored;
-    return panes_of(*near[i],
-                    buildings::generate(*near[i], rulebook, {scene.header.seed, night}, kTolerance_m, ignored));
+    return panes_of(
+        *near[i],
+        buildings::generate(*near[i], rulebook,
+                            {.seed = scene.header.seed, .night = night, .lit_share = scene.header.shown.lit_windows},
+                            kTolerance_m, ignored));
   });
   std::vector<LitPane> panes;
   for (const std::vector<LitPane>& of_one : by_building) panes.insert(panes.end(), of_one.begin(), of_one.end());

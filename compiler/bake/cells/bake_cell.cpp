@@ -14,6 +14,7 @@
 #include "compiler/contract/detail_tolerances.h"
 #include "compiler/map/locate.h"
 #include "compiler/props/generate.h"
+#include "compiler/scene/shown_chunk.h"
 
 namespace citykiln::bake {
 
@@ -55,6 +56,7 @@ void raise(std::map<Key, double>& tallest_m, Key key, double height_m) {
 
 struct CellTile {
   const scene::Header& header;
+  std::shared_ptr<const scene::Chunk> shown;  // `chunk` is in it
   const scene::Chunk& chunk;
   const ViewLevels& view;
   std::shared_ptr<const PrototypeCache> prototypes;
@@ -253,11 +255,13 @@ bool holds_nothing(const BakedCellPart& part) {
 
 }  // namespace
 
-std::shared_ptr<const CellTile> prepare_cells(const scene::Header& header, const scene::Chunk& chunk,
+std::shared_ptr<const CellTile> prepare_cells(const scene::Header& header, const scene::Chunk& all,
                                               const ViewLevels& view,
                                               std::shared_ptr<const PrototypeCache> prototypes) {
   assert(prototypes);
-  const auto tile = std::make_shared<CellTile>(CellTile{header, chunk, view, std::move(prototypes)});
+  const std::shared_ptr<const scene::Chunk> shown = scene::shared_shown_chunk(header, all);
+  const scene::Chunk& chunk = *shown;
+  const auto tile = std::make_shared<CellTile>(CellTile{header, shown, chunk, view, std::move(prototypes)});
   tile->levels = bare_levels_for_view(header, chunk, view, tile->parts);
   const std::shared_ptr<const Markings> markings = markings_for_view(header, chunk, view, tile->parts, tile->levels);
   Sorter(*tile).sort();

@@ -6,6 +6,9 @@
 //                  ┆
 #pragma once
 
+#include <set>
+#include <utility>
+
 #include "compiler/geometry/box.h"
 #include "compiler/materials/material_mesh.h"
 
@@ -24,5 +27,9 @@ inline constexpr double kSkirtDepthTolerances = 6;
 ///                 box's.
 /// @param depth_m  >= 0; rounded to kQuantum_m.
 void add_skirt(materials::MaterialMesh& surface, const Box2& tile, double depth_m);
+
+/// Adds such faces below the edges of the surface on whose other side a face was removed.
+/// @param removed  The edges of removed faces (remove_beyond_clip()): an edge of the surface is there reversed.
+void add_skirt(materials::MaterialMesh& surface, const std::set<std::pair<Vec3, Vec3>>& removed, double depth_m);
 
 }  // namespace citykiln::bake

@@ -19,8 +19,10 @@ using buildings::Block;
 
 BuildingMeshes shapes_of(const Baking& baking, const buildings::Rulebook& rulebook, int threads) {
   const std::vector<buildings::Building>& all = baking.chunk.buildings;
-  const buildings::SceneContext context{
-      .seed = baking.header.seed, .night = scene::night_of(baking.header), .is_for_blocks = true};
+  const buildings::SceneContext context{.seed = baking.header.seed,
+                                        .night = scene::night_of(baking.header),
+                                        .is_for_blocks = true,
+                                        .lit_share = baking.header.shown.lit_windows};
   const double tolerance_m = buildings::block_source_tolerance_m(baking.tolerance_m);
   return for_each_slot<buildings::GeneratedBuilding>(all.size(), threads, [&](std::size_t i) {
     Report repeated;  // finer levels diagnose the same
@@ -133,8 +135,10 @@ std::vector<BuildingMeshes> generate_buildings(const scene::Header& header, cons
                                                const std::function<bool(const buildings::Building&)>& holds) {
   assert(reports.size() == tolerances_m.size());
   const std::vector<buildings::Building>& all = chunk.buildings;
-  const buildings::SceneContext context{
-      .seed = header.seed, .night = scene::night_of(header), .pictures = &shared.element_pictures()};
+  const buildings::SceneContext context{.seed = header.seed,
+                                        .night = scene::night_of(header),
+                                        .pictures = &shared.element_pictures(),
+                                        .lit_share = header.shown.lit_windows};
   std::vector<std::vector<Report>> diagnosed(all.size(), std::vector<Report>(tolerances_m.size()));
   std::vector<BuildingMeshes> by_building = for_each_slot<BuildingMeshes>(all.size(), threads, [&](std::size_t i) {
     if (!holds(all[i])) return BuildingMeshes(tolerances_m.size());

@@ -86,8 +86,8 @@ bool bake_lamp_kind(Baking& baking, const Lamps& lamps, const ground::GradedTerr
     if (lamp.kind == kind) placements.push_back(props::place(lamp, graded));
   if (placements.empty()) return true;
   const double tallest_m = tallest_of(baking, kind, placements), height_m = prototype_height_m(tallest_m);
-  props::GeneratedProp lamp =
-      props::lamp_mesh(kind, tallest_m, baking.tolerance_m, sky::are_lamps_lit(baking.header.sky));
+  props::GeneratedProp lamp = props::lamp_mesh(kind, tallest_m, baking.tolerance_m,
+                                               scene::are_lamps_lit(baking.header.shown, baking.header.sky));
   for (materials::MaterialMesh& part : lamp.meshes)
     for (Vec3& p : part.mesh.positions) p = p * height_m;
   for (const Placement& p : placements) baking.certify(lamp.error_m, bounds_of(p));

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "compiler/bake/clip_to_extent.h"
+#include "compiler/bake/clip_to_outline.h"
 #include "compiler/structures/tunnel.h"
 
 namespace citykiln::bake {
@@ -14,8 +15,10 @@ bool has_no_triangles(const structures::GeneratedStructure& generated) {
 
 enum class Body { kSolid, kHollow };
 
-// Removes what lies outside the extent. Bridges are closed there; tunnels are open, so that their inside is seen.
-void clip_structure(structures::GeneratedStructure& generated, OsmId feature, const Box2& extent, Body body) {
+// Removes what lies outside the extent or beyond the clip. At the extent bridges are closed; tunnels are open, so that
+// their inside is seen.
+void clip_structure(structures::GeneratedStructure& generated, OsmId feature, const scene::Header& header, Body body) {
+  const Box2& extent = header.extent;
   std::vector<MaterialMesh*> meshes;
   for (MaterialMesh& mesh : generated.meshes) meshes.push_back(&mesh);
   for (structures::MarkedMesh& marked : generated.marked) meshes.push_back(&marked.mesh);
@@ -24,6 +27,7 @@ void clip_structure(structures::GeneratedStructure& generated, OsmId feature, co
     caps = clip_solid_to_extent(meshes, extent);
   else
     clip_to_extent(meshes, extent);
+  clip_to_outline(meshes, header.clip);
   if (!caps.triangles.empty())
     generated.meshes.push_back({std::move(caps), materials::Material::kConcrete, materials::kNoTint, feature});
   std::erase_if(generated.meshes, [](const MaterialMesh& mesh) { return mesh.mesh.triangles.empty(); });
@@ -41,7 +45,7 @@ void generate_spans(const Baking& baking, const std::vector<structures::Span>& s
     ++account.in;
     structures::GeneratedStructure generated = generate(span, baking.tolerance_m);
     const bool is_too_small = has_no_triangles(generated);
-    clip_structure(generated, span.id.osm, baking.header.extent, body);
+    clip_structure(generated, span.id.osm, baking.header, body);
     if (has_no_triangles(generated)) {
       report.drop(account, is_too_small ? Code::kBelowTolerance : Code::kOutsideBounds, span.id.osm, 0);
       continue;

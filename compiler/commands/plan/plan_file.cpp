@@ -57,6 +57,35 @@ PlannedRegion region_of(const OrderedJson& json) {
           .expected = {expected.at("seconds"), expected.at("memory_bytes"), expected.at("output_bytes")}};
 }
 
+// Each polygon as its rings, the outer one first, in plane metres.
+OrderedJson clip_json(const scene::Clip& clip) {
+  OrderedJson polygons = OrderedJson::array();
+  for (const Polygon& polygon : clip) {
+    OrderedJson rings = OrderedJson::array();
+    for (const Ring* ring : rings_of(polygon)) {
+      OrderedJson points = OrderedJson::array();
+      for (const Vec2 p : *ring) points.push_back({p.x, p.y});
+      rings.push_back(std::move(points));
+    }
+    polygons.push_back(std::move(rings));
+  }
+  return polygons;
+}
+
+scene::Clip clip_of(const OrderedJson& plan) {
+  scene::Clip clip;
+  if (!plan.contains("clip_m")) return clip;
+  for (const OrderedJson& rings : plan.at("clip_m")) {
+    Polygon& polygon = clip.emplace_back();
+    for (const OrderedJson& points : rings) {
+      Ring ring;
+      for (const OrderedJson& p : points) ring.push_back({p.at(0).get<double>(), p.at(1).get<double>()});
+      (polygon.outer.empty() ? polygon.outer : polygon.holes.emplace_back()) = std::move(ring);
+    }
+  }
+  return clip;
+}
+
 Plan plan_of(const OrderedJson& json) {
   Plan plan{.working_folder = json.at("working_folder"),
             .spec_path = json.at("spec"),
@@ -71,7 +100,8 @@ Plan plan_of(const OrderedJson& json) {
   plan.grid = {.extent = {{metres.at(0), metres.at(1)}, {metres.at(2), metres.at(3)}},
                .tile_m = json.at("tile_m"),
                .region_m = json.at("region_m"),
-               .halo_m = json.at("halo_m")};
+               .halo_m = json.at("halo_m"),
+               .clip = clip_of(json)};
   for (const OrderedJson& region : json.at("regions")) plan.regions.push_back(region_of(region));
   outputs::add_ledger(json.at("elements"), plan.elements);
   return plan;
@@ -88,6 +118,7 @@ std::string plan_json(const Plan& plan) {
   const Box2& extent = plan.grid.extent;
   json["extent_m"] = {extent.min.x, extent.min.y, extent.max.x, extent.max.y};
   json["tile_m"] = plan.grid.tile_m, json["region_m"] = plan.grid.region_m, json["halo_m"] = plan.grid.halo_m;
+  if (!plan.grid.clip.empty()) json["clip_m"] = clip_json(plan.grid.clip);
   json["elements"] = outputs::ledger_json(plan.elements);
   json["regions"] = OrderedJson::array();
   for (const PlannedRegion& region : plan.regions) json["regions"].push_back(planned_region_json(region));

@@ -57,6 +57,7 @@ Result<Done> write_survey(const Survey& survey, const regions::RegionGrid& grid,
   if (problem) return Error{plan_folder + "/survey", "cannot be created: " + problem.message()};
   const WaterBoxes boxes = boxes_of(survey);
   for (const regions::RegionKey region : regions::regions_of(grid)) {
+    if (regions::tiles_of(grid, region).empty()) continue;
     const scene::Scene scene{.header = survey.header, .chunks = {surveyed_chunk(survey, boxes, grid, region)}};
     const std::vector<std::byte> bytes = exporters::encode_manifest(scene, threads);
     const std::string path = survey_path(plan_folder, region);

@@ -67,6 +67,7 @@ Result<scene::Scene> read_scene(const LoadRequest& request) {
   if (!scene) return scene.error();
   if (scene->chunks.empty()) return Error{*path, "contains no tiles"};
   scene->header.sky = sky_of(request, scene->header);
+  scene->header.shown = scene::with_request(scene->header.shown, request.shown);
   return scene;
 }
 

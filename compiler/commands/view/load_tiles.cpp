@@ -41,6 +41,7 @@ Result<Loaded> bake_manifest(const LoadRequest& request, const OnProgress& on_pr
   Result<scene::Scene> scene = exporters::read_manifest(*path, request.only);
   if (!scene) return scene.error();
   scene->header.sky = sky_of(request, scene->header);
+  scene->header.shown = scene::with_request(scene->header.shown, request.shown);
   Loaded loaded;
   loaded.header = scene->header, loaded.manifest_path = *path;
   loaded.cylinder = scene::cylinder_of(scene->header);

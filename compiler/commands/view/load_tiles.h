@@ -29,6 +29,7 @@ struct LoadRequest {
   std::optional<std::vector<sky::CloudRequest>> clouds;  ///< Empty: the scene's clouds.
   std::optional<double> tolerance_m;                     ///< The tolerance for baking a manifest; empty: 0.1 m.
   std::optional<std::size_t> level{};  ///< For a folder; empty: 0, or chosen per tile (asks_for_levels()).
+  scene::ShownRequest shown{};         ///< Baked tiles can only lose layers, and have lit lamps or not.
   std::vector<scene::TileKey> only;    ///< If not empty, only these tiles.
   int threads = 0;
 };

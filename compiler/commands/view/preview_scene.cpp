@@ -218,8 +218,33 @@ namespace {
 void take_recipes(scene::Scene recipes, const SceneRequest& request, PreviewScene& scene) {
   scene.loaded.header = recipes.header, scene.sky = recipes.header.sky;
   look_around(recipes, request, scene);
-  if (sky::are_lamps_lit(scene.sky)) scene.lamps = preview::lamps_of(recipes, request.load.threads);
+  if (are_lamps_lit(recipes.header.shown, scene.sky)) scene.lamps = preview::lamps_of(recipes, request.load.threads);
   scene.recipes = std::move(recipes);
+}
+
+// Leaves out the layers that are not asked for, and lights the lamps of tiles.
+void take_tiles(const LoadRequest& load, PreviewScene& scene) {
+  const scene::Shown shown = scene::with_request(scene.loaded.header.value_or(scene::Header{}).shown, load.shown);
+  for (bake::BakedTile& tile : scene.loaded.tiles) {
+    std::erase_if(tile.primitives, [&](const bake::Primitive& p) { return !is_shown(shown, p.layer); });
+    std::erase_if(tile.instanced, [&](const bake::InstancedMesh& m) {
+      return !m.primitives.empty() && !is_shown(shown, m.primitives.front().layer);
+    });
+  }
+  if (are_lamps_lit(shown, scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
+}
+
+// Error: what tiles cannot show in another way than they were baked.
+Result<Done> check_shown(const LoadRequest& load) {
+  const bool is_manifest = load.paths.size() == 1 && load.paths.front().ends_with(".kiln");
+  const bool leaves_yards = load.shown.left_out && has(*load.shown.left_out, scene::SceneLayer::kYards);
+  const char* option = load.shown.wood_density  ? "--wood-density"
+                       : load.shown.lit_windows ? "--lit-windows"
+                       : leaves_yards           ? "--layers"
+                                                : nullptr;
+  if (is_manifest || option == nullptr) return Done{};
+  return Error{option, fmt::format("{} decided when tiles are baked; give the manifest (scene.kiln) instead",
+                                   leaves_yards ? "yards are" : "this is")};
 }
 
 // The number of leaves of a tree that are too coarse for the viewers.
@@ -256,6 +281,7 @@ Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnPro
   const bool is_manifest = request.load.paths.size() == 1 && request.load.paths.front().ends_with(".kiln");
   if (request.fog_share && !is_manifest)
     return Error{"--fog", "needs a manifest (scene.kiln), which knows the valleys"};
+  if (const Result<Done> fits = check_shown(request.load); !fits) return fits.error();
   PreviewScene scene;
   if (asks_for_levels(request.load)) {
     Result<TileTree> tree = read_tile_tree(request.load, on_progress);
@@ -284,7 +310,7 @@ Result<PreviewScene> load_preview_scene(const SceneRequest& request, const OnPro
     Result<Loaded> loaded = load_tiles(load, on_progress);
     if (!loaded) return loaded.error();
     scene.sky = sky_of(request.load, loaded->header), scene.loaded = std::move(*loaded);
-    if (sky::are_lamps_lit(scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
+    take_tiles(request.load, scene);
     look_around(scene.loaded.manifest_path, keys_of(scene.loaded.tiles), request, scene);
   }
   if (!request.finds_views) return scene;
@@ -310,7 +336,7 @@ Result<Done> load_levels(PreviewScene& scene, const SceneRequest& request, const
   // land in the plane does not meet tiles on the ellipsoid
   if (scene.tree->is_on_ellipsoid) scene.backdrop.reset();
   scene.tree.reset();
-  if (sky::are_lamps_lit(scene.sky)) scene.lamps = preview::lamps_of(scene.loaded.tiles);
+  take_tiles(request.load, scene);
   return Done{};
 }
 

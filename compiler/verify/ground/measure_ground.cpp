@@ -78,7 +78,8 @@ int samples_a_side(std::size_t faces) {
   return static_cast<int>(std::clamp<double>(a_side, kFewestSamplesASide, kMostSamplesASide));
 }
 
-GroundSamples sample_ground(const bake::BakedTile& tile, const DeviationAt& deviation_m, const Box2& box, int a_side) {
+GroundSamples sample_ground(const bake::BakedTile& tile, const DeviationAt& deviation_m, const Box2& box, int a_side,
+                            const ExpectsGround& expects_ground) {
   assert(a_side > 0 && !box.is_empty());
   Lattice lattice = lattice_of(box, a_side);
   for_each_ground_face(tile, [&](const GroundFace& face) { lower(lattice, face); });
@@ -87,6 +88,7 @@ GroundSamples sample_ground(const bake::BakedTile& tile, const DeviationAt& devi
   samples.count = lattice.lowest_m.size();
   for (std::size_t i = 0; i < lattice.places.size(); ++i) {
     if (std::isinf(lattice.lowest_m[i])) {
+      if (expects_ground && !expects_ground(lattice.places[i])) continue;
       if (samples.uncovered++ == 0) samples.hole = lattice.places[i];
     } else {
       keep_largest_error(samples, deviation_m(lattice.places[i], lattice.lowest_m[i], lattice.features[i]),

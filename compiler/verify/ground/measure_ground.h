@@ -54,10 +54,15 @@ struct GroundSamples {
 /// Returns the deviation, in metres, of a height from the expected one at a place that a feature covers.
 using DeviationAt = std::function<double(Vec2 p, double z_m, OsmId feature)>;
 
+/// True for places where ground is expected.
+using ExpectsGround = std::function<bool(Vec2 p)>;
+
 /// Samples the ground at one random place in each square of a grid over the box. The ground there is the lowest
 /// upward-facing triangle of a ground layer.
-/// @param a_side  Squares along each side of the box, > 0.
+/// @param a_side          Squares along each side of the box, > 0.
+/// @param expects_ground  Other places without ground do not count. Empty: everywhere.
 /// O(triangles + samples).
-GroundSamples sample_ground(const bake::BakedTile& tile, const DeviationAt& deviation_m, const Box2& box, int a_side);
+GroundSamples sample_ground(const bake::BakedTile& tile, const DeviationAt& deviation_m, const Box2& box, int a_side,
+                            const ExpectsGround& expects_ground = {});
 
 }  // namespace citykiln::verify

@@ -2,6 +2,20 @@
 import { byId, make } from "./dom.js";
 import { LAYERS } from "./tileset.js";
 
+/** The name of a layer for readers, which is that of the setting --layers. */
+const nameOf = (layer) => (layer === "props" ? "things" : layer);
+
+/**
+ * Returns the layers that a list hides, in the form of --layers: "ground,roads" keeps these alone, "-plants" hides one.
+ * Unknown names do nothing; a list without known names hides nothing.
+ */
+export function hiddenBy(list) {
+  const names = list.split(",").map((name) => name.trim());
+  const isNamed = (layer, sign) => names.includes(sign + nameOf(layer)) || names.includes(sign + layer);
+  const kept = LAYERS.filter((layer) => isNamed(layer, ""));
+  return LAYERS.filter((layer) => isNamed(layer, "-") || (kept.length > 0 && !kept.includes(layer)));
+}
+
 export class Layers {
   constructor(tileset, changed) {
     this.tileset = tileset;
@@ -13,7 +27,7 @@ export class Layers {
   box(name) {
     const input = make("input", { type: "checkbox", checked: true, id: `layer-${name}` });
     input.addEventListener("change", () => this.set(name, input.checked));
-    return make("label", { htmlFor: input.id }, input, name);
+    return make("label", { htmlFor: input.id }, input, nameOf(name));
   }
 
   set(name, isShown) {

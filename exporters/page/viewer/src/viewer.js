@@ -7,7 +7,7 @@ import { FeaturePanel } from "./feature_panel.js";
 import { Findings } from "./findings.js";
 import { Frame } from "./frame.js";
 import { Lamps } from "./lamps.js";
-import { Layers } from "./layers.js";
+import { Layers, hiddenBy } from "./layers.js";
 import { readLink, writeLink } from "./link.js";
 import { Measure } from "./measure.js";
 import { Moves } from "./moves.js";
@@ -224,6 +224,7 @@ export class Viewer {
   }
 
   openLink() {
+    for (const name of hiddenBy(new URLSearchParams(location.search).get("layers") ?? "")) this.layers.set(name, false);
     const state = readLink(location.hash.slice(1));
     this.tileset.setDetail(state.detail_px);
     if (!state.position) return;
