@@ -127,8 +127,7 @@ bool has_ground(const Place& place, const LandCoverIndex& land_cover) {
 bool is_on_ground(const OrientedRect& car, const Place& place, const LandCoverIndex& land_cover) {
   OrientedRect inner = car;
   inner.length_m -= 2 * kCarOver_m, inner.width_m -= 2 * kCarOver_m;
-  return std::ranges::all_of(corners_of(inner),
-                             [&](Vec2 p) { return is_ground_of(place, polygon_at(land_cover, p)); });
+  return std::ranges::all_of(corners_of(inner), [&](Vec2 p) { return is_ground_of(place, polygon_at(land_cover, p)); });
 }
 
 }  // namespace citykiln::cars

@@ -98,8 +98,8 @@ std::vector<Hour> hours_of(const scene::Header& header) {
   return hours;
 }
 
-// What page.json says of the skies: that of the run, and one every three hours of local mean solar time on its date,
-// with the same air; in the order of the day.
+// The skies in page.json: that of the run, and one every three hours of local mean solar time on its date, with the
+// same air; in the order of the day.
 std::vector<PageSky> page_skies(const scene::Header& header, const std::vector<Hour>& hours) {
   std::vector<PageSky> skies;
   for (std::size_t i = 0; i < hours.size(); ++i)
@@ -134,7 +134,7 @@ exporters::PageFacts facts_of(const scene::Scene& scene, const Outputs& outputs,
           .skies = page_skies(header, hours)};
 }
 
-/// What several files of the page are made of. Texts of records are made once, when the first of them is asked for.
+/// The data that several files of the page share. Texts of records are made once, when the first is asked for.
 class PageData {
  public:
   PageData(const scene::Scene& scene, const Outputs& outputs, const map::Geoid& geoid)
@@ -171,7 +171,7 @@ class PageData {
   mutable std::vector<std::string> texts_;
 };
 
-std::string text_of(std::span<const std::byte> bytes) {
+std::string text_in(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -181,7 +181,7 @@ std::vector<PageContent> page_contents(const scene::Scene& scene, const Outputs&
   const auto data = std::make_shared<const PageData>(scene, outputs, geoid);
   std::vector<PageContent> files;
   for (const exporters::PageFile& file : exporters::page_files())
-    files.push_back({file.name, [bytes = file.bytes] { return text_of(bytes); }});
+    files.push_back({file.name, [bytes = file.bytes] { return text_in(bytes); }});
   files.push_back({exporters::kPageName, [data] { return data->page(); }});
   for (std::size_t i = 0; i < data->skies(); ++i) files.push_back({sky_name(i), [data, i] { return data->sky(i); }});
   for (std::size_t i = 0; i < data->feature_files(); ++i)

@@ -118,8 +118,7 @@ struct StreetPlotter {
     if (!is_paved) return;
     PlotRectangle paved = r;
     paved.depth_m -= kGrassRim_m;
-    plots.surfaces.push_back(
-        surface_on(row.surface, derived_id({owner.osm, 0}, 0), ground.priority, {ring_of(paved)}));
+    plots.surfaces.push_back(surface_on(row.surface, derived_id({owner.osm, 0}, 0), ground.priority, {ring_of(paved)}));
   }
 };
 

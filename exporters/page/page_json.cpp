@@ -22,7 +22,7 @@ OrderedJson rgb_json(const PageRgb& rgb) {
   return json;
 }
 
-OrderedJson json_of(const PageSky& sky) {
+OrderedJson entry_json(const PageSky& sky) {
   return {{"time", sky.time},
           {"label", sky.label},
           {"is_of_run", sky.is_of_run},
@@ -93,7 +93,7 @@ std::string page_json(const PageFacts& facts, const FeatureRecords& records) {
       {"codes", code_texts()},
       {"classes", class_counts(records)}};
   json["skies"] = OrderedJson::array();
-  for (const PageSky& sky : facts.skies) json["skies"].push_back(json_of(sky));
+  for (const PageSky& sky : facts.skies) json["skies"].push_back(entry_json(sky));
   return text_of_json(json) + "\n";
 }
 

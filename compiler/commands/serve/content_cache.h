@@ -28,7 +28,7 @@ class ContentCache {
   /// it could not be made, or if is_wanted() became false while it waited; work that has begun is finished and kept.
   SharedBytes get(const std::string& name, const IsWanted& is_wanted, const Make& make);
 
-  /// What happened until now.
+  /// Numbers of requests until now, by what became of them.
   struct Counters {
     std::uint64_t found = 0, made = 0, given_up = 0, failed = 0;
     std::uint64_t bytes = 0;  ///< In the cache now.

@@ -21,7 +21,7 @@ struct ServerRequest {
 /// requests for this machine by name. Errors: a port that is in use, an address that is not of this machine.
 Result<Exit> run_server(const Site& site, const ServerRequest& request, const Console& console);
 
-/// Error: the port is in use. Costs a look, so that it is found before long work.
+/// Tests whether the port is free, before long work. Error: it is in use. Costs a look.
 Result<Done> check_port(const ServerRequest& request);
 
 /// Returns a function that stores a port, 0 to 65535.

@@ -1,5 +1,5 @@
-// What a server sends: files of a run, the page and the tree of tiles of a scene, by their names in a run. What is not
-// in the run is made when it is asked for.
+// The names that a server answers, and their bytes: files of a run, the page and the tree of tiles of a scene, by their
+// names in a run. Bytes that are not in the run are made when they are asked for.
 #pragma once
 
 #include <cstdint>
@@ -62,7 +62,7 @@ class Site {
   Outputs outputs_;
   bool has_page_;
   int threads_;
-  std::uint64_t version_ = 0;  ///< Of all that is made: of the manifest, the settings and the program.
+  std::uint64_t version_ = 0;  ///< A hash of the manifest, the settings and the program.
   scene::Scene scene_;
   map::Geoid geoid_;
   std::unique_ptr<outputs::TreeSource> tree_;

@@ -37,7 +37,7 @@ struct HttpServer {
   /// Decides on an answer; may be called from several threads at once.
   std::function<HttpAnswer(const HttpRequest& request)> decide;
   std::function<void(int port)> listens;  ///< Called once, when the server listens.
-  /// Called after each answer; may be called from several threads at once.
+  /// Receives the path and the status of each answer; may be called from several threads at once.
   std::function<void(const std::string& path, int status)> answered;
 };
 

@@ -98,7 +98,7 @@ class Planner {
   }
 
  private:
-  /// What is known of the shape of a content in the plane.
+  /// The shape of a content in the plane, as far as it is known.
   struct Shape {
     Bounds bounds;
     double error_m = 0;

@@ -37,7 +37,7 @@ struct InnerNode {
   std::vector<std::size_t> chunks;           ///< All chunks below, ascending.
 };
 
-/// What a content is made of: a tile of the scene at a level, or an inner node.
+/// The origin of a content: a tile of the scene at a level, or an inner node.
 struct ContentOrigin {
   std::optional<ChunkLevel> of_tile{};  ///< Empty: of a node.
   exporters::NodeKey node{};

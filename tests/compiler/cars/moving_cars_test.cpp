@@ -69,15 +69,17 @@ TEST(MovingCars, KeepOffMappedSpacesInTheirLane) {
   MadeTile tile = street_tile();
   tile.roads[0].kerb_parking = 0;
   for (int i = 0; i < 12; ++i)
-    tile.things.push_back({.id = {{OsmType::kNode, 60 + i}, 0},
-                           .at = {20.0 * i + 10, 1.75},
-                           .form = {.kind = std::string(map::name_of(map::ThingRole::kCar)), .width_m = 2, .depth_m = 5}});
+    tile.things.push_back(
+        {.id = {{OsmType::kNode, 60 + i}, 0},
+         .at = {20.0 * i + 10, 1.75},
+         .form = {.kind = std::string(map::name_of(map::ThingRole::kCar)), .width_m = 2, .depth_m = 5}});
   const std::vector<things::Thing> moving = tile.traffic(kMadeBox, kEverySlot, {.share = 1});
   EXPECT_FALSE(moving.empty());
   const std::vector<things::Thing> parked = tile.cars(kMadeBox, {.share = 1});
   EXPECT_EQ(parked.size(), 12u);
   for (const things::Thing& car : moving)
-    for (const things::Thing& other : parked) EXPECT_FALSE(overlap(roadside::plan_of(car), roadside::plan_of(other), 0));
+    for (const things::Thing& other : parked)
+      EXPECT_FALSE(overlap(roadside::plan_of(car), roadside::plan_of(other), 0));
 }
 
 TEST(MovingCars, StandOnNoRailsAndNoOtherGround) {

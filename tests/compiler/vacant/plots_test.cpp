@@ -85,8 +85,7 @@ TEST(Plots, SurfacesLieAboveLandUseThatIsRaised) {
   land.areas[0].raised_priority = 28;
   const Plots plots = land.plots();
   ASSERT_FALSE(plots.surfaces.empty());
-  for (const ground::LandCoverPolygon& surface : plots.surfaces)
-    EXPECT_TRUE(ground::covers(surface, land.areas[0]));
+  for (const ground::LandCoverPolygon& surface : plots.surfaces) EXPECT_TRUE(ground::covers(surface, land.areas[0]));
 }
 
 TEST(Plots, FinerGroundAndLotsHaveNone) {
