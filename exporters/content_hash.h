@@ -16,7 +16,7 @@ namespace citykiln::exporters {
 std::uint64_t content_hash(std::span<const std::byte> bytes);
 std::uint64_t content_hash(std::string_view text);
 
-/// The same hash of bytes that come in pieces: value() is content_hash() of all pieces in a row, however they are cut.
+/// Hashes bytes that come in pieces: value() is content_hash() of all pieces in a row, however they are cut.
 class ContentHasher {
  public:
   ContentHasher();
@@ -28,7 +28,7 @@ class ContentHasher {
 
   std::array<std::uint64_t, 4> lanes_;
   std::array<std::byte, kStripe> rest_{};  ///< The bytes after the last whole stripe.
-  std::uint64_t size_ = 0;                 ///< Of all bytes.
+  std::uint64_t size_ = 0;                 ///< The number of all bytes.
 };
 
 /// Returns a hash as 16 hexadecimal digits, as `xxhsum -H1` prints it.

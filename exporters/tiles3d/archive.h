@@ -16,8 +16,8 @@ namespace citykiln::exporters {
 
 /// The place of a file in an archive.
 struct ArchivePlace {
-  std::array<std::byte, 16> md5{};  ///< Of the name.
-  std::uint64_t offset = 0;         ///< Of the local header, in bytes.
+  std::array<std::byte, 16> md5{};  ///< The hash of the name.
+  std::uint64_t offset = 0;         ///< The start of its local header, in bytes.
 };
 
 /// An archive in progress. The caller writes all bytes that the functions return, one after another.
