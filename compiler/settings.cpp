@@ -123,8 +123,11 @@ struct OutputFormat {
   std::string_view name;
   bool Outputs::*is_written;
 };
-constexpr std::array kOutputFormats = {OutputFormat{"kiln", &Outputs::manifest}, OutputFormat{"glb", &Outputs::glb},
-                                       OutputFormat{"usd", &Outputs::usd}, OutputFormat{"3dtiles", &Outputs::tiles3d},
+constexpr std::array kOutputFormats = {OutputFormat{"kiln", &Outputs::manifest},
+                                       OutputFormat{"glb", &Outputs::glb},
+                                       OutputFormat{"usd", &Outputs::usd},
+                                       OutputFormat{"3dtiles", &Outputs::tiles3d},
+                                       OutputFormat{"3tz", &Outputs::tiles3d_archive},
                                        OutputFormat{"page", &Outputs::page}};
 
 Result<Done> set_emit(CompileSpec& spec, std::string_view text) {
@@ -132,7 +135,7 @@ Result<Done> set_emit(CompileSpec& spec, std::string_view text) {
   for (const std::string_view name : split(text, ',')) {
     const auto format = std::ranges::find(kOutputFormats, name, &OutputFormat::name);
     if (format == kOutputFormats.end())
-      return expected("kiln, glb, usd, 3dtiles, page or several of them, such as kiln,usd", name);
+      return expected("kiln, glb, usd, 3dtiles, 3tz, page or several of them, such as kiln,usd", name);
     spec.outputs.*format->is_written = true;
   }
   return Done{};
@@ -400,19 +403,21 @@ constexpr Setting kSettings[] = {
      [](CompileSpec& spec, std::string_view text) { return add_tiles(text, spec.only); }},
     {"out", "FOLDER", "folder for all outputs; it is created if missing", false,
      [](CompileSpec& spec, std::string_view text) { return put(Result(std::string(text)), spec.outputs.folder); }},
-    {"emit", "kiln,glb,usd,3dtiles,page",
+    {"emit", "kiln,glb,usd,3dtiles,3tz,page",
      "outputs to write: kiln (manifest), glb (tiles), usd (a scene of the tiles), 3dtiles (tileset.json, on the "
-     "ellipsoid), page (index.html, which shows 3dtiles in a browser) or several (default: {})",
+     "ellipsoid), 3tz (the same as one file, tileset.3tz), page (index.html, which shows 3dtiles in a browser) or "
+     "several (default: {})",
      false, set_emit, emitted_in},
     {"lods", "M,M,...", "levels of detail: largest geometric error of each in metres, finest first (default: {})",
      false, [](CompileSpec& spec, std::string_view text) { return put(parse_ladder(text), spec.outputs.tolerances_m); },
      [](const CompileSpec& spec) { return fmt::format("{}", fmt::join(spec.outputs.tolerances_m, ",")); }},
     {"world", "plane|ellipsoid|cylinder:R",
-     "shape of the world: ellipsoid for --emit 3dtiles, plane for kiln and glb, or for all of them cylinder:R, the "
+     "shape of the world: ellipsoid for --emit 3dtiles and 3tz, plane for kiln and glb, or for all of them cylinder:R, "
+     "the "
      "inside of a hollow cylinder with a radius of R metres around the x axis (default: that of the output)",
      false, set_world},
     {"geoid-height", "M|FILE.pgm",
-     "for 3dtiles: height of the geoid (sea level) above the ellipsoid in metres, such as 47.3, or a geoid of "
+     "for 3dtiles and 3tz: height of the geoid (sea level) above the ellipsoid in metres, such as 47.3, or a geoid of "
      "GeographicLib, such as egm96-5.pgm (default: 0)",
      false, set_geoid},
     {"compress", "none|lean|quantize|draco|meshopt",

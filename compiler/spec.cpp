@@ -139,9 +139,9 @@ Result<Done> fits_cylinder(const CompileSpec& spec) {
 
 Result<Done> check_world(const CompileSpec& spec) {
   if (spec.world == World::kCylinder) return fits_cylinder(spec);
-  if (spec.world == World::kPlane && spec.outputs.tiles3d)
-    return Error{"--world", "3dtiles are on the ellipsoid, found plane; leave --world out"};
-  if (spec.world == World::kEllipsoid && !spec.outputs.tiles3d)
+  if (spec.world == World::kPlane && has_tileset(spec.outputs))
+    return Error{"--world", "3dtiles and 3tz are on the ellipsoid, found plane; leave --world out"};
+  if (spec.world == World::kEllipsoid && !has_tileset(spec.outputs))
     return Error{"--world", "kiln and glb are in the plane, found ellipsoid; add --emit 3dtiles"};
   if (spec.outputs.page && !spec.outputs.tiles3d)
     return Error{"--emit", "page shows the tiles of 3dtiles; give both, such as 3dtiles,page"};
@@ -158,6 +158,8 @@ void clip_to(source::Outline outline, CompileSpec& spec) {
 cars::CarShare car_share_of(const CompileSpec& spec) {
   return spec.cars.value_or(has(spec.assume, Assumption::kParking) ? cars::kUsualCars : cars::kNoCars);
 }
+
+bool has_tileset(const Outputs& outputs) { return outputs.tiles3d || outputs.tiles3d_archive; }
 
 Compression compression_of(const Outputs& outputs, Target target) {
   return outputs.compress.value_or(values_of(target).reads_quantised ? Compression::kLean : Compression::kNone);

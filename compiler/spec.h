@@ -54,6 +54,7 @@ struct Outputs {
   bool glb = true;                                       ///< glb/<x>_<y>_L<n>.glb
   bool usd = false;                                      ///< usd/scene.usda and the layers of its tiles
   bool tiles3d = false;                                  ///< 3dtiles/tileset.json and its contents, on the ellipsoid
+  bool tiles3d_archive = false;                          ///< tileset.3tz: the same as one file
   bool page = false;                                     ///< index.html and page/, which show the tileset in a browser
   AroundWish surroundings = AroundWish::kWherePossible;  ///< The land around the extent as a separate file.
   std::optional<map::GeoidSource> geoid;                 ///< Empty if no height of the geoid is given.
@@ -69,6 +70,9 @@ struct Outputs {
   std::vector<double> tolerances_m{kDefaultLevels_m.begin(),
                                    kDefaultLevels_m.end()};  ///< The tolerance of each level, increasing.
 };
+
+/// True if a run writes a tileset, in any form.
+bool has_tileset(const Outputs& outputs);
 
 /// Returns the compression of the meshes in .glb files for a target.
 Compression compression_of(const Outputs& outputs, Target target);

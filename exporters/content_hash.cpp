@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -26,11 +27,18 @@ std::uint64_t mixed_lane(std::uint64_t lane, std::uint64_t word) {
   return std::rotl(lane + word * kPrime2, 31) * kPrime1;
 }
 
-/// Mixes all whole stripes of 32 bytes, and removes them from the span.
-std::uint64_t take_stripes(std::span<const std::byte>& bytes) {
-  std::array<std::uint64_t, 4> lanes = {kPrime1 + kPrime2, kPrime2, 0, 0 - kPrime1};
+using Lanes = std::array<std::uint64_t, 4>;
+
+constexpr Lanes kFirstLanes = {kPrime1 + kPrime2, kPrime2, 0, 0 - kPrime1};
+
+/// Mixes all whole stripes, and removes them from the span.
+Lanes take_stripes(Lanes lanes, std::span<const std::byte>& bytes) {
   for (; bytes.size() >= kStripe; bytes = bytes.subspan(kStripe))
     for (std::size_t i = 0; i < 4; ++i) lanes[i] = mixed_lane(lanes[i], word_at<std::uint64_t>(bytes.data() + 8 * i));
+  return lanes;
+}
+
+std::uint64_t joined_lanes(const Lanes& lanes) {
   std::uint64_t hash =
       std::rotl(lanes[0], 1) + std::rotl(lanes[1], 7) + std::rotl(lanes[2], 12) + std::rotl(lanes[3], 18);
   for (const std::uint64_t lane : lanes) hash = (hash ^ mixed_lane(0, lane)) * kPrime1 + kPrime4;
@@ -47,18 +55,44 @@ std::uint64_t take_rest(std::uint64_t hash, std::span<const std::byte> bytes) {
   return hash;
 }
 
-}  // namespace
-
-std::uint64_t content_hash(std::span<const std::byte> bytes) {
-  const std::uint64_t size = bytes.size();
-  std::uint64_t hash = (size >= kStripe ? take_stripes(bytes) : kPrime5) + size;
-  hash = take_rest(hash, bytes);
+/// @param rest  The bytes after the last whole stripe.
+std::uint64_t finished_hash(const Lanes& lanes, std::uint64_t size, std::span<const std::byte> rest) {
+  std::uint64_t hash = take_rest((size >= kStripe ? joined_lanes(lanes) : kPrime5) + size, rest);
   hash = (hash ^ hash >> 33) * kPrime2;
   hash = (hash ^ hash >> 29) * kPrime3;
   return hash ^ hash >> 32;
 }
 
+}  // namespace
+
+std::uint64_t content_hash(std::span<const std::byte> bytes) {
+  const std::uint64_t size = bytes.size();
+  const Lanes lanes = take_stripes(kFirstLanes, bytes);
+  return finished_hash(lanes, size, bytes);
+}
+
 std::uint64_t content_hash(std::string_view text) { return content_hash(std::as_bytes(std::span(text))); }
+
+ContentHasher::ContentHasher() : lanes_(kFirstLanes) {}
+
+void ContentHasher::add(std::span<const std::byte> bytes) {
+  const std::size_t before = size_ % kStripe;
+  size_ += bytes.size();
+  if (before > 0) {
+    const std::size_t filled = std::min(kStripe - before, bytes.size());
+    std::ranges::copy(bytes.first(filled), rest_.begin() + static_cast<std::ptrdiff_t>(before));
+    bytes = bytes.subspan(filled);
+    if (before + filled < kStripe) return;
+    std::span<const std::byte> stripe = rest_;
+    lanes_ = take_stripes(lanes_, stripe);
+  }
+  lanes_ = take_stripes(lanes_, bytes);
+  std::ranges::copy(bytes, rest_.begin());
+}
+
+std::uint64_t ContentHasher::value() const {
+  return finished_hash(lanes_, size_, std::span(rest_).first(size_ % kStripe));
+}
 
 std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 

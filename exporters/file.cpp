@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 namespace citykiln::exporters {
 namespace {
@@ -29,20 +30,47 @@ bool write_all(int file, std::span<const std::byte> bytes) {
 
 }  // namespace
 
-Result<Done> write_file(const std::string& path, std::span<const std::byte> bytes) {
-  const std::string part = path + ".part" + std::to_string(::getpid());
+GrowingFile::GrowingFile(std::string path, std::string part, int file)
+    : path_(std::move(path)), part_(std::move(part)), file_(file) {}
+
+GrowingFile::GrowingFile(GrowingFile&& other) noexcept
+    : path_(std::move(other.path_)), part_(std::move(other.part_)), file_(std::exchange(other.file_, -1)) {}
+
+GrowingFile::~GrowingFile() {
+  if (file_ < 0) return;
+  ::close(file_);
+  std::remove(part_.c_str());
+}
+
+Error GrowingFile::not_written(int reason) const {
+  errno = reason;
+  return file_error(path_, "cannot be written");
+}
+
+Result<GrowingFile> GrowingFile::create(std::string path, std::string part) {
   const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (file < 0) return file_error(path, "cannot be created");
-  const bool written = write_all(file, bytes);
-  const int reason = errno;
-  const bool closed = ::close(file) == 0;
-  if (!written || !closed || std::rename(part.c_str(), path.c_str()) != 0) {
-    if (!written) errno = reason;
-    const Error error = file_error(path, "cannot be written");
-    std::remove(part.c_str());
-    return error;
-  }
+  return GrowingFile(std::move(path), std::move(part), file);
+}
+
+Result<Done> GrowingFile::append(std::span<const std::byte> bytes) {
+  if (!write_all(file_, bytes)) return not_written(errno);
   return Done{};
+}
+
+Result<Done> GrowingFile::finish() {
+  const bool closed = ::close(std::exchange(file_, -1)) == 0;
+  if (closed && std::rename(part_.c_str(), path_.c_str()) == 0) return Done{};
+  const Error error = not_written(errno);
+  std::remove(part_.c_str());
+  return error;
+}
+
+Result<Done> write_file(const std::string& path, std::span<const std::byte> bytes) {
+  Result<GrowingFile> file = GrowingFile::create(path, path + ".part" + std::to_string(::getpid()));
+  if (!file) return file.error();
+  if (Result<Done> done = file->append(bytes); !done) return done;
+  return file->finish();
 }
 
 Result<std::vector<std::byte>> read_file(const std::string& path) {

@@ -12,8 +12,6 @@
 #include <utility>
 
 #include "compiler/contract/texts/parse.h"
-#include "exporters/content_hash.h"
-#include "exporters/file.h"
 #include "exporters/finish_commit.h"
 #include "exporters/run_files.h"
 
@@ -61,6 +59,11 @@ std::string journal_text(const std::string& path) {
 }
 
 }  // namespace
+
+Result<Done> append(GrowingOutput& output, std::span<const std::byte> bytes) {
+  output.hash.add(bytes), output.bytes += bytes.size();
+  return output.file.append(bytes);
+}
 
 Result<OutputFolder> OutputFolder::open(const std::string& path, TakesOver takes_over) {
   OutputFolder folder(path);
@@ -147,11 +150,18 @@ Result<Done> OutputFolder::take_over(const StagedFile& staged) {
   return note_whole(staged);
 }
 
-Result<Done> OutputFolder::stage(const std::string& name, std::span<const std::byte> bytes) {
+/// Returns the path of a file in .new, whose folder it makes.
+Result<std::string> OutputFolder::staged_path(const std::string& name) {
   assert(is_open_ && name != kFileListName && name != kJournalName);
   const fs::path file = fs::path(staging_) / name;
-  if (Result<Done> made = make_folder(file.parent_path().string()); !made) return made;
-  return write_file(file.string(), bytes);
+  if (const Result<Done> made = make_folder(file.parent_path().string()); !made) return made.error();
+  return file.string();
+}
+
+Result<Done> OutputFolder::stage(const std::string& name, std::span<const std::byte> bytes) {
+  const Result<std::string> path = staged_path(name);
+  if (!path) return path.error();
+  return write_file(*path, bytes);
 }
 
 Result<Done> OutputFolder::write(const std::string& name, std::span<const std::byte> bytes, std::uint64_t key,
@@ -173,6 +183,20 @@ Result<Done> OutputFolder::write_varying(const std::string& name, std::span<cons
   Result<Done> done = stage(name, bytes);
   if (done) files_[name] = {.name = name};
   return done;
+}
+
+// The temporary name is the same in every run: a run goes over what a killed one left.
+Result<GrowingOutput> OutputFolder::begin_growing(const std::string& name) {
+  const Result<std::string> path = staged_path(name);
+  if (!path) return path.error();
+  Result<GrowingFile> file = GrowingFile::create(*path, *path + ".part");
+  if (!file) return file.error();
+  return GrowingOutput{name, std::move(*file)};
+}
+
+Result<Done> OutputFolder::finish_growing(GrowingOutput output) {
+  if (Result<Done> done = output.file.finish(); !done) return done;
+  return note_whole({{output.name, output.bytes, hash_text(output.hash.value())}, 0, {}});
 }
 
 Result<Done> OutputFolder::adopt(const ListedFile& file, const std::string& path) {

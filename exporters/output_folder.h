@@ -31,6 +31,8 @@
 #include <vector>
 
 #include "compiler/contract/result.h"
+#include "exporters/content_hash.h"
+#include "exporters/file.h"
 #include "exporters/file_list.h"
 
 namespace citykiln::exporters {
@@ -56,6 +58,17 @@ std::map<std::string, StagedFile> read_journal(const std::string& text);
 /// The earlier runs whose files a run may reuse. kInterrupted: an interrupted run. kFinished: also the finished run in
 /// the folder; the new run then leaves its own keys for the next.
 enum class TakesOver { kInterrupted, kFinished };
+
+/// A file of a run that is written piece by piece, so that it is never in memory.
+struct GrowingOutput {
+  std::string name;  ///< The path relative to the folder.
+  GrowingFile file;
+  ContentHasher hash{};
+  std::uint64_t bytes = 0;
+};
+
+/// Writes bytes at the end of a file. Error: a file that cannot be written.
+Result<Done> append(GrowingOutput& output, std::span<const std::byte> bytes);
 
 /// Writes the files of one run. An object destroyed without commit() leaves OUT as it was. If .new holds files with
 /// keys, .new stays for the next run; else .new is removed, together with the folders that were made.
@@ -89,6 +102,12 @@ class OutputFolder {
   /// Writes a file whose bytes differ between equal runs, such as times.
   Result<Done> write_varying(const std::string& name, std::span<const std::byte> bytes);
 
+  /// Begins a file that grows (append()). It is a file of this run only once it is finished; if it never is, nothing
+  /// stays of it.
+  Result<GrowingOutput> begin_growing(const std::string& name);
+  /// Adds a file that grew to this run. Later runs cannot reuse it.
+  Result<Done> finish_growing(GrowingOutput output);
+
   /// Adds a complete file from elsewhere to this run, by a hard link, or by a copy if that fails (another file system).
   Result<Done> adopt(const ListedFile& file, const std::string& path);
 
@@ -107,6 +126,7 @@ class OutputFolder {
   explicit OutputFolder(std::string path) : path_(std::move(path)) {}
   Result<Done> make_folder(const std::string& path);
   Result<Done> begin();
+  Result<std::string> staged_path(const std::string& name);
   Result<Done> stage(const std::string& name, std::span<const std::byte> bytes);
   Result<Done> note_whole(const StagedFile& staged);
   Result<Done> keep_keys();

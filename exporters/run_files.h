@@ -27,6 +27,7 @@ inline constexpr const char* kVdbName = "usd/clouds.vdb";
 
 inline constexpr const char* kTilesetFolder = "3dtiles";
 inline constexpr const char* kTilesetName = "tileset.json";              ///< In kTilesetFolder.
+inline constexpr const char* kTilesetArchiveName = "tileset.3tz";        ///< tiles3d/archive.h
 inline constexpr const char* kSurroundingsContent = "surroundings.glb";  ///< In kGlbFolder and kTilesetFolder.
 
 inline constexpr const char* kPageIndexName = "index.html";

@@ -1,4 +1,4 @@
-// Writes zip archives without compression.
+// Writes whole zip archives without compression, in memory (zip_writer.h writes larger ones).
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct ZippedFile {
 };
 
 /// Returns a zip archive of uncompressed files in the given order. The data of each file begin at a multiple of
-/// `alignment` bytes; dates are constant. Error: more than 4 GB. Source: PKWARE, APPNOTE.TXT 6.3.
+/// `alignment` bytes, not 0; dates are constant. Error: more than 4 GB.
 Result<std::vector<std::byte>> stored_zip(std::span<const ZippedFile> files, std::size_t alignment);
 
 }  // namespace citykiln::exporters

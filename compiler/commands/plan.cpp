@@ -44,6 +44,8 @@ Result<Done> can_be_planned(const CompileSpec& spec) {
   if (spec.outputs.surroundings == AroundWish::kYes && (spec.outputs.usd || spec.outputs.tiles3d))
     return Error{"--surroundings", "a plan writes the land around the map as .glb only; leave usd and 3dtiles out"};
   if (!spec.outputs.manifest) return Error{"--emit", "a plan needs manifests; add kiln"};
+  if (spec.outputs.tiles3d_archive)
+    return Error{"--emit", "a plan writes no archive, since gather joins none; give 3dtiles instead of 3tz"};
   if (spec.outputs.page) return Error{"--emit", "a plan writes no page, which shows one run; leave page out"};
   if (spec.world == World::kCylinder) return Error{"--world", "a plan is for worlds in the plane; compile instead"};
   if (!spec.only.empty()) return Error{"--only", "a plan has all tiles; give a part of the map with --bbox"};

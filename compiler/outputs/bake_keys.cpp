@@ -17,12 +17,12 @@ namespace {
 /// The settings that change the bytes of tiles. The binding names every member of Outputs, so a new one does not
 /// compile until it is added here.
 std::string settings_of(const Outputs& outputs) {
-  const auto& [folder, manifest, glb, usd, tiles3d, page, surroundings, geoid, target, split, compress, layout,
-               materials, has_fine_textures, lights, max_bytes, max_triangles, tolerances_m] = outputs;
+  const auto& [folder, manifest, glb, usd, tiles3d, tiles3d_archive, page, surroundings, geoid, target, split, compress,
+               layout, materials, has_fine_textures, lights, max_bytes, max_triangles, tolerances_m] = outputs;
   static_cast<void>(max_bytes), static_cast<void>(max_triangles);      // tiles that are solved for have no keys
   static_cast<void>(materials), static_cast<void>(has_fine_textures);  // hashed by TextureChoice
   static_cast<void>(folder), static_cast<void>(manifest), static_cast<void>(glb), static_cast<void>(usd);
-  static_cast<void>(tiles3d), static_cast<void>(page);  // written without keys
+  static_cast<void>(tiles3d), static_cast<void>(tiles3d_archive), static_cast<void>(page);  // written without keys
   static_cast<void>(geoid), static_cast<void>(surroundings), static_cast<void>(compress), static_cast<void>(layout);
   return fmt::format("target {} split {} compress {} layout {} lights {} ladder {}", values_of(target).name,
                      name_of(split), name_of(compression_of(outputs, target)), name_of(layout_of(outputs)), lights,

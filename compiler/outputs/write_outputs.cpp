@@ -382,10 +382,10 @@ class TileWriter {
 Result<Done> write_on_ellipsoid(const scene::Scene& scene, const Outputs& outputs, const TextureChoice& textures,
                                 int threads, exporters::OutputFolder& folder, Report& report,
                                 const OnProgress& on_progress, WrittenOutputs& written) {
-  if (!outputs.tiles3d && !outputs.page) return Done{};
+  if (!has_tileset(outputs) && !outputs.page) return Done{};
   const Result<map::Geoid> geoid = geoid_of(scene.header, outputs);
   if (!geoid) return geoid.error();
-  if (outputs.tiles3d) {
+  if (has_tileset(outputs)) {
     auto files = write_tiles3d(scene, outputs, *geoid, textures, threads, folder, report, on_progress);
     if (!files) return files.error();
     std::ranges::move(*files, std::back_inserter(written.files.files));

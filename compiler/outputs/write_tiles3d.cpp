@@ -1,15 +1,15 @@
 #include "compiler/outputs/write_tiles3d.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "compiler/bake_scene.h"
 #include "compiler/outputs/tile_lights.h"
 #include "compiler/outputs/tiles3d/make_content.h"
+#include "compiler/outputs/tiles3d/tree_sink.h"
 #include "exporters/run_files.h"
 #include "exporters/tiles3d/tileset.h"
 
@@ -22,11 +22,11 @@ using Lights = std::vector<bake::PlacedLamp>;
 /// Bakes a scene and writes the contents of its tile tree, each as soon as all that it is made of is baked.
 class TreeWriter {
  public:
-  TreeWriter(const TreeContents& tree, int threads, exporters::OutputFolder& folder)
+  TreeWriter(const TreeContents& tree, int threads, TreeSink& sink)
       : tree_(tree),
         plan_(tree.plan),
         threads_(threads),
-        folder_(folder),
+        sink_(sink),
         lights_(lights_of_tiles(tree.scene, tree.outputs.lights, threads)),
         slots_(tree.scene.chunks.size() * plan_.levels_m.size()) {}
 
@@ -36,19 +36,6 @@ class TreeWriter {
                        .process = [&](ChunkLevel at, bake::BakedTile&& tile) { process(at, std::move(tile)); },
                        .take = [&](ChunkLevel at, const Report&) { return take(at); }});
   }
-
-  Result<Done> put(const std::string& content, std::span<const std::byte> bytes) {
-    const std::string name = fmt::format("{}/{}", exporters::kTilesetFolder, content);
-    return put_file(name, bytes);
-  }
-
-  Result<Done> put_file(const std::string& name, std::span<const std::byte> bytes) {
-    if (const Result<Done> done = folder_.write(name, bytes); !done) return done;
-    files.push_back({name, bytes.size()});
-    return Done{};
-  }
-
-  std::vector<WrittenFile> files;
 
  private:
   /// A baked tile at one level: its content, and the tile itself if inner tiles are made of it.
@@ -70,7 +57,7 @@ class TreeWriter {
     const scene::TileKey tile = tree_.scene.chunks[at.chunk].tile;
     if (at.level < plan_.own_levels) {
       const std::vector<std::byte> glb = std::exchange(slot(at).glb, {});
-      if (const Result<Done> done = put(content_name(tile, at.level), glb); !done) return done;
+      if (const Result<Done> done = sink_.put(content_name(tile, at.level), glb); !done) return done;
     }
     if (at.level + 1 < plan_.levels_m.size()) return Done{};
     keep_coarse(at.chunk);
@@ -104,18 +91,23 @@ class TreeWriter {
     if (!inner) return inner.error();
     if (key != plan_.tree.root && !plan_.inner_level(exporters::parent_of(key)).bake_m)
       parts_[exporters::parent_of(key)].push_back(*inner);
-    return put(content_name(key), make_content(tree_, std::move(*inner), {}, threads_));
+    return sink_.put(content_name(key), make_content(tree_, std::move(*inner), {}, threads_));
   }
 
   const TreeContents& tree_;
   const TreePlan& plan_;
   int threads_;
-  exporters::OutputFolder& folder_;
+  TreeSink& sink_;
   std::vector<Lights> lights_;                             ///< By chunk.
   std::vector<Slot> slots_;                                ///< By chunk and level.
   std::map<NodeKey, std::vector<bake::BakedTile>> parts_;  ///< The tiles that inner nodes are joined from.
   std::map<NodeKey, std::size_t> finished_;                ///< The number of finished children of inner nodes.
 };
+
+/// The name of a document relative to tileset.json.
+std::string name_in_tileset(const exporters::TilesetFile& file) {
+  return file.name.substr(std::string_view(exporters::kTilesetFolder).size() + 1);
+}
 
 }  // namespace
 
@@ -147,21 +139,23 @@ Result<std::vector<WrittenFile>> write_tiles3d(const scene::Scene& scene, const 
   const TreeWorld world(scene.header, geoid);
   const TreePlan plan = plan_tree(scene, outputs, world);
   const TreeContents tree{scene, outputs, world, plan, textures};
-  TreeWriter writer(tree, threads, folder);
+  Result<TreeSink> sink = TreeSink::open(outputs, folder);
+  if (!sink) return sink.error();
+  TreeWriter writer(tree, threads, *sink);
   Report repeated;  // what the tiles of .glb and USD count again
   if (const auto done = writer.write(outputs.glb || outputs.usd ? repeated : report, on_progress); !done)
     return done.error();
   exporters::TilesetTile root = plan.root;
   if (outputs.surroundings != AroundWish::kNo)
     if (std::optional<AroundContent> around = make_surroundings(tree, threads)) {
-      if (const Result<Done> done = writer.put(around->tile.content, around->glb); !done) return done.error();
+      if (const Result<Done> done = sink->put(around->tile.content, around->glb); !done) return done.error();
       root = with_surroundings(std::move(root), std::move(around->tile));
     }
   const exporters::TilesetFacts facts = tileset_facts(scene.header, outputs, geoid);
   for (const exporters::TilesetFile& file : exporters::encode_tileset(std::move(root), facts))
-    if (const Result<Done> done = writer.put_file(file.name, exporters::bytes_of(file.json)); !done)
+    if (const Result<Done> done = sink->put(name_in_tileset(file), exporters::bytes_of(file.json)); !done)
       return done.error();
-  return std::move(writer.files);
+  return sink->finish();
 }
 
 }  // namespace citykiln::outputs

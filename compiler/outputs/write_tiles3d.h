@@ -19,8 +19,8 @@ namespace citykiln::outputs {
 /// Returns the geoid over the extent of a scene. Error: a geoid that cannot be read.
 Result<map::Geoid> geoid_of(const scene::Header& header, const Outputs& outputs);
 
-/// Bakes a scene and writes 3dtiles/tileset.json with its contents. An inner tile is a tile of the tree above the tiles
-/// of the scene.
+/// Bakes a scene and writes tileset.json with its contents, into 3dtiles/ (Outputs::tiles3d), into the archive
+/// tileset.3tz (Outputs::tiles3d_archive), or both. An inner tile is a tile of the tree above the tiles of the scene.
 ///
 /// - The tree is that of plan_tree() (tiles3d/plan_tree.h), with its bounds of errors and boxes: the tileset is known
 ///   before anything is baked, so that a server sends the same tree at once.

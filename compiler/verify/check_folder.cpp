@@ -95,7 +95,7 @@ bool is_usd_name(const std::string& name) {
 bool is_name_of_run(const std::string& name) {
   for (const char* own : {kManifestName, kReportName, kFindingsName, kTimingName, kKeysName, exporters::kGlbCloudsName,
                           exporters::kGlbSurroundingsName, exporters::kUsdSurroundingsName, exporters::kUsdCloudsName,
-                          exporters::kVdbName})
+                          exporters::kVdbName, exporters::kTilesetArchiveName})
     if (name == own) return true;
   if (is_usd_name(name) || is_page_name(name)) return true;
   if (const auto inside = name_inside(name, exporters::kTilesetFolder)) return is_name_in_tileset(*inside);

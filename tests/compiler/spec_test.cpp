@@ -66,7 +66,7 @@ TEST(Spec, ParsesEverySetting) {
                                                       {"tile", "256"},
                                                       {"only", "-1_2,3_-4"},
                                                       {"out", "o"},
-                                                      {"emit", "glb,kiln,usd,3dtiles"},
+                                                      {"emit", "glb,kiln,usd,3dtiles,3tz"},
                                                       {"lods", "0.1,2"},
                                                       {"world", "plane"},
                                                       {"geoid-height", "47.5"},

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <set>
+#include <span>
 
 namespace citykiln::exporters {
 namespace {
@@ -27,6 +29,21 @@ TEST(ContentHash, TellsEveryChangedBitApart) {
     hashes.insert(content_hash(changed));
   }
   EXPECT_EQ(hashes.size(), 801u);
+}
+
+TEST(ContentHash, IsTheSameInPieces) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 500; ++round) {
+    std::string text(random() % 300, ' ');
+    for (char& letter : text) letter = static_cast<char>(random());
+    ContentHasher hasher;
+    for (std::size_t at = 0; at < text.size();) {
+      const std::string piece = text.substr(at, random() % 80);
+      hasher.add(std::as_bytes(std::span(piece)));
+      at += piece.size();
+    }
+    EXPECT_EQ(hasher.value(), content_hash(text)) << text.size();
+  }
 }
 
 }  // namespace

@@ -121,6 +121,35 @@ TEST_F(OutputFolderOfARun, KeepsAForeignFileWithTheNameOfItsList) {
   EXPECT_EQ(products(), expected);
 }
 
+TEST_F(OutputFolderOfARun, HasFilesThatGrewLikeFilesWrittenAtOnce) {
+  run({{"big", "three pieces of text"}});
+  const Files at_once = files();
+  put("out/.new/big.part", "what a killed run left, longer than the file");
+  {
+    Result<OutputFolder> folder = OutputFolder::open(at("out"));
+    Result<GrowingOutput> big = folder->begin_growing("big");
+    ASSERT_TRUE(big);
+    for (const char* piece : {"three ", "pieces ", "of text"}) ASSERT_TRUE(append(*big, bytes_of(piece)));
+    EXPECT_TRUE(folder->files().empty());
+    ASSERT_TRUE(folder->finish_growing(std::move(*big)));
+    ASSERT_TRUE(folder->commit());
+  }
+  EXPECT_EQ(files(), at_once);
+}
+
+TEST_F(OutputFolderOfARun, HasNothingOfAFileThatNeverFinished) {
+  Result<OutputFolder> folder = OutputFolder::open(at("out"));
+  {
+    Result<GrowingOutput> big = folder->begin_growing("big");
+    ASSERT_TRUE(append(*big, bytes_of("half")));
+    EXPECT_TRUE(fs::exists(at("out/.new/big.part")));
+  }
+  EXPECT_FALSE(fs::exists(at("out/.new/big.part")));
+  ASSERT_TRUE(folder->write("a", bytes_of("1")));
+  ASSERT_TRUE(folder->commit());
+  EXPECT_EQ(products(), (Files{{"a", "1"}}));
+}
+
 TEST_F(OutputFolderOfARun, TakesOverWhatAnInterruptedRunLeftWhole) {
   {
     Result<OutputFolder> folder = OutputFolder::open(at("out"));

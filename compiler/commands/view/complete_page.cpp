@@ -32,6 +32,7 @@ Outputs outputs_of(const PageRequest& request, const outputs::RunRecord& record)
   Outputs outputs = request.outputs;
   outputs.folder = request.folder;
   if (!outputs.compress) outputs.compress = record.compress;
+  outputs.tiles3d = true;
   // its ledger counts the objects that levels drop
   outputs.glb = true;
   std::set<double> levels_m;

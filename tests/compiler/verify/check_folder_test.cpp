@@ -21,6 +21,7 @@ TEST(CheckFolder, KnowsTheNamesThatRunsGive) {
                            "3dtiles/0_-1_L2.glb",
                            "3dtiles/Q3_0_1.glb",
                            "3dtiles/surroundings.glb",
+                           "tileset.3tz",
                            "keys.jsonl",
                            "glb/clouds.glb",
                            "glb/surroundings.glb",
