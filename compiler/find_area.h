@@ -9,8 +9,8 @@
 
 namespace citykiln {
 
-/// Returns the polygons of the relation with boundary=administrative that has a name as its `name` or `name:en`, or as
-/// its id, such as "r1124039".
+/// Returns the polygons, in degrees, of an administrative area of a map file: of the one relation with
+/// boundary=administrative whose `name`, `name:en` or id ("r1124039") equals `name`.
 ///
 /// Errors, each with candidates: no such area, several, or one whose boundary is not complete in the map; those of
 /// source::read_osm(). Cost: that of reading the map.

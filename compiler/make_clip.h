@@ -29,9 +29,10 @@ struct StandingRecipes {
   std::vector<wires::WireSpan> wire_spans;
 };
 
-/// Returns the recipes inside of a clip: buildings by the centroid of their footprint, parts of one element together by
-/// that of the largest; trees, lamps and things by their place; wires with both ends inside. Barriers are cut at the
-/// clip. Does nothing if the clip is empty. O(n · edges of the clip at one height).
+/// Returns the recipes inside of a clip, or all if the clip is empty. All buildings of one element are kept if the
+/// centroid of its largest footprint is inside. Trees, lamps and things are kept by their place, spans of wires if both
+/// ends of their first wire are inside. Barriers are cut at the clip. O(n · edges of the clip in one horizontal band of
+/// the plan).
 StandingRecipes within_clip(StandingRecipes recipes, const scene::Clip& clip);
 
 }  // namespace citykiln

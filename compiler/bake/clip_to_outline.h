@@ -12,10 +12,14 @@ namespace citykiln::bake {
 ///
 /// @param meshes  The meshes of one object; no null pointers.
 ///
-/// Guarantees: meshes inside stay unchanged, to the byte; new vertices are within 2^-10 m of the clip's edges in plan,
-/// on the 2^-10 m grid, with linearly interpolated normals, texture coordinates and tints; two triangles of a mesh that
-/// share an edge get the same vertices. Bodies stay open where they are cut. Method: triangles that an edge of the clip
-/// comes near are split along its line; each piece is inside or outside as a whole. O(triangles · edges near).
+/// Method: a triangle is split along the straight line through each clip edge whose bounding box touches the triangle's
+/// in plan. Each piece is then kept or removed as a whole. Bodies stay open where they are cut.
+///
+/// Guarantees: a mesh inside the clip stays unchanged, to the byte, if no clip edge's bounding box in plan comes within
+/// 1 m of the mesh's. Nearer meshes may get new vertices inside the clip, too. New vertices are within 2^-10 m of the
+/// line of a clip edge in plan, on the 2^-10 m grid, with linearly interpolated normals (unit length), texture
+/// coordinates and tints. Two triangles that share a mesh edge, and are split by the same clip edges, get the same
+/// vertices on the mesh edge. O(triangles · edges near).
 void clip_to_outline(std::span<materials::MaterialMesh* const> meshes, const scene::Clip& clip);
 
 }  // namespace citykiln::bake

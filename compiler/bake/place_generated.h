@@ -1,5 +1,6 @@
-// Places what is drawn when a tile is baked: street trees, parked cars, street furniture, utility poles, things of
-// yards. They have no recipes: the rooms cars and furniture draw them from those of streets, car parks and yards.
+// Places the objects that have no recipes of their own: street trees, parked and moving cars, street furniture, utility
+// poles, things of yards. The folders cars/ and furniture/ choose them at random, by the seed, from the recipes of
+// streets, car parks and yards when a tile is baked.
 #pragma once
 
 #include <span>
@@ -13,8 +14,8 @@
 
 namespace citykiln::bake {
 
-/// The greatest heights of what is drawn: of cars; of furniture and things of yards, to utility poles; of cranes on
-/// building sites. A level whose tolerance is not below such a height has none of it, whatever other levels show.
+/// Upper bounds of the heights, in metres, of generated objects: cars; furniture, things of yards and utility poles;
+/// cranes on building sites. A level shows a kind only if its tolerance is smaller than the kind's bound.
 inline constexpr double kShowsCars_m = 3, kShowsFurniture_m = 10, kShowsCranes_m = 38;
 
 /// The kinds of things that are to be placed.
@@ -46,8 +47,9 @@ struct GeneratedThings {
   std::vector<PlacedPoleSpan> pole_spans;  ///< The spans whose middle lies in the tile.
 };
 
-/// Removes the drawn things that are not at a tolerance. Returns a bound of their heights, for a level's error: the
-/// same whether or not they were placed for another level.
+/// Removes the generated people, cars, furniture and cranes that a level of this tolerance does not show. Returns a
+/// bound of the heights of the kinds that are left out, in metres, for the level's error. The bound depends on the
+/// header, the chunk and the tolerance, not on `things`. It is 0 if the layer of things is not shown.
 double leave_out_drawn(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m,
                        std::vector<PlacedThing>& things);
 
@@ -57,12 +59,13 @@ double leave_out_drawn(const scene::Header& header, const scene::Chunk& chunk, d
 std::vector<plants::Tree> trees_with_street_trees(const scene::Header& header, const scene::Chunk& chunk,
                                                   const TileGround& ground, const Box2& box);
 
-/// Returns the cars of a tile by the header's settings, then its furniture, the things of its yards, and its poles.
+/// Returns the parked cars of a tile, its moving cars, the things of its yards, its refuges (traffic islands), its
+/// other furniture, and its poles, in this order, by the header's settings.
 ///
 /// - A car stands on the plane that fits best to the heights of the ground below its four wheels. There is none where
 ///   that is steeper than 25 % along the car or 12.5 % across it.
-/// - Furniture stands upright, as high as the lowest corner of its base; of the kinds whose rules the header has. There
-///   is none without scene::Header::has_street_furniture.
+/// - Furniture stands upright, at the height of the lowest corner of its base. Only kinds whose rules the header has
+///   are placed. Refuges are the only furniture, and there are no poles, without scene::Header::has_street_furniture.
 /// - Things of yards and poles stand in the same way; a thing of a yard is left out where the ground rises by more than
 ///   0.4 m above its foot.
 ///

@@ -49,7 +49,8 @@ struct Condition {
 /// Elements that fit all conditions; never empty.
 using Filter = std::vector<Condition>;
 
-/// The changes to elements. Tags are removed before others are set.
+/// The changes to elements. Tags are removed before others are set. A node is moved before it is placed, so `placed`
+/// overrides `moved_m`.
 struct Changes {
   bool is_dropped = false;
   std::vector<std::pair<std::string, std::string>> set{};  ///< Key and value, in the order of the line.

@@ -20,11 +20,11 @@ struct Match {
 inline constexpr std::size_t kNoTags = static_cast<std::size_t>(-1);
 
 /// Returns the elements that fit the filters of edits, sorted by id. Filters see the map as it was read: no line sees
-/// what another one changes or adds. Nodes without tags fit filters that begin with their id only.
+/// what another one changes or adds. A node without tags is tested only by filters that list its id, not negated.
 ///
-/// Cost: a search for the tags of each element in the keys of filters, then a test of each filter that names one of its
-/// keys or its id; a test of every filter without an id and a key. O(nodes of ways) if an id is that of a node without
-/// tags.
+/// Cost: filters are indexed by the ids, or else by the key of the first tag, that they require. An element is tested
+/// by the filters found by its id and its keys, and by every filter that requires neither. O(nodes of ways) more if a
+/// filter lists a node that has no tags.
 std::vector<Match> find_matches(const source::OsmData& map, const Edits& edits);
 
 }  // namespace citykiln::edits

@@ -20,8 +20,10 @@ struct NodeMove {
 /// The moved nodes, by id.
 using NodeMoves = std::map<std::int64_t, NodeMove>;
 
-/// Returns the nodes that lines move: matched nodes, those of matched ways, and those of the members of matched
-/// relations. A line moves each node once, also one of several of its elements.
+/// Returns the nodes that lines move: matched nodes, all nodes of matched ways, and of matched relations the nodes of
+/// member ways and the member nodes that have tags. Members that are relations are skipped. A line moves a node once,
+/// even if several elements that the line matches share it. Offsets of several lines add up; a line that places a node
+/// replaces the earlier ones.
 NodeMoves moved_nodes(const source::OsmData& map, const Edits& edits, std::span<const Match> matches);
 
 /// Moves the nodes of a map and of its ways, and returns the ids of the ways that have such nodes, sorted. O(nodes).

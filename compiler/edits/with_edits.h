@@ -19,10 +19,10 @@ struct EditedMap {
 /// Returns a map with all edits. Filters see the map as it was read; the changes of all lines that fit an element are
 /// made in the order of the lines.
 ///
-/// - An element is dropped as a thing: nodes of a dropped way stay in other ways, and ways through a dropped node keep
-///   their course. Areas keep the shape that members gave them.
-/// - A node moves in all ways and areas that it is a node of. Areas whose rings cross or touch after that are mended
-///   (mended_polygons()), or stay as moved if they have more than kMostMended points.
+/// - Dropping an element removes its object alone: nodes of a dropped way stay in other ways, ways through a dropped
+///   node keep their course, and areas of relations keep the shape that a dropped member gave them.
+/// - A node moves in all ways and areas that it is a node of. The rings of these areas are rebuilt by
+///   mended_polygons(), or only moved, even if they then cross, where they have more than kMostMended points.
 /// - A closed way becomes an area, or is none any more, by its new tags; a relation keeps its area.
 /// - Added ways whose points are nodes of the map, or equal places of other added ways, are joined there.
 ///

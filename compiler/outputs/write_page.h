@@ -22,10 +22,10 @@ struct PageContent {
   std::function<std::string()> make;
 };
 
-/// Returns the files of the page: index.html and page/: the files of the program, page.json (skies, classes, what is
-/// assumed), a table for each sky, the records of features with their recipes, and names. The page also reads 3dtiles/
-/// and findings.json of the same folder. Cost: the records; then, when it
-/// is made, 0.4 s of one core for each sky.
+/// Returns the files of the page: index.html, and in page/ the viewer's program, page.json (skies, classes,
+/// assumptions), a table for each sky, the records of features with their recipes, and names. The page also reads
+/// 3dtiles/ and findings.json of the run's folder. Cost: the call makes the records of all features; PageContent::make
+/// takes 0.4 s of one core for the table of a sky.
 ///
 /// @param scene, geoid  Must outlive the result. The geoid is the result of geoid_of() (write_tiles3d.h).
 std::vector<PageContent> page_contents(const scene::Scene& scene, const Outputs& outputs, const map::Geoid& geoid);

@@ -11,7 +11,8 @@
 
 namespace citykiln::scene {
 
-/// Polygons that do not overlap, on the grid of map::kMapStep_m; empty: nothing is clipped.
+/// Polygons that do not overlap, in plane metres on the grid of map::kMapStep_m. Outer rings run counter-clockwise,
+/// holes clockwise. Empty: nothing is clipped.
 using Clip = std::vector<Polygon>;
 
 /// The id of the land cover beyond a clip, which no element has. Its faces of the ground are not written.
@@ -27,7 +28,8 @@ class ClipTest {
   /// Places in `box` can be asked for.
   ClipTest(const Clip& clip, const Box2& box);
 
-  /// True if a place is inside, or nothing is clipped. O(edges at its height).
+  /// Tests whether a place is inside; true if nothing is clipped. A place on an edge may count as either. Cost: O(edges
+  /// in the place's horizontal band of the plan).
   bool is_inside(Vec2 place) const { return !is_clipped_ || !ground::is_inside(beyond_, place); }
 
  private:
@@ -35,7 +37,8 @@ class ClipTest {
   ground::BandedRings beyond_;
 };
 
-/// True if a box has places inside of a clip, or nothing is clipped. Exact. O(vertices of the clip).
+/// Tests whether at least 1 m² of a box is inside of a clip; true if nothing is clipped. Cost: O(vertices of the clip),
+/// and a union of its rings near the box.
 bool touches_clip(const Clip& clip, const Box2& box);
 
 }  // namespace citykiln::scene

@@ -10,9 +10,11 @@ namespace citykiln::scene {
 /// True if tiles show all recipes of a chunk as they are: shown_chunk() would return the chunk unchanged.
 bool shows_recipes_as_they_are(const Shown& shown);
 
-/// Returns a chunk whose woods have the density of Header::shown, none at 0 and at most plants::kMostTreesPerHa, and
-/// without yards and what they generate where yards are left out. Other layers are left out when a tile is baked: what
-/// stands in them still bars others from its place. O(n log n).
+/// Returns a chunk with Header::shown applied to its recipes. The densities of woods are multiplied by
+/// Shown::wood_density, and limited to the range from plants::kLeastTreesPerHa to plants::kMostTreesPerHa (or the
+/// wood's own density, if that is larger); 0 removes the woods. Yards and the recipes made for them are removed if
+/// their layer is left out. Other layers are left out when the tile is baked, since their objects still keep others
+/// from their place. O(n log n).
 Chunk shown_chunk(const Header& header, const Chunk& chunk);
 
 /// Returns shown_chunk(), or without a copy the chunk itself, which must then outlive the result.

@@ -30,9 +30,11 @@ struct Outline {
 /// Reads polygons: of GeoJSON (Polygon, MultiPolygon, and Features, FeatureCollections and GeometryCollections of them)
 /// in files that end in .json or .geojson, else in the format of Osmosis (.poly).
 ///
-/// Errors, each with the file and the place in it: a file that cannot be read, another format, no polygon, a ring of
-/// fewer than three different points, one that is not closed (GeoJSON) or that crosses or touches itself or another
-/// ring, a hole outside of its outer ring, and places that are not on Earth. Cost: O(n log n) in points.
+/// Errors, each with the file and the place in it: a file that cannot be read, another format, no polygon, a ring that
+/// has fewer than three different points, is not closed (GeoJSON), crosses or touches itself, or crosses or overlaps
+/// another ring, an edge of more than 90° of longitude, a hole outside of its outer ring, longitudes beyond ±360° and
+/// latitudes beyond ±90°. Different rings may touch at single points. Cost: O(n log n) in points, more if many edges
+/// lie above each other.
 Result<Outline> read_outline(const std::string& path);
 
 /// Parses the text of such a file. `name` is what errors name, and decides the format.

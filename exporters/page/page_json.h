@@ -28,13 +28,16 @@ struct PageSky {
   std::string file;  ///< The name of its table, relative to the folder of the run.
 };
 
-/// The light of a sky, linear RGB; radiances are in sky::kUnitLuminance_cd_m2, `light` is the irradiance of a surface
-/// that faces the sun or, by night, the moon.
+/// The light of a sky, linear RGB, not negative. Radiances are in units of sky::kUnitLuminance_cd_m2:
+/// - `light`: irradiance of a surface that faces the sun or, by night, the moon; 0 while that is below the horizon.
+/// - `disk`: radiance of the disk of sun or moon.
+/// - `white_ground`, `ground`: radiance of level white ground, and of ground with the sky's albedo.
 struct PageSkyTable {
   Vec3 to_light{0, 0, 1};  ///< The direction to sun or moon, unit length.
   PageRgb light{}, disk{}, white_ground{}, ground{};
-  /// The radiance of the sky: columns by azimuth, counter-clockwise from east, at (column + 0.5) / columns of a turn;
-  /// rows from the horizon to the zenith, at a height z = (row / (rows - 1))² of the unit direction.
+  /// The radiance of the sky, row by row, at index row * columns + column. A column is the azimuth
+  /// (column + 0.5) / columns of a turn, counter-clockwise from east. A row is the direction with
+  /// z = (row / (rows - 1))²: the first is the horizon, the last the zenith.
   std::size_t columns = 0, rows = 0;
   std::vector<PageRgb> radiance{};
 };

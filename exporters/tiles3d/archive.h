@@ -27,7 +27,7 @@ struct TilesetArchive {
 };
 
 /// Adds a file. Returns the bytes before it; the caller writes them and then the file. Each name may be added once.
-/// Deterministic. Error: a file of 4 GB or more.
+/// Deterministic. Error: a file of 4 GB or more; the archive must not be used after that.
 ///
 /// @param name  The path relative to tileset.json, ASCII: "Q1_0_0.glb".
 Result<std::vector<std::byte>> add_to_archive(TilesetArchive& archive, const std::string& name,

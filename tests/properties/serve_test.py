@@ -80,7 +80,7 @@ class Serve(ProgramTest):
     def test_random_requests_of_many_clients_get_the_bytes_of_bake(self):
         files, wrong = self.tileset(), []
         names = sorted(files)
-        requests = (10000 if IS_FULL else 2000) // CLIENTS
+        requests = (10000 if IS_FULL else 400) // CLIENTS
         # a cache that holds a part of the tileset
         with Server("serve", self.manifest_alone(), "--lods", "2.5,12.5", "--cache", "1MB") as server:
             def client(number):

@@ -79,7 +79,8 @@ class TilesetArchive(ProgramTest):
                 time.sleep(0.002)
             process.send_signal(signal.SIGKILL)
         self.assertFalse((out / "tileset.3tz").exists())
-        self.assertEqual(subprocess.run(arguments, capture_output=True, check=False).returncode, 0)
+        done = subprocess.run(arguments, capture_output=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(sha256(out / "tileset.3tz"), sha256(self.both() / "tileset.3tz"))
         self.assertFalse((out / ".new").exists())
 

@@ -25,7 +25,9 @@ inline constexpr double kSagShare = 0.02;
 /// - Positions of ground, roads and water are multiples of kQuantum_m of the frame; others are rounded to single
 ///   precision from the tile's origin.
 /// - Instances keep their shape; each is turned to the vertical of its place.
-/// - error_m is multiplied by the factor of lengths at the tile's largest height; sag and rounding are added.
+/// - The largest deviation of the geoid from a straight line along an edge is added to error_m. The sum is multiplied
+///   by the factor of lengths at the tile's largest height; then sag and rounding are added. object_error_m becomes
+///   error_m. plant_error_m is multiplied by the same factor.
 ///
 /// Guarantees: equal positions stay equal, and equal edges are halved at equal places in all tiles, so tiles that were
 /// baked separately meet as in the plane. Same bytes on every CPU. Cannot fail. Cost: 0.3 µs a vertex.
@@ -40,18 +42,21 @@ inline constexpr double kCylinderSagShare = 0.1;
 /// - Edges are halved until their sag (map::sag_m()) is at most kCylinderSagShare of the tolerance, as above. Edges
 ///   along the axis have none and stay.
 /// - Normals are those of the bent surface.
-/// - Positions and instances as above. An instance is not bent: its distance from the bent mesh is bounded by its size,
-///   its height above z = 0 and the radius, and added to error_m, or to plant_error_m for plants.
-/// - error_m is multiplied by the largest factor of lengths in the tile; the largest sag of a triangle, as measured,
-///   and rounding are added.
+/// - Positions and instances as above. An instance is turned but not bent. Its instance error is a bound of its
+///   distance from the bent mesh, by its size, its height above z = 0 and the radius.
+/// - error_m is multiplied by the largest factor of lengths in the tile. The larger of two values is added: the largest
+///   measured sag of a triangle, and the largest instance error except of plants. Rounding is added. object_error_m
+///   becomes error_m.
+/// - plant_error_m is multiplied by the same factor; the largest instance error of plants is added.
 ///
 /// Guarantees and cost as above.
 BakedTile bent(BakedTile tile, const map::Cylinder& cylinder);
 
-// Bounds of the error that bent() states, known before a tile is baked.
+// Upper bounds, in metres, of the error_m of a result of bent(), known before the tile is baked.
 //
-// @param shape_m  A bound of the tile's error in the plane.
-// @param bounds   Bounds of the tile in the plane.
+// @param shape_m      A bound of the tile's error_m in the plane.
+// @param tolerance_m  The tile's tolerance, which limits the sag.
+// @param bounds       Bounds of the tile in the plane.
 
 /// The bound for bent() to the ellipsoid.
 double bent_error_bound_m(double shape_m, double tolerance_m, const Bounds& bounds, const map::Geoid& geoid);
@@ -68,7 +73,8 @@ double bent_error_bound_m(double shape_m, double tolerance_m, const Bounds& boun
 
 /// Returns a tile of a scene in the scene's world: bent() if that is the inside of a cylinder, else as it is.
 BakedTile in_world(BakedTile tile, const scene::Header& header);
-/// Returns lamps so, too: the place of the glass (props::glass_of()) is bent, and the vertical turned.
+/// Returns lamps in the scene's world: inside of a cylinder each is moved by the offset that bending gives its glass
+/// (props::glass_of()), and PlacedLamp::up is turned; else lamps are unchanged.
 std::vector<PlacedLamp> in_world(std::vector<PlacedLamp> lamps, const scene::Header& header);
 
 /// Returns a tile from the inside of a cylinder in the plane, for choosing views. Its vertices are within rounding of

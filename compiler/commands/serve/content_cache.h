@@ -24,11 +24,15 @@ class ContentCache {
   ContentCache(std::uint64_t most_bytes, int at_once) : most_bytes_(most_bytes), at_once_(at_once) {}
 
   using Make = std::function<Result<std::vector<std::byte>>()>;
-  /// Returns a content: from the cache, from another request that is making it, or made when it is its turn. Null if
-  /// it could not be made, or if is_wanted() became false while it waited; work that has begun is finished and kept.
+  /// Returns a content: from the cache, from another request that is making it, or from make(), which runs in the
+  /// calling thread when it is its turn. Null if make() failed (its error is lost), or if is_wanted() became false
+  /// while the request waited. A make() that has begun is finished, and its content kept.
+  ///
+  /// @param is_wanted  Is called about every 50 ms under the lock of the cache, so it must be fast and must not use it.
   SharedBytes get(const std::string& name, const IsWanted& is_wanted, const Make& make);
 
-  /// Numbers of requests until now, by what became of them.
+  /// Counts until now: requests that were answered from the cache (found) or given up, and contents that were made or
+  /// failed. A request that gets a content which another one has made is in none of them.
   struct Counters {
     std::uint64_t found = 0, made = 0, given_up = 0, failed = 0;
     std::uint64_t bytes = 0;  ///< In the cache now.

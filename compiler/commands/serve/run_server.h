@@ -17,11 +17,13 @@ struct ServerRequest {
   bool logs_requests = false;  ///< A line for each request; else one a minute.
 };
 
-/// Serves a site: prints its address, then a line a minute about what it does. On a loopback address it answers only
-/// requests for this machine by name. Errors: a port that is in use, an address that is not of this machine.
+/// Serves a site until the process ends. Prints its address, then a line for each minute with requests. On a loopback
+/// address it answers 403 to requests whose header Host fails is_own_host(). Errors: a port that is in use, an address
+/// that is not of this machine, a server module (citykiln_serve.so) that cannot be loaded.
 Result<Exit> run_server(const Site& site, const ServerRequest& request, const Console& console);
 
-/// Tests whether the port is free, before long work. Error: it is in use. Costs a look.
+/// Tests, before long work, that no server answers at the port. Error: one does. Tests nothing for port 0 or an address
+/// that is not loopback. Costs one attempt to connect.
 Result<Done> check_port(const ServerRequest& request);
 
 /// Returns a function that stores a port, 0 to 65535.

@@ -30,16 +30,18 @@ struct SiteRequest {
 /// The names that are answered, and how. Thread-safe.
 class Site {
  public:
-  /// Opens a run or a manifest. Tiles are files of the run if it has a tileset; else they are baked, with the levels of
-  /// the run, or those of the request for a manifest alone. Errors: neither of both; a run without a manifest, whose
-  /// tiles would have to be baked; a scene without tiles.
+  /// Opens a run or a manifest. Tiles are files of the run if it has a tileset; else they are baked on request: with
+  /// the run's levels, or for a manifest alone with those of the request. Errors: a path that is neither a finished run
+  /// nor a manifest; a run without a manifest that lacks its tileset or the wanted page; files that cannot be read; a
+  /// scene without tiles, if they are to be baked.
   static Result<std::unique_ptr<Site>> open(const SiteRequest& request);
 
   /// Returns the answer for a path such as "/page/page.json"; "/" is index.html. 404 for names that are not of the
   /// site, 403 for paths with "..", 304 if the client has the same bytes already. O(log n).
   HttpAnswer answer(const HttpRequest& request) const;
 
-  /// Makes what the first picture needs, while the browser starts.
+  /// Makes the JSON files of the tileset, for which the land around is baked; tiles are not. Does nothing if tiles are
+  /// not baked. Meant to run in another thread while the browser starts.
   void prepare() const;
   bool bakes() const { return tree_ != nullptr; }
   ContentCache::Counters counters() const { return cache_.counters(); }
@@ -73,8 +75,8 @@ class Site {
 /// Returns the media type by the ending of a name.
 const char* media_type_of(std::string_view name);
 
-/// True if a header Host names this machine: "127.0.0.1:8000" or "localhost:8000". Pages of others, whose names may be
-/// made to lead here, have other hosts.
+/// Tests whether a header Host is "127.0.0.1:PORT" or "localhost:PORT". Other hosts are refused against DNS rebinding:
+/// the owner of another name can make it resolve to this machine, so that foreign pages could read the answers.
 bool is_own_host(std::string_view host, int port);
 
 }  // namespace citykiln::commands

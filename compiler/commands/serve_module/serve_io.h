@@ -41,8 +41,9 @@ struct HttpServer {
   std::function<void(const std::string& path, int status)> answered;
 };
 
-/// Answers GET and HEAD until the process ends. Ranges and If-None-Match are understood; texts are compressed. Returns
-/// 1 if the address and port cannot be used.
+/// Answers GET and HEAD until the process ends. Ranges are answered here; decide() compares If-None-Match. JSON and
+/// JavaScript are compressed with gzip for clients that accept it. Files are read into memory whole. Returns 1 if the
+/// address and port cannot be used or listening fails.
 extern "C" int citykiln_serve(const HttpServer& server);
 
 }  // namespace citykiln::commands

@@ -24,7 +24,8 @@ struct TreeContents {
 };
 
 /// Returns the .glb of a baked tile, bent into the tree's world. Changes nothing that calls share; thread-safe.
-/// @param lights  Lamps that are lights of the content, in the plane.
+/// @param lights  The lamps that become lights of the content, as lights_of() returns them: in the plane, or bent
+///                already if the world is the inside of a cylinder.
 std::vector<std::byte> make_content(const TreeContents& tree, bake::BakedTile&& baked,
                                     const std::vector<bake::PlacedLamp>& lights, int threads);
 

@@ -1,8 +1,11 @@
 // The tree of tiles of a scene before anything is baked: what its contents are made of, bounds of their errors, and
 // their boxes. From it come both the files of --emit 3dtiles and what a server bakes on request.
 //
-//     Q2_0_0.glb          joined from its children's tiles where tolerances are over kCoarsest_m, else from ...
-//     └ Q1_0_0.glb        ... tiles of the scene baked at 3/4 of its tolerance
+// An inner node (Q, height, x, y) is joined from tiles of the scene, baked at 3/4 of the node's tolerance, if that is
+// at most kCoarsest_m; else from its children's tiles. Nodes of height 1 are always joined from baked tiles.
+//
+//     Q2_0_0.glb          an inner node
+//     └ Q1_0_0.glb        an inner node above up to four tiles of the scene
 //       └ 3_-2_L4.glb     a tile of the scene, at the coarsest level; each finer level is the only child
 //         └ ... L0
 #pragma once
@@ -26,9 +29,12 @@ struct InnerLevel {
   std::optional<double> bake_m;  ///< Tolerance of the tiles that it is joined from; empty: joined from child nodes.
 };
 
-/// Shares of an inner level's tolerance. Tiles are baked at the first share and simplified by the second. Nodes with
-/// half of the tolerance are joined, simplified by the second share, and lose objects within that distance of the
-/// terrain; their roads give way to the ground beside them by the third.
+/// Shares of an inner level's tolerance:
+/// - kBakeShare: the tolerance at which the tiles of a node are baked; at most kCoarsest_m.
+/// - kSimplifyShare: the largest error of simplifying the joined terrain. Nodes that are joined from child nodes also
+///   lose all plants, and the objects within this distance of the terrain (bake::drop_near_terrain()).
+/// - kFadeShare: the largest distance by which roads become ground (bake::fade_roads()); nodes joined from child nodes
+///   only.
 inline constexpr double kBakeShare = 0.75, kSimplifyShare = 0.25, kFadeShare = 0.125;
 
 /// An inner node of the tree.

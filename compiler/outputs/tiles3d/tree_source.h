@@ -24,10 +24,12 @@ class TreeSource {
   /// @param scene  Must outlive the result.
   static Result<std::unique_ptr<TreeSource>> open(const scene::Scene& scene, const Outputs& outputs, int threads);
 
-  /// Returns the files of the tileset by their names in a run: "3dtiles/tileset.json". They are those of
-  /// write_tiles3d(). Cost: once the land around, half a second; then nothing.
+  /// Returns the texts of the tileset's JSON files by their names in a run: "3dtiles/tileset.json". They equal those of
+  /// write_tiles3d(). Cost: the first call bakes the land around, if it is wanted, in half a second; later calls are
+  /// free.
   const std::map<std::string, std::string>& documents() const;
-  /// True for the name of a content of the tree, "3_-2_L0.glb". O(log n).
+  /// Tests whether a name, relative to 3dtiles/, is that of a content: "3_-2_L0.glb". O(log n); the name of the land
+  /// around (exporters::kSurroundingsContent) bakes it once, in half a second.
   bool has(std::string_view content) const;
   /// Returns a content with the bytes that write_tiles3d() writes. Cost: baking it. Errors: those of
   /// bake::join_tiles().

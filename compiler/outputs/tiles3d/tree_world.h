@@ -22,17 +22,20 @@ class TreeWorld {
       : geoid_(geoid), globe_(header.origin), cylinder_(scene::cylinder_of(header)) {}
 
   const std::optional<map::Cylinder>& cylinder() const { return cylinder_; }
-  /// The point of the tileset's frame that a point of the plane is bent to.
+  /// Returns the place and the axes, in the tileset's frame (metres), of a point of the plane.
   map::BentPoint at(Vec3 p) const;
+  /// Returns a tile of the plane in the tileset's frame (bake/far/bend.h).
   bake::BakedTile bent(bake::BakedTile tile) const;
-  /// The axes of the plane at a place.
+  /// Returns the plane's axes at height 0 at a place of the plane, in the tileset's frame.
   exporters::Axes axes_at(Vec2 place) const;
 
   /// Returns a box that contains the bent bounds, with the axes of the plane at their middle.
   exporters::OrientedBox box_of(const bake::Bounds& bounds) const;
-  /// Returns a bound of the error that a content states: of its shape, of bending, and of packing.
-  /// @param shape_m  A bound of the error in the plane.
-  /// @param largest  The size of the tile's largest instance.
+  /// Returns an upper bound, in metres, of the error of a content: the sum for its shape, bending and quantisation.
+  /// @param shape_m      A bound of the error in the plane.
+  /// @param tolerance_m  The content's tolerance.
+  /// @param bounds       The content's bounds in the plane.
+  /// @param largest      The largest sizes of its instances, which may be of different ones.
   double error_bound_m(double shape_m, double tolerance_m, const bake::Bounds& bounds,
                        const bake::InstanceSize& largest, Compression compression) const;
 

@@ -30,9 +30,10 @@ struct DriveKerb {
   bool operator==(const DriveKerb&) const = default;
 };
 
-/// Returns where drives meet the kerbs of a street, sorted along it: mouths within 2 m of the outer edge of its
-/// pavement that look towards its axis, not at junctions and crossings. Starts are multiples of 0.25 m along the way.
-/// None on other roads, and at sides without raised lanes. O(points · mouths near the road).
+/// Returns the lowered kerbs of a street, sorted by from_m. A mouth gets one if it is within 2 m of the outer edge of
+/// the pavement, its `outward` is within some 45° of the line square to the axis, and the kerb with its ramps lies on
+/// the road, clear of junctions and crossings. from_m is a multiple of 0.25 m. The result is empty for roads that are
+/// no streets; sides without a pavement get none. O(points · mouths near the road).
 /// @param stretches  Result of with_dropped_kerbs().
 /// @param intervals  The road's entry of junction_intervals_of().
 std::vector<DriveKerb> drive_kerbs_of(const Road& road, std::span<const RoadStretch> stretches,

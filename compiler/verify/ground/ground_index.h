@@ -35,8 +35,8 @@ struct GroundHit {
 std::vector<GroundHit> ground_at(const GroundIndex& index, Vec2 p);
 
 /// Returns the height of the highest ground within a distance in plan, plane metres; empty if there is none. Each face
-/// counts with its place nearest to p. It is the upper side of a step that the level moved by up to its error. O(faces
-/// within the distance).
+/// counts with its height at its place nearest to p. Callers pass a level's error as the distance, to find the upper
+/// side of a step in the ground that the level has moved sideways. O(faces near the distance).
 ///
 /// @param p           Plane metres.
 /// @param distance_m  The distance in plan.

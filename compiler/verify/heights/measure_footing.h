@@ -13,7 +13,7 @@
 
 namespace citykiln::verify {
 
-/// The largest gap that does not count, in metres.
+/// The least limit of gaps that callers pass as allowed_m, and the largest break in a chain of wall edges, in metres.
 inline constexpr double kAllowedGap_m = 0.05;
 
 /// The largest gap below one building, and the corner where it is.
