@@ -9,7 +9,7 @@ import time
 import unittest
 import zipfile
 
-from citykiln_program import PROGRAM, TOWN, TOWN_MIDDLE, ProgramTest, run, sha256
+from citykiln_program import PROGRAM, ROOT, TOWN, TOWN_MIDDLE, ProgramTest, run, sha256
 
 ARGUMENTS = ["--spec", TOWN / "spec.json", *TOWN_MIDDLE, "--tile", "128", "--lods", "2.5,12.5"]
 INDEX = "@3dtilesIndex1@"
@@ -73,13 +73,13 @@ class TilesetArchive(ProgramTest):
     def test_a_run_that_was_killed_is_made_again(self):
         out = self.folder / "killed"
         arguments = [PROGRAM, "compile", *map(str, ARGUMENTS), "--emit", "kiln,3tz", "-o", str(out)]
-        with subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+        with subprocess.Popen(arguments, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
             part = out / ".new" / "tileset.3tz.part"
             while process.poll() is None and not (part.exists() and part.stat().st_size > 0):
                 time.sleep(0.002)
             process.send_signal(signal.SIGKILL)
         self.assertFalse((out / "tileset.3tz").exists())
-        done = subprocess.run(arguments, capture_output=True, check=False)
+        done = subprocess.run(arguments, cwd=ROOT, capture_output=True, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(sha256(out / "tileset.3tz"), sha256(self.both() / "tileset.3tz"))
         self.assertFalse((out / ".new").exists())
