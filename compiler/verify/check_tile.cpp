@@ -411,7 +411,7 @@ Result<Done> check_glb_level(TileUnderCheck& tile, bake::PreparedTile& prepared,
   if (const auto cylinder = scene::cylinder_of(loaded.scene.header)) {
     // measured in the plane: the file's tile is the image of the baked one, which the bytes and its vertices show
     check_bend(tile, *cylinder, baked, *written, file.name);
-    written = bake::BakedTile(baked);
+    *written = baked;
   }
   tile.results().glb_bytes.test(is_baked(tile, std::move(baked), *bytes), file.name);
   const GroundIndex ground = index_ground(*written);

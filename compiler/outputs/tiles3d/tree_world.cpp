@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/contract/tolerance.h"
 #include "exporters/gltf/pack/quantise.h"
 
 namespace citykiln::outputs {
