@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/line_part.h"
@@ -108,20 +109,7 @@ std::vector<RoadStretch> cut_at_drives(std::span<const RoadStretch> stretches, s
   for (const DriveKerb& drive : drives)
     for (const double end_m : {drive.from_m - kKerbRamp_m, drive.from_m, drive.to_m, drive.to_m + kKerbRamp_m})
       ends_m.push_back(end_m);
-  std::ranges::sort(ends_m);
-  std::vector<RoadStretch> cut;
-  for (RoadStretch stretch : stretches) {
-    const double to_m = stretch.to_m;
-    for (const double end_m : ends_m) {
-      if (end_m <= stretch.from_m || end_m >= to_m) continue;
-      stretch.to_m = end_m;
-      cut.push_back(stretch);
-      stretch.from_m = end_m;
-    }
-    stretch.to_m = to_m;
-    cut.push_back(stretch);
-  }
-  return cut;
+  return cut_stretches(stretches, std::move(ends_m), [](const RoadStretch&) { return true; });
 }
 
 void add_drive_ramps(const Road& road, std::span<const DriveKerb> drives, std::vector<KerbRamp>& ramps) {

@@ -71,20 +71,7 @@ std::vector<RoadStretch> cut_at_ramps(const std::vector<RoadStretch>& stretches)
   for (const RoadStretch& stretch : stretches)
     if (is_dropped(stretch))
       for (const double end_m : {stretch.from_m - kKerbRamp_m, stretch.to_m + kKerbRamp_m}) ends_m.push_back(end_m);
-  std::ranges::sort(ends_m);
-  std::vector<RoadStretch> cut;
-  for (RoadStretch stretch : stretches) {
-    const double to_m = stretch.to_m;
-    for (const double end_m : ends_m) {
-      if (is_dropped(stretch) || end_m <= stretch.from_m || end_m >= to_m) continue;
-      stretch.to_m = end_m;
-      cut.push_back(stretch);
-      stretch.from_m = end_m;
-    }
-    stretch.to_m = to_m;
-    cut.push_back(stretch);
-  }
-  return cut;
+  return cut_stretches(stretches, std::move(ends_m), [](const RoadStretch& s) { return !is_dropped(s); });
 }
 
 // The ramp of one side, from the edges of the road in the middle of a crossing.

@@ -198,4 +198,22 @@ std::vector<RoadStretch> stretches_of(const Road& road, std::span<const Junction
   return runs;
 }
 
+std::vector<RoadStretch> cut_stretches(std::span<const RoadStretch> stretches, std::vector<double> at_m,
+                                       bool (*may_cut)(const RoadStretch&)) {
+  std::ranges::sort(at_m);
+  std::vector<RoadStretch> cut;
+  for (RoadStretch stretch : stretches) {
+    const double to_m = stretch.to_m;
+    for (const double here_m : at_m) {
+      if (!may_cut(stretch) || here_m <= stretch.from_m || here_m >= to_m) continue;
+      stretch.to_m = here_m;
+      cut.push_back(stretch);
+      stretch.from_m = here_m;
+    }
+    stretch.to_m = to_m;
+    cut.push_back(stretch);
+  }
+  return cut;
+}
+
 }  // namespace citykiln::roads

@@ -47,6 +47,12 @@ struct RoadStretch {
 ///                   depend on, they are left out in all, so that tiles agree.
 std::vector<RoadStretch> stretches_of(const Road& road, std::span<const JunctionInterval> intervals, double tile_m);
 
+/// Returns stretches cut at distances along the way, with the properties of the whole on all parts.
+/// @param at_m     In any order. Those that lie in no stretch change nothing.
+/// @param may_cut  Tests whether a stretch may be cut; others stay whole.
+std::vector<RoadStretch> cut_stretches(std::span<const RoadStretch> stretches, std::vector<double> at_m,
+                                       bool (*may_cut)(const RoadStretch&));
+
 /// The distance beyond a tile within which all junctions are known.
 inline constexpr double kJunctionHalo_m = 32;
 
