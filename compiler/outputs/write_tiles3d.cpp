@@ -47,8 +47,11 @@ class TreeWriter {
   Slot& slot(ChunkLevel at) { return slots_[at.chunk * plan_.levels_m.size() + at.level]; }
 
   void process(ChunkLevel at, bake::BakedTile&& tile) {
-    if (std::ranges::find(plan_.inner, plan_.levels_m[at.level], &InnerLevel::bake_m) != plan_.inner.end())
-      slot(at).coarse = tile;
+    const auto inner = std::ranges::find(plan_.inner, plan_.levels_m[at.level], &InnerLevel::bake_m);
+    if (inner != plan_.inner.end()) {
+      const auto height = static_cast<int>(inner - plan_.inner.begin()) + 1;
+      slot(at).coarse = make_part(tree_, height, tree_.scene.chunks[at.chunk].tile, bake::BakedTile(tile));
+    }
     if (at.level < plan_.own_levels) slot(at).glb = make_content(tree_, std::move(tile), lights_[at.chunk], threads_);
   }
 
@@ -89,7 +92,7 @@ class TreeWriter {
   Result<Done> make_node(NodeKey key) {
     Result<bake::BakedTile> inner = make_inner_tile(tree_, key, std::move(parts_.extract(key).mapped()));
     if (!inner) return inner.error();
-    if (key != plan_.tree.root && !plan_.inner_level(exporters::parent_of(key)).bake_m)
+    if (key != plan_.tree.root && !plan_.inner_level(exporters::parent_of(key).height).bake_m)
       parts_[exporters::parent_of(key)].push_back(*inner);
     return sink_.put(content_name(key), make_content(tree_, std::move(*inner), {}, threads_));
   }

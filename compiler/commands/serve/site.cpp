@@ -156,7 +156,11 @@ HttpAnswer Site::answer(const HttpRequest& request) const {
 }
 
 void Site::prepare() const {
-  if (tree_) tree_->documents();
+  if (!tree_) return;
+  tree_->documents();
+  if (!has_page_) return;
+  const std::string content = tree_->first_content();
+  cache_.get(kTreeFolder + content, [] { return true; }, [&] { return tree_->make(content); });
 }
 
 const char* media_type_of(std::string_view name) {

@@ -40,8 +40,8 @@ class Site {
   /// site, 403 for paths with "..", 304 if the client has the same bytes already. O(log n).
   HttpAnswer answer(const HttpRequest& request) const;
 
-  /// Makes the JSON files of the tileset, for which the land around is baked; tiles are not. Does nothing if tiles are
-  /// not baked. Meant to run in another thread while the browser starts.
+  /// Makes the JSON files of the tileset, for which the land around is baked, and, if the site has a page, the content
+  /// that it shows first. Does nothing if tiles are not baked. Meant to run in another thread while the browser starts.
   void prepare() const;
   bool bakes() const { return tree_ != nullptr; }
   ContentCache::Counters counters() const { return cache_.counters(); }

@@ -1,6 +1,7 @@
 #include "compiler/outputs/tiles3d/make_content.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -61,19 +62,27 @@ std::vector<std::byte> make_content(const TreeContents& tree, bake::BakedTile&& 
   return encoded(tree, tree.world.bent(std::move(baked)), lights, threads).glb;
 }
 
+bake::BakedTile make_part(const TreeContents& tree, int height, scene::TileKey tile, bake::BakedTile&& baked) {
+  const double simplify_m = kSimplifyShare * tree.plan.inner_level(height).tolerance_m;
+  const scene::Header& header = tree.scene.header;
+  if (is_decimated(height, simplify_m, std::ldexp(header.tile_m, height)))
+    bake::simplify_terrain(baked, scene::box_of(header, tile), simplify_m);
+  return std::move(baked);
+}
+
 Result<bake::BakedTile> make_inner_tile(const TreeContents& tree, NodeKey key, std::span<const bake::BakedTile> parts) {
   Result<bake::BakedTile> joined = bake::join_tiles(parts, bake::JoinPrecision::kRounded);
   if (!joined) return joined;
-  const InnerLevel& level = tree.plan.inner_level(key);
+  const InnerLevel& level = tree.plan.inner_level(key.height);
   joined->tolerance_m = level.tolerance_m;
   bake::remove_inner_skirts(*joined, tiles_below(tree, key), tree.scene.header.tile_m);
-  const double simplify_m = kSimplifyShare * level.tolerance_m;
   if (!level.bake_m) {
+    const double simplify_m = kSimplifyShare * level.tolerance_m;
     bake::drop_near_terrain(*joined, simplify_m);
     bake::fade_roads(*joined, kFadeShare * level.tolerance_m);
+    const Box2 square = exporters::box_of(tree.plan.tree, tree.scene.header, key);
+    if (is_decimated(key.height, simplify_m, square.width())) bake::simplify_terrain(*joined, square, simplify_m);
   }
-  const Box2 square = exporters::box_of(tree.plan.tree, tree.scene.header, key);
-  if (is_decimated(key.height, simplify_m, square.width())) bake::simplify_terrain(*joined, square, simplify_m);
   bake::drop_unused_features(*joined);
   return joined;
 }

@@ -29,9 +29,15 @@ struct TreeContents {
 std::vector<std::byte> make_content(const TreeContents& tree, bake::BakedTile&& baked,
                                     const std::vector<bake::PlacedLamp>& lights, int threads);
 
-/// Returns the tile of an inner node in the plane: its parts as one tile, simplified.
-/// @param parts  In the order of the plan: the tiles of InnerNode::chunks at InnerLevel::bake_m, or, if that is empty,
-///               the results for InnerNode::children.
+/// Returns a tile as a part of the inner node above it: its terrain is decimated, but for the tile's border, so that
+/// the parts of a node can be made at the same time. Thread-safe.
+/// @param height  The height of the inner node.
+/// @param baked   The tile at InnerLevel::bake_m of that height.
+bake::BakedTile make_part(const TreeContents& tree, int height, scene::TileKey tile, bake::BakedTile&& baked);
+
+/// Returns the tile of an inner node in the plane: its parts as one tile. Parts that are inner nodes are simplified.
+/// @param parts  In the order of the plan: the results of make_part() for InnerNode::chunks, or, if the height has no
+///               InnerLevel::bake_m, the results for InnerNode::children.
 /// Errors: those of bake::join_tiles() (bake/tiles/join_tiles.h).
 Result<bake::BakedTile> make_inner_tile(const TreeContents& tree, exporters::NodeKey key,
                                         std::span<const bake::BakedTile> parts);

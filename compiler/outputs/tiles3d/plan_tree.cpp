@@ -91,7 +91,7 @@ class Planner {
   TilesetTile tile_of(NodeKey key) {
     if (key.height == 0) return chain_of(chunk_at(key));
     Shape shape = shape_of(key);
-    TilesetTile tile = tile_with(content_name(key), plan_.inner_level(key).tolerance_m, shape);
+    TilesetTile tile = tile_with(content_name(key), plan_.inner_level(key.height).tolerance_m, shape);
     plan_.contents[tile.content] = {std::nullopt, key};
     for (const NodeKey child : plan_.nodes.at(key).children) add_child(tile, tile_of(child));
     return tile;
@@ -116,7 +116,7 @@ class Planner {
   }
 
   Shape shape_of(NodeKey key) const {
-    const InnerLevel& level = plan_.inner_level(key);
+    const InnerLevel& level = plan_.inner_level(key.height);
     const InnerNode& node = plan_.nodes.at(key);
     const double simplify_m = kSimplifyShare * level.tolerance_m;
     if (level.bake_m) {

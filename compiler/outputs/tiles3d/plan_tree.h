@@ -58,9 +58,7 @@ struct TreePlan {
   std::map<std::string, ContentOrigin> contents{};  ///< By the name of the content.
   exporters::TilesetTile root{};
 
-  const InnerLevel& inner_level(exporters::NodeKey key) const {
-    return inner[static_cast<std::size_t>(key.height) - 1];
-  }
+  const InnerLevel& inner_level(int height) const { return inner[static_cast<std::size_t>(height) - 1]; }
 };
 
 /// Plans the tree of a scene with chunks. Bounds hold for every content; the error of each tile is larger than the

@@ -78,9 +78,11 @@ Result<bake::BakedTile> TreeSource::inner_tile(exporters::NodeKey key) const {
 
 Result<std::vector<bake::BakedTile>> TreeSource::parts_of(exporters::NodeKey key) const {
   const InnerNode& node = plan_.nodes.at(key);
-  if (const std::optional<double> bake_m = plan_.inner_level(key).bake_m)
-    return for_each_slot<bake::BakedTile>(node.chunks.size(), threads_,
-                                          [&](std::size_t i) { return bake(node.chunks[i], *bake_m); });
+  if (const std::optional<double> bake_m = plan_.inner_level(key.height).bake_m)
+    return for_each_slot<bake::BakedTile>(node.chunks.size(), threads_, [&](std::size_t i) {
+      const std::size_t chunk = node.chunks[i];
+      return make_part(tree_, key.height, scene_.chunks[chunk].tile, bake(chunk, *bake_m));
+    });
   std::vector<bake::BakedTile> parts;
   for (const exporters::NodeKey child : node.children) {
     Result<bake::BakedTile> part = inner_tile(child);

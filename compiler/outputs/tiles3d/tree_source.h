@@ -31,6 +31,8 @@ class TreeSource {
   /// Tests whether a name, relative to 3dtiles/, is that of a content: "3_-2_L0.glb". O(log n); the name of the land
   /// around (exporters::kSurroundingsContent) bakes it once, in half a second.
   bool has(std::string_view content) const;
+  /// The name of the content that is shown first: the coarsest one of the whole scene.
+  const std::string& first_content() const { return plan_.root.content; }
   /// Returns a content with the bytes that write_tiles3d() writes. Cost: baking it. Errors: those of
   /// bake::join_tiles().
   /// @param content  A name for which has() is true.
