@@ -14,10 +14,11 @@
 #include "compiler/contract/system/program_version.h"
 #include "compiler/map/buildings/building_classes.h"
 #include "compiler/map/locate.h"
-#include "compiler/sky/air_settings.h"
 #include "exporters/content_hash.h"
 #include "exporters/file.h"
 #include "exporters/kiln/chunk_codec.h"
+#include "exporters/kiln/shown_codec.h"
+#include "exporters/kiln/sky_codec.h"
 #include "exporters/kiln/streams.h"
 #include "exporters/kiln/surroundings_codec.h"
 #include "exporters/kiln/zstd_frame.h"
@@ -77,38 +78,6 @@ RawBytes raw_chunk(const scene::Chunk& chunk, std::uint64_t seed) {
   return raw;
 }
 
-// Steps of 2^-20 are exact as integers.
-std::vector<std::int64_t> steps_of(Vec3 v) {
-  return {std::llround(v.x * 0x1p20), std::llround(v.y * 0x1p20), std::llround(v.z * 0x1p20)};
-}
-
-// Null if the world is in the plane: the header's bytes are then equal to those without the field.
-flatbuffers::Offset<fbs::Inside> inside_of(flatbuffers::FlatBufferBuilder& builder, const sky::Sky& sky) {
-  if (!sky.inside) return 0;
-  const sky::Inside& inside = *sky.inside;
-  std::vector<flatbuffers::Offset<fbs::Line>> lines;
-  for (const sky::LineLight& line : inside.lines)
-    lines.push_back(fbs::CreateLine(builder, line.from.x, line.to.x, line.from.y, line.from.z, line.lumen_per_m,
-                                    line.temperature_k, line.radius_m));
-  return fbs::CreateInsideDirect(builder, inside.cylinder.radius_m, inside.west_m, inside.east_m, inside.fall, &lines);
-}
-
-flatbuffers::Offset<fbs::Sky> sky_of(flatbuffers::FlatBufferBuilder& builder, const sky::Sky& sky) {
-  const auto time = builder.CreateString(sky::text_of(sky.time));
-  const auto direction = [&](Vec3 v) { return builder.CreateVector(steps_of(v)); };
-  const auto sun = direction(sky.to_sun), moon = direction(sky.to_moon);
-  const auto pole = direction(sky.to_pole), equinox = direction(sky.to_equinox);
-  std::vector<flatbuffers::Offset<fbs::CloudLayer>> layers;
-  for (const sky::CloudLayer& layer : sky.clouds)
-    layers.push_back(fbs::CreateCloudLayer(builder, static_cast<std::uint8_t>(layer.kind), layer.cover, layer.base_m,
-                                           layer.top_m, layer.wind.x, layer.wind.y, layer.seed));
-  const auto clouds = builder.CreateVector(layers);
-  const auto inside = inside_of(builder, sky);
-  return fbs::CreateSky(builder, time, sun, sky.turbidity, sky.visibility_km, sky.ground_albedo, moon,
-                        std::llround(sky.moon_lit * 0x1p20), pole, equinox, sky.ground_m, clouds, inside,
-                        sky.clouds_are_default);
-}
-
 flatbuffers::Offset<fbs::Index> index_of(flatbuffers::FlatBufferBuilder& builder, const scene::Scene& scene,
                                          std::span<const Bytes> frames) {
   StreamWriter x, y, size;
@@ -142,6 +111,8 @@ flatbuffers::Offset<fbs::Surroundings> surroundings_of(flatbuffers::FlatBufferBu
                                        around.error_m, around.rms_error_m);
 }
 
+static_assert(cars::kShareStep * kFullShare == 1 && people::kPeopleStep * kFullShare == 1);
+
 flatbuffers::Offset<fbs::Climate> climate_of(flatbuffers::FlatBufferBuilder& builder,
                                              const climate::ClimateField& field) {
   std::vector<std::uint8_t> classes, shares;
@@ -150,79 +121,6 @@ flatbuffers::Offset<fbs::Climate> climate_of(flatbuffers::FlatBufferBuilder& bui
       classes.push_back(static_cast<std::uint8_t>(node.classes[i])), shares.push_back(node.shares[i]);
   return fbs::CreateClimateDirect(builder, static_cast<std::uint8_t>(field.origin_class), field.first_column,
                                   field.first_row, field.columns, &classes, &shares);
-}
-
-// Shares of cars and people. 0: none; 1 to 1,024: their share in 1,024ths; kUsualShare: the usual share.
-constexpr std::uint16_t kUsualShare = 0xffff, kFullShare = 1024;
-static_assert(cars::kShareStep * kFullShare == 1 && people::kPeopleStep * kFullShare == 1 &&
-              scene::kWoodDensityStep * kFullShare == 1 && scene::kLitWindowsStep * kFullShare == 1);
-
-template <typename Share>
-std::uint16_t number_of(const Share& wish) {
-  return wish.is_by_table ? kUsualShare : static_cast<std::uint16_t>(wish.share * kFullShare);
-}
-
-template <typename Share>
-std::optional<Share> share_of(std::uint16_t number) {
-  if (number == kUsualShare) return Share{.is_by_table = true};
-  if (number > kFullShare) return std::nullopt;
-  return Share{.share = static_cast<double>(number) / kFullShare};
-}
-
-std::uint16_t number_of_lit_windows(const scene::Shown& shown) {
-  return shown.lit_windows ? static_cast<std::uint16_t>(*shown.lit_windows * kFullShare) : kUsualShare;
-}
-
-// Returns the part that tiles show; nothing if a value is out of range.
-std::optional<scene::Shown> shown_of(const fbs::Header& h) {
-  scene::Shown shown{.left_out = h.left_out(),
-                     .wood_density = static_cast<double>(h.wood_density()) / kFullShare,
-                     .lamps = static_cast<scene::LampLight>(h.lamps())};
-  if (shown.wood_density > scene::kDensestWoods || h.lamps() > static_cast<std::uint8_t>(scene::LampLight::kOff))
-    return std::nullopt;
-  if (h.lit_windows() == kUsualShare) return shown;
-  if (h.lit_windows() > kFullShare) return std::nullopt;
-  shown.lit_windows = static_cast<double>(h.lit_windows()) / kFullShare;
-  return shown;
-}
-
-// A coordinate of the clip as a number of steps, and back.
-std::int32_t steps_of(double coordinate_m) { return static_cast<std::int32_t>(coordinate_m / map::kMapStep_m); }
-
-flatbuffers::Offset<fbs::ClipRing> clip_ring_of(flatbuffers::FlatBufferBuilder& builder, const Ring& ring,
-                                                bool is_hole) {
-  std::vector<std::int32_t> x, y;
-  for (const Vec2 p : ring) x.push_back(steps_of(p.x)), y.push_back(steps_of(p.y));
-  return fbs::CreateClipRingDirect(builder, is_hole, &x, &y);
-}
-
-std::vector<flatbuffers::Offset<fbs::ClipRing>> clip_of(flatbuffers::FlatBufferBuilder& builder,
-                                                        const scene::Clip& clip) {
-  std::vector<flatbuffers::Offset<fbs::ClipRing>> rings;
-  for (const Polygon& polygon : clip) {
-    rings.push_back(clip_ring_of(builder, polygon.outer, false));
-    for (const Ring& hole : polygon.holes) rings.push_back(clip_ring_of(builder, hole, true));
-  }
-  return rings;
-}
-
-// The clip of a header; nothing if a ring is damaged.
-std::optional<scene::Clip> clip_of(const fbs::Header& h) {
-  scene::Clip clip;
-  if (h.clip() == nullptr) return clip;
-  for (const fbs::ClipRing* ring : *h.clip()) {
-    const bool is_ring = ring->x() != nullptr && ring->y() != nullptr && ring->x()->size() == ring->y()->size();
-    if (!is_ring || ring->x()->size() < 3 || (ring->is_hole() && clip.empty())) return std::nullopt;
-    Ring points;
-    for (flatbuffers::uoffset_t i = 0; i < ring->x()->size(); ++i)
-      points.push_back(Vec2{static_cast<double>(ring->x()->Get(i)), static_cast<double>(ring->y()->Get(i))} *
-                       map::kMapStep_m);
-    if (ring->is_hole())
-      clip.back().holes.push_back(std::move(points));
-    else
-      clip.push_back({std::move(points), {}});
-  }
-  return clip;
 }
 
 RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, const RawBytes& dictionary) {
@@ -234,7 +132,7 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
   const std::vector<std::int32_t> extent = {
       static_cast<std::int32_t>(h.extent.min.x), static_cast<std::int32_t>(h.extent.min.y),
       static_cast<std::int32_t>(h.extent.max.x), static_cast<std::int32_t>(h.extent.max.y)};
-  const auto sky = sky_of(builder, h.sky);
+  const auto sky = encode_sky(builder, h.sky);
   const auto index = index_of(builder, scene, frames);
   // NaN stands for no value
   const double snow_line_m = h.snow_line_m.value_or(std::numeric_limits<double>::quiet_NaN());
@@ -242,7 +140,7 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
              things = rules_of(builder, h.things);
   const auto around = surroundings_of(builder, h.around);
   const auto climate = climate_of(builder, h.climate);
-  const auto clip = clip_of(builder, h.clip);
+  const auto clip = encode_clip(builder, h.clip);
   builder.Finish(fbs::CreateHeaderDirect(
       builder, kVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg, &extent, h.tile_m, h.seed,
       h.resampling_error_m, sky, &sources, &attributions, kLicence, index, dictionary.empty() ? nullptr : &dictionary,
@@ -315,98 +213,6 @@ Error damaged_header(const std::string& name) {
   return {name, "expected a citykiln manifest, found one whose header is damaged"};
 }
 
-// A direction; nothing unless it is nearly a unit vector.
-std::optional<Vec3> direction_of(const flatbuffers::Vector<std::int64_t>* steps) {
-  if (steps == nullptr || steps->size() != 3) return std::nullopt;
-  const auto part = [&](unsigned i) { return static_cast<double>((*steps)[i]) * 0x1p-20; };
-  const Vec3 v{part(0), part(1), part(2)};
-  const double length2 = dot(v, v);
-  return length2 > 0.99 && length2 < 1.01 ? std::optional(v) : std::nullopt;
-}
-
-// Whether values are such as compile writes.
-bool is_sound(const sky::Sky& sky) {
-  return sky.turbidity >= sky::kLeastTurbidity && sky.turbidity <= sky::kMostTurbidity &&
-         sky.visibility_km >= sky::kHaziest_km && sky.visibility_km <= sky::kClearest_km && sky.ground_albedo >= 0 &&
-         sky.ground_albedo <= 1 && sky.moon_lit >= 0 && sky.moon_lit <= 1 && std::abs(sky.ground_m) <= 20000 &&
-         sky.clouds.size() <= sky::kMostCloudLayers &&
-         std::ranges::all_of(sky.clouds, [](const sky::CloudLayer& layer) { return sky::is_sound(layer); });
-}
-
-std::vector<sky::CloudLayer> clouds_of(const fbs::Sky& s) {
-  std::vector<sky::CloudLayer> layers;
-  for (unsigned i = 0; i < (s.clouds() != nullptr ? s.clouds()->size() : 0); ++i) {
-    const fbs::CloudLayer& layer = *s.clouds()->Get(i);
-    layers.push_back({static_cast<sky::CloudKind>(layer.kind()),
-                      layer.cover(),
-                      layer.base_m(),
-                      layer.top_m(),
-                      {layer.wind_x(), layer.wind_y()},
-                      layer.seed()});
-  }
-  return layers;
-}
-
-constexpr unsigned kMostLines = 64;
-
-bool is_sound(const sky::LineLight& line) {
-  constexpr double kFarthest_m = 1e7, kMostLumen = 1e15;
-  const auto is_in = [](double v, double low, double high) { return v >= low && v <= high; };
-  return is_in(line.from.x, -kFarthest_m, line.to.x) && line.to.x <= kFarthest_m &&
-         is_in(line.from.y, -kFarthest_m, kFarthest_m) && is_in(line.from.z, -kFarthest_m, kFarthest_m) &&
-         is_in(line.lumen_per_m, 0, kMostLumen) && is_in(line.temperature_k, 500, 40000) &&
-         is_in(line.radius_m, 1e-3, kFarthest_m);
-}
-
-// Nothing where the values are not such as compile writes.
-std::optional<sky::Inside> plain(const fbs::Inside& i) {
-  sky::Inside inside{.cylinder = {i.radius_m()}, .west_m = i.west_m(), .east_m = i.east_m(), .fall = i.fall()};
-  const unsigned count = i.lines() != nullptr ? i.lines()->size() : 0;
-  for (unsigned k = 0; k < std::min(count, kMostLines); ++k) {
-    const fbs::Line& line = *i.lines()->Get(k);
-    inside.lines.push_back({.from = {line.from_x(), line.y(), line.z()},
-                            .to = {line.to_x(), line.y(), line.z()},
-                            .lumen_per_m = line.lumen_per_m(),
-                            .temperature_k = line.temperature_k(),
-                            .radius_m = line.radius_m()});
-  }
-  const double radius_m = inside.cylinder.radius_m;
-  const bool is_shaped = radius_m >= map::kLeastCylinder_m && radius_m <= map::kLargestCylinder_m &&
-                         inside.west_m >= -1e7 && inside.east_m <= 1e7 && inside.west_m < inside.east_m;
-  const bool has_light = count <= kMostLines && inside.fall >= 0 && inside.fall <= 16 &&
-                         std::ranges::all_of(inside.lines, [](const auto& line) { return is_sound(line); });
-  return is_shaped && has_light ? std::optional(std::move(inside)) : std::nullopt;
-}
-
-// No moment for an empty text.
-Result<std::optional<sky::Moment>> moment_of(const flatbuffers::String* text) {
-  if (text == nullptr || text->size() == 0) return std::optional<sky::Moment>();
-  const Result<sky::Moment> moment = sky::parse_time(text->string_view());
-  if (!moment) return moment.error();
-  return std::optional(*moment);
-}
-
-std::optional<sky::Sky> plain(const fbs::Sky& s) {
-  const auto time = moment_of(s.time());
-  const auto sun = direction_of(s.to_sun()), moon = direction_of(s.to_moon());
-  const auto pole = direction_of(s.to_pole()), equinox = direction_of(s.to_equinox());
-  if (!time || !sun || !moon || !pole || !equinox) return std::nullopt;
-  sky::Sky sky{.time = *time,
-               .to_sun = *sun,
-               .turbidity = s.turbidity(),
-               .visibility_km = s.visibility_km(),
-               .ground_albedo = s.ground_albedo(),
-               .to_moon = *moon,
-               .moon_lit = static_cast<double>(s.moon_lit()) * 0x1p-20,
-               .to_pole = *pole,
-               .to_equinox = *equinox,
-               .ground_m = s.ground_m(),
-               .clouds = clouds_of(s),
-               .clouds_are_default = s.clouds_are_default()};
-  if (s.inside() != nullptr && !(sky.inside = plain(*s.inside()))) return std::nullopt;
-  return is_sound(sky) ? std::optional(sky) : std::nullopt;
-}
-
 // Nothing where a stream ends early or late, or the values are not such as compile writes.
 std::optional<surroundings::Surroundings> plain(const fbs::Surroundings& s) {
   const auto bytes = [](const flatbuffers::Vector<std::uint8_t>* stream) {
@@ -454,7 +260,7 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   const bool has_origin = std::abs(header.origin.lon_deg) <= 180 && std::abs(header.origin.lat_deg) <= 90;
   if (!has_origin || !is_whole_cells(header.extent, header.tile_m) || !std::isfinite(header.resampling_error_m))
     return damaged;
-  std::optional<sky::Sky> sky = plain(*h.sky());
+  std::optional<sky::Sky> sky = decode_sky(*h.sky());
   if (!sky) return damaged;
   header.sky = std::move(*sky);
   if (std::isinf(h.snow_line_m())) return damaged;
@@ -470,8 +276,8 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   const auto cars = share_of<cars::CarShare>(h.cars());
   const auto people = share_of<people::PeopleShare>(h.people());
   const auto traffic = share_of<cars::CarShare>(h.traffic());
-  const std::optional<scene::Shown> shown = shown_of(h);
-  std::optional<scene::Clip> clip = clip_of(h);
+  const std::optional<scene::Shown> shown = decode_shown(h);
+  std::optional<scene::Clip> clip = decode_clip(h);
   if (!cars || !people || !traffic || !shown || !clip) return damaged;
   header.cars = *cars, header.people = *people, header.traffic = *traffic;
   header.shown = *shown, header.clip = std::move(*clip);

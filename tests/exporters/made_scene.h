@@ -144,6 +144,8 @@ class SceneMaker {
                                  : people::kUsualPeople;
     h.traffic = h.seed % 4 == 0 ? cars::CarShare{.share = 0.125} : h.seed % 4 == 1 ? cars::kUsualCars : cars::kNoCars;
     if (h.seed % 4 < 2) h.around = surroundings();
+    if (h.seed % 3 < 2) h.shown = shown();
+    if (h.seed % 5 < 2) h.clip = clip();
     h.rules = {{"house.cga", "Building --> Wall."}, {"parts/door.cga", "Door --> NIL\n"}};
     if (h.seed % 3 < 2) h.things = {{"bench", "bench amenity=bench"}, {"bench.cga", "Thing --> Seat."}};
     h.species = {{"oak", "n: 1\naxiom: F\n"}, {"reed", ""}};
@@ -153,6 +155,25 @@ class SceneMaker {
 
  private:
   static constexpr double kQuantum_m = 0x1p-10;
+
+  scene::Shown shown() {
+    scene::Shown shown{.left_out = static_cast<scene::SceneLayers>(below(256)),
+                       .wood_density = static_cast<double>(below(4097)) * scene::kWoodDensityStep,
+                       .lamps = static_cast<scene::LampLight>(below(3))};
+    if (below(2) == 0) shown.lit_windows = static_cast<double>(below(1025)) * scene::kLitWindowsStep;
+    return shown;
+  }
+
+  /// Returns two squares, one with up to two holes.
+  scene::Clip clip() {
+    const auto square = [](Vec2 at, double side_m) {
+      return Ring{at, at + Vec2{side_m, 0}, at + Vec2{side_m, side_m}, at + Vec2{0, side_m}};
+    };
+    scene::Clip clip = {{square({-128, 0}, 100 + metres(20)), {}}, {square({0, 0}, 64), {}}};
+    for (auto i = below(3); i > 0; --i)
+      clip.front().holes.push_back(square({-120.0 + 30 * static_cast<double>(i), 8}, 16 + 0x1p-7));
+    return clip;
+  }
 
   surroundings::Surroundings surroundings() {
     surroundings::Surroundings around{.x_m = {-300, -128, 0, 128, 400},

@@ -274,6 +274,33 @@ TEST(Manifest, ASnowLineBeyondAllHeightsIsDamage) {
             "town.kiln: expected a citykiln manifest, found one whose header is damaged");
 }
 
+TEST(Manifest, ValuesOfLayersAndLightsThatAreNoneAreDamage) {
+  const Bytes bytes = encode_manifest(made_scene(4), 1);
+  for (void (*change)(fbs::HeaderT&) :
+       {+[](fbs::HeaderT& h) { h.wood_density = 4097; }, +[](fbs::HeaderT& h) { h.lamps = 3; },
+        +[](fbs::HeaderT& h) { h.lit_windows = 1025; }, +[](fbs::HeaderT& h) { h.people = 1025; }})
+    EXPECT_EQ(manifest_refusal(decoded_manifest(with_header(bytes, change))),
+              "town.kiln: expected a citykiln manifest, found one whose header is damaged");
+}
+
+fbs::ClipRingT ring_of(bool is_hole, std::vector<std::int32_t> x, std::vector<std::int32_t> y) {
+  fbs::ClipRingT ring;
+  ring.is_hole = is_hole, ring.x = std::move(x), ring.y = std::move(y);
+  return ring;
+}
+
+TEST(Manifest, RingsOfAClipThatAreNoneAreDamage) {
+  const Bytes bytes = encode_manifest(made_scene(4), 1);
+  for (const fbs::ClipRingT& ring :
+       {ring_of(true, {0, 1, 0}, {0, 0, 1}), ring_of(false, {0, 1}, {0, 0}), ring_of(false, {0, 1, 0}, {0, 0})}) {
+    fbs::HeaderT header = header_of(bytes);
+    header.clip.clear();
+    header.clip.push_back(std::make_unique<fbs::ClipRingT>(ring));
+    EXPECT_EQ(manifest_refusal(decoded_manifest(assembled(header, body_of(bytes)))),
+              "town.kiln: expected a citykiln manifest, found one whose header is damaged");
+  }
+}
+
 TEST(Manifest, ALaterMinorFormatIsRead) {
   const scene::Scene scene = made_scene(4);
   Bytes later = encode_manifest(scene, 1);
