@@ -169,7 +169,7 @@ class SceneMaker {
     const auto square = [](Vec2 at, double side_m) {
       return Ring{at, at + Vec2{side_m, 0}, at + Vec2{side_m, side_m}, at + Vec2{0, side_m}};
     };
-    scene::Clip clip = {{square({-128, 0}, 100 + metres(20)), {}}, {square({0, 0}, 64), {}}};
+    scene::Clip clip = {{square({-128, 0}, 100 + static_cast<double>(below(20))), {}}, {square({0, 0}, 64), {}}};
     for (auto i = below(3); i > 0; --i)
       clip.front().holes.push_back(square({-120.0 + 30 * static_cast<double>(i), 8}, 16 + 0x1p-7));
     return clip;
