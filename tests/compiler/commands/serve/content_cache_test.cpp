@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <future>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace citykiln::commands {
 namespace {
@@ -85,6 +89,34 @@ TEST(ContentCache, RequestsForOneContentShareTheWork) {
   held.may_end.set_value();
   first.join(), second.join();
   EXPECT_EQ(cache.counters().made, 1u);
+}
+
+TEST(ContentCache, MakesInTheOrderOfRequests) {
+  ContentCache cache(30, 1);
+  Held held;
+  std::vector<std::thread> threads;
+  threads.emplace_back([&] { cache.get("first", kWanted, held.make()); });
+  held.begun.get_future().wait();
+  std::string order;
+  std::vector<std::promise<void>> waits(3);
+  // names against the order, each asked for when the one before waits
+  for (std::size_t i = 0; i < waits.size(); ++i) {
+    const char* name = std::array{"c", "b", "a"}[i];
+    threads.emplace_back([&, name, i] {
+      const auto is_wanted = [&waits, i, told = false]() mutable {
+        if (!std::exchange(told, true)) waits[i].set_value();
+        return true;
+      };
+      cache.get(name, is_wanted, [&, name]() -> Result<Bytes> {
+        order += name;
+        return Bytes(1);
+      });
+    });
+    waits[i].get_future().wait();
+  }
+  held.may_end.set_value();
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(order, "cba");
 }
 
 TEST(ContentCache, MakesNoMoreAtOnceThanAsked) {
