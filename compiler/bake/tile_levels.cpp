@@ -82,7 +82,9 @@ SharedByLevels make_shared_part(const scene::Header& header, const scene::Chunk&
                                 const Wanted& wanted) {
   const Box2 box = scene::box_of(header, chunk.tile);
   std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(chunk);
-  if (!header.clip.empty()) surfaces.push_back(scene::beyond_clip(header.clip, box.widened(scene::kHalo_m)));
+  // polygons are sorted by id, and kBeyondClip comes first
+  if (!header.clip.empty())
+    surfaces.insert(surfaces.begin(), scene::beyond_clip(header.clip, box.widened(scene::kHalo_m)));
   const ground::LandCoverIndex map = ground::index_land_cover(surfaces, box.widened(scene::kHalo_m));
   SharedByLevels shared{
       .graded = std::make_shared<ground::GradedTerrain>(scene::graded_terrain_of(header, chunk, tolerance_m)),

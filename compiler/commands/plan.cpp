@@ -190,6 +190,16 @@ Result<Exit> plan_extent(const PlanRequest& request, const CompileSpec& spec, co
   return Exit::kDone;
 }
 
+/// The zones with ground in the clip. Error: there is none.
+Result<std::vector<regions::Zone>> zones_in_clip(const CompileSpec& spec, std::vector<regions::Zone> zones) {
+  std::erase_if(zones, [&](const regions::Zone& zone) {
+    const map::Plane plane(map::default_origin(zone.box));
+    return !scene::touches_clip(make_clip(spec, plane), map::extent_of(plane, zone.box));
+  });
+  if (zones.empty()) return Error{spec.clip->where, "leaves no ground of the map inside"};
+  return zones;
+}
+
 /// Plans each zone in a folder of its own, and writes the lists over all of them.
 Result<Exit> plan_zones(const PlanRequest& request, const CompileSpec& spec, const std::vector<regions::Zone>& zones,
                         const Report& of_extent, const Console& console) {
@@ -229,7 +239,11 @@ Result<Exit> plan_map(const PlanRequest& request, const Console& console) {
   const Result<source::LonLatBox> extent = extent_of(*spec, report);
   if (!extent) return extent.error();
   const std::vector<regions::Zone> zones = regions::zones_of(*extent, request.zone_m);
-  if (zones.size() > 1) return plan_zones(request, *spec, zones, report, console);
+  if (zones.size() > 1) {
+    const auto clipped = zones_in_clip(*spec, zones);
+    if (!clipped) return clipped.error();
+    return plan_zones(request, *spec, *clipped, report, console);
+  }
   return plan_extent(request, *spec, *extent, report, console);
 }
 

@@ -41,6 +41,7 @@ struct TileGrid {
 
   // The tile of an object anchored here; the nearest one for anchors outside the region.
   std::size_t owner(Vec2 anchor) const { return index(column(anchor.x), row(anchor.y)); }
+  std::size_t index_of(TileKey tile) const { return index(tile.x - tiles.front().x, tile.y - tiles.front().y); }
 
  private:
   std::int32_t clamped(double v, std::int32_t first, std::int32_t count) const {
@@ -53,6 +54,14 @@ template <typename Object, typename Anchor>
 ByTile by_anchor(const TileGrid& grid, std::span<const Object> objects, Anchor anchor_of) {
   ByTile tiles(grid.tiles.size());
   for (std::uint32_t i = 0; i < objects.size(); ++i) tiles[grid.owner(anchor_of(objects[i]))].push_back(i);
+  return tiles;
+}
+
+// Puts each object into the tile that bakes it.
+template <typename Object, typename TileOf>
+ByTile by_baking_tile(const TileGrid& grid, std::span<const Object> objects, TileOf tile_of) {
+  ByTile tiles(grid.tiles.size());
+  for (std::uint32_t i = 0; i < objects.size(); ++i) tiles[grid.index_of(tile_of(objects[i]))].push_back(i);
   return tiles;
 }
 
@@ -137,7 +146,7 @@ ByTile spans_by_tile(const TileGrid& grid, std::span<const structures::Span> spa
     for (const Vec3 corner : structures::plate_corners(s)) box.grow(in_plan(corner));
     return box.widened(ground::kGrading_m);
   });
-  add_to(tiles, by_anchor(grid, spans, [](const structures::Span& s) { return s.axis.front(); }));
+  add_to(tiles, by_baking_tile(grid, spans, [&](const auto& span) { return baking_tile(grid.header, span); }));
   return tiles;
 }
 
@@ -151,7 +160,6 @@ ByTile barriers_by_tile(const TileGrid& grid, std::span<const props::Barrier> ba
 }
 
 // The place that decides to which tile an object belongs.
-Vec2 anchor_of(const buildings::Building& building) { return citykiln::box_of(building.footprint.outer).centre(); }
 template <typename Object>
 Vec2 anchor_of(const Object& object) {
   if constexpr (requires { object.at; })
@@ -164,6 +172,13 @@ Vec2 anchor_of(const Object& object) {
 template <typename Object>
 ByTile tiles_of(const TileGrid& grid, std::span<const Object> objects) {
   return by_anchor(grid, objects, [](const Object& object) { return anchor_of(object); });
+}
+// Buildings belong to the tile of the middle of their box.
+ByTile tiles_of(const TileGrid& grid, std::span<const buildings::Building> buildings) {
+  return by_baking_tile(grid, buildings, [&](const buildings::Building& building) {
+    const Box2 box = citykiln::box_of(building.footprint.outer);
+    return baking_tile(grid.header, box.centre(), box);
+  });
 }
 ByTile tiles_of(const TileGrid& grid, std::span<const ground::LandCoverPolygon> surfaces) {
   return by_touch(grid, surfaces, ground::box_of);

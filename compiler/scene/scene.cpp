@@ -9,6 +9,20 @@
 #include "compiler/sky/moment.h"
 
 namespace citykiln::scene {
+namespace {
+
+// The tile that holds a place; the nearest one for places outside of the extent.
+TileKey tile_at(const Header& header, Vec2 at) {
+  assert(header.tile_m > 0);
+  const auto number = [&](double v, double least, double most) {
+    return static_cast<std::int32_t>(std::clamp(std::floor(v / header.tile_m), std::floor(least / header.tile_m),
+                                                std::ceil(most / header.tile_m) - 1));
+  };
+  return {number(at.x, header.extent.min.x, header.extent.max.x),
+          number(at.y, header.extent.min.y, header.extent.max.y)};
+}
+
+}  // namespace
 
 plants::Month month_of(const Header& header) {
   return plants::month_for(local_month_of(header), header.climate.origin_class);
@@ -59,14 +73,21 @@ std::vector<TileKey> tiles_of(const Header& header) {
   return tiles;
 }
 
-bool is_anchored(const Header& header, TileKey tile, Vec2 anchor) {
-  assert(header.tile_m > 0);
-  const auto number = [&](double v, double least, double most) {
-    return std::clamp(std::floor(v / header.tile_m), std::floor(least / header.tile_m),
-                      std::ceil(most / header.tile_m) - 1);
-  };
-  return number(anchor.x, header.extent.min.x, header.extent.max.x) == tile.x &&
-         number(anchor.y, header.extent.min.y, header.extent.max.y) == tile.y;
+bool is_anchored(const Header& header, TileKey tile, Vec2 anchor) { return tile_at(header, anchor) == tile; }
+
+TileKey baking_tile(const Header& header, Vec2 anchor, const Box2& box) {
+  const auto has_ground = [&](TileKey tile) { return touches_clip(header.clip, box_of(header, tile)); };
+  const TileKey own = tile_at(header, anchor);
+  if (has_ground(own)) return own;
+  const TileKey low = tile_at(header, box.min), high = tile_at(header, box.max);
+  for (std::int32_t x = low.x; x <= high.x; ++x)
+    for (std::int32_t y = low.y; y <= high.y; ++y)
+      if (has_ground({x, y})) return {x, y};
+  return own;
+}
+
+TileKey baking_tile(const Header& header, const structures::Span& span) {
+  return baking_tile(header, span.axis.front(), citykiln::box_of(span.axis).widened(max_offset_m(span)));
 }
 
 std::vector<roads::Junction> anchored_junctions(const Header& header, const Chunk& chunk) {

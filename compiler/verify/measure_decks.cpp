@@ -76,7 +76,7 @@ BridgesOnAreas measure_decks(const scene::Scene& scene) {
     for (const structures::Span& bridge : chunk.bridges) {
       const bool is_axis = is_axis_of_area(bridge);
       if (bridge.deck == structures::DeckForm::kOwn && !is_axis) continue;
-      if (!scene::is_anchored(scene.header, chunk.tile, bridge.axis.front())) continue;
+      if (scene::baking_tile(scene.header, bridge) != chunk.tile) continue;
       ++found.tests;
       // an axis joins places on the outline, so it may run beside an area that is bent
       if ((is_axis && has_own_plate(index, bridge)) || lies_on_plates(index, bridge.axis, scene.header.extent))

@@ -271,6 +271,23 @@ w4711 drop
         for zone in zones:
             self.assertTrue((plan / "zones" / zone["zone"] / "out" / "report.json").exists())
 
+    def clip_of(self, west, south, east, north):
+        """A file with a box as a polygon."""
+        path = self.folder / "clip.geojson"
+        ring = [[west, south], [east, south], [east, north], [west, north], [west, south]]
+        path.write_text(json.dumps({"type": "Polygon", "coordinates": [ring]}))
+        return path
+
+    def test_zones_beyond_a_clip_are_left_out(self):
+        plan = self.folder / "plan"
+        inputs = ["plan", TOWN / "town.osm", "--bbox", "12.2940,48.6992,12.3060,48.7008", *ARGUMENTS, "--region", 512, "--zone", 450]
+        done = run(*inputs, "--clip", self.clip_of(12.2945, 48.6994, 12.2960, 48.7006), "-o", plan)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([zone["zone"] for zone in json.loads((plan / "zones.json").read_text())["zones"]], ["0_0"])
+        done = run(*inputs, "--clip", self.clip_of(12.4, 48.8, 12.5, 48.9), "-o", self.folder / "none")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("leaves no ground of the map inside", done.stderr)
+
     def test_a_corrupt_region_fails_alone_with_one_line(self):
         plan = self.planned()
         regions = self.regions_of(plan)

@@ -41,7 +41,7 @@ void generate_spans(const Baking& baking, const std::vector<structures::Span>& s
   Account account;
   for (const structures::Span& span : spans) {
     const Bounds bounds = bounds_of(span);
-    if (!scene::is_anchored(baking.header, baking.chunk.tile, span.axis.front()) || !baking.holds(bounds)) continue;
+    if (!baking.holds(bounds) || scene::baking_tile(baking.header, span) != baking.chunk.tile) continue;
     ++account.in;
     structures::GeneratedStructure generated = generate(span, baking.tolerance_m);
     const bool is_too_small = has_no_triangles(generated);

@@ -151,7 +151,7 @@ Grades measure_grades(const scene::Header& header, const scene::Chunk& chunk) {
   // bridges and tunnels are stored whole in every chunk that they touch
   for (const auto* spans : {&chunk.bridges, &chunk.tunnels})
     for (const Span& span : *spans)
-      if (scene::is_anchored(header, chunk.tile, span.axis.front())) add_span(grades, span);
+      if (scene::baking_tile(header, span) == chunk.tile) add_span(grades, span);
   return grades;
 }
 
