@@ -11,12 +11,12 @@ namespace {
 static_assert(scene::kWoodDensityStep * kFullShare == 1 && scene::kLitWindowsStep * kFullShare == 1);
 
 // A coordinate of the clip as a number of steps, and back.
-std::int32_t steps_of(double coordinate_m) { return static_cast<std::int32_t>(coordinate_m / map::kMapStep_m); }
+std::int32_t clip_steps(double coordinate_m) { return static_cast<std::int32_t>(coordinate_m / map::kMapStep_m); }
 
 flatbuffers::Offset<fbs::ClipRing> clip_ring_of(flatbuffers::FlatBufferBuilder& builder, const Ring& ring,
                                                 bool is_hole) {
   std::vector<std::int32_t> x, y;
-  for (const Vec2 p : ring) x.push_back(steps_of(p.x)), y.push_back(steps_of(p.y));
+  for (const Vec2 p : ring) x.push_back(clip_steps(p.x)), y.push_back(clip_steps(p.y));
   return fbs::CreateClipRingDirect(builder, is_hole, &x, &y);
 }
 

@@ -10,7 +10,7 @@ namespace citykiln::exporters {
 namespace {
 
 // Steps of 2^-20 are exact as integers.
-std::vector<std::int64_t> steps_of(Vec3 v) {
+std::vector<std::int64_t> direction_steps(Vec3 v) {
   return {std::llround(v.x * 0x1p20), std::llround(v.y * 0x1p20), std::llround(v.z * 0x1p20)};
 }
 
@@ -69,7 +69,7 @@ bool is_sound(const sky::LineLight& line) {
 }
 
 // Nothing where the values are not such as compile writes.
-std::optional<sky::Inside> plain(const fbs::Inside& i) {
+std::optional<sky::Inside> decode_inside(const fbs::Inside& i) {
   sky::Inside inside{.cylinder = {i.radius_m()}, .west_m = i.west_m(), .east_m = i.east_m(), .fall = i.fall()};
   const unsigned count = i.lines() != nullptr ? i.lines()->size() : 0;
   for (unsigned k = 0; k < std::min(count, kMostLines); ++k) {
@@ -100,7 +100,7 @@ Result<std::optional<sky::Moment>> moment_of(const flatbuffers::String* text) {
 
 flatbuffers::Offset<fbs::Sky> encode_sky(flatbuffers::FlatBufferBuilder& builder, const sky::Sky& sky) {
   const auto time = builder.CreateString(sky::text_of(sky.time));
-  const auto direction = [&](Vec3 v) { return builder.CreateVector(steps_of(v)); };
+  const auto direction = [&](Vec3 v) { return builder.CreateVector(direction_steps(v)); };
   const auto sun = direction(sky.to_sun), moon = direction(sky.to_moon);
   const auto pole = direction(sky.to_pole), equinox = direction(sky.to_equinox);
   std::vector<flatbuffers::Offset<fbs::CloudLayer>> layers;
@@ -131,7 +131,7 @@ std::optional<sky::Sky> decode_sky(const fbs::Sky& s) {
                .ground_m = s.ground_m(),
                .clouds = clouds_of(s),
                .clouds_are_default = s.clouds_are_default()};
-  if (s.inside() != nullptr && !(sky.inside = plain(*s.inside()))) return std::nullopt;
+  if (s.inside() != nullptr && !(sky.inside = decode_inside(*s.inside()))) return std::nullopt;
   return is_sound(sky) ? std::optional(sky) : std::nullopt;
 }
 

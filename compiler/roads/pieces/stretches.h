@@ -48,7 +48,7 @@ struct RoadStretch {
 std::vector<RoadStretch> stretches_of(const Road& road, std::span<const JunctionInterval> intervals, double tile_m);
 
 /// Returns stretches cut at distances along the way, with the properties of the whole on all parts.
-/// @param at_m     In any order. Those that lie in no stretch change nothing.
+/// @param at_m     In any order. A distance that lies in no stretch changes nothing.
 /// @param may_cut  Tests whether a stretch may be cut; others stay whole.
 std::vector<RoadStretch> cut_stretches(std::span<const RoadStretch> stretches, std::vector<double> at_m,
                                        bool (*may_cut)(const RoadStretch&));
