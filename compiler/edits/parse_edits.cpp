@@ -87,10 +87,22 @@ bool is_one_node(const Filter& filter) {
          filter[0].ids[0].type == OsmType::kNode;
 }
 
+// Parses a tag of "set", whose key the line has not set before.
+Result<KeyAndValue> parse_new_tag(const Word& word, const Changes& changes) {
+  Result<KeyAndValue> tag = parse_set_tag(word);
+  if (tag && std::ranges::find(changes.set, tag->first, &KeyAndValue::first) != changes.set.end())
+    return expected_at(word, fmt::format("{} once in a line", tag->first));
+  return tag;
+}
+
 Result<Done> parse_verb(std::span<const Word>& words, Edit& edit) {
   Changes& changes = edit.changes;
   const Word& verb = words.front();
-  if (verb.plain == "set") return parse_list(words, "a tag such as height=12", changes.set, parse_set_tag);
+  if (changes.is_dropped || (verb.plain == "drop" && (changes.changes_tags() || changes.changes_places())))
+    return expected_at(verb, "drop as the only change of a line");
+  if (verb.plain == "set")
+    return parse_list(words, "a tag such as height=12", changes.set,
+                      [&](const Word& word) { return parse_new_tag(word, changes); });
   if (verb.plain == "remove") return parse_list(words, "the key of a tag", changes.removed, parse_removed_key);
   if (verb.plain == "move") return parse_one(words, "east,north in metres", changes.moved_m, parse_offset);
   if (verb.plain == "place") {

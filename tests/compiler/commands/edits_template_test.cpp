@@ -47,7 +47,7 @@ TEST(EditsTemplate, HasDiagnosesThatAreNoWorstPlaces) {
   outputs::Finding finding{.diagnosis = {Code::kNoPlaceForThing, {OsmType::kNode, 5}}, .at = {}, .tile = {}};
   const std::string text = template_of({}, {finding, finding});
   EXPECT_NE(text.find("---- NoPlaceForThing: "), std::string::npos);
-  EXPECT_NE(text.find("\n#n5 move 2,0\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n#n5 drop\n"), std::string::npos) << text;
 }
 
 TEST(EditsTemplate, QuotesTheKeyOfATag) {
