@@ -28,12 +28,11 @@ Result<map::Geoid> geoid_of(const scene::Header& header, const Outputs& outputs)
 /// - Above the tiles is a quadtree over the extent. The tolerance of an inner tile is twice the tolerance of its
 ///   children. Up to 4/3 kCoarsest_m an inner tile is joined from tiles that are baked at 3/4 of its tolerance. Above
 ///   that it is joined from its children, without objects near the terrain. The other quarter of the tolerance is spent
-///   on decimating the terrain (bake/tiles/simplify_tile.h), unless the tile is very wide for its tolerance, as above
-///   levels of 2.5 m.
+///   on decimating the terrain (bake/tiles/simplify_tile.h), of each part that is baked for itself, unless the tile is
+///   very wide for its tolerance, as above levels of 2.5 m.
 /// - Outputs::lights are lights of all levels of a tile.
 /// - Unless Outputs::surroundings is kNo, where the header has land around, the root has no content and two children:
-/// the tree and
-///   that land.
+///   the tree and that land.
 ///
 /// Returns the files that were written; none if the scene has no chunk. Errors: a file that cannot be written; those of
 /// joining tiles (bake/tiles/join_tiles.h).
