@@ -29,7 +29,9 @@ class Materials:
 
     def material(self, glb, number, key, mesh_name, tint):
         """The material with this key; made at the first call.
-        @param tint  The mean colour of its vertices in the mesh that shows it first."""
+        @param tint  The mean colour of its vertices in the mesh that shows it first; None for a mesh without colours, in which
+                     Blender would see black."""
+        key += "" if tint is None else " colours"
         if key not in self.made:
             self.made[key] = self._make(glb, glb.gltf["materials"][number], mesh_name, tint)
             self.made[key][KEY] = key
@@ -55,7 +57,7 @@ class Materials:
         material.use_nodes = True
         # a mask shows leaves or railings, whose backs are left out (mesh_arrays.without_backs)
         material.use_backface_culling = not values.get("doubleSided", False) and values.get("alphaMode") != "MASK"
-        nodes = Nodes(self, glb, material, values)
+        nodes = Nodes(self, glb, material, values, tint is not None)
         nodes.build()
         material.diffuse_color = shown_colour(values, tint, nodes.base_picture)
         for name, value in values.get("extras", {}).items():
@@ -66,7 +68,7 @@ class Materials:
 def shown_colour(values, tint, picture):
     """The colour in views that show no textures: factor times picture times vertices, opaque where leaves have holes."""
     factor = values.get("pbrMetallicRoughness", {}).get("baseColorFactor", [1, 1, 1, 1])
-    colour = numpy.array(factor[:3]) * tint
+    colour = numpy.array(factor[:3]) * (1 if tint is None else tint)
     if picture is not None:
         colour = colour * mean_colour(picture)
     return [*colour, factor[3] if values.get("alphaMode") == "BLEND" else 1]
@@ -109,7 +111,8 @@ def key_of(glb, material, digests):
 class Nodes:
     """The nodes of one material: base colour times colours of vertices, roughness, metal, normals, light, holes."""
 
-    def __init__(self, materials, glb, material, values):
+    def __init__(self, materials, glb, material, values, has_colours):
+        self.has_colours = has_colours
         self.materials, self.glb, self.material, self.values = materials, glb, material, values
         self.surface = values.get("pbrMetallicRoughness", {})
         self.tree = material.node_tree
@@ -124,19 +127,28 @@ class Nodes:
 
     def _base_colour(self):
         factor = self.surface.get("baseColorFactor", [1, 1, 1, 1])
-        colours = self._add("ShaderNodeVertexColor", -600, 300)
-        colours.layer_name = "Color"
-        colour = self._product(colours.outputs["Color"], factor, 300)
+        colour, alpha = list(factor), None
+        if self.has_colours:
+            node = self._add("ShaderNodeVertexColor", -600, 300)
+            node.layer_name = "Color"
+            colour, alpha = self._product(node.outputs["Color"], factor, 300), node.outputs["Alpha"]
         if "baseColorTexture" in self.surface:
             picture = self._picture(self.surface["baseColorTexture"], 500, True)
             self.base_picture = picture.image
             colour = self._product(picture.outputs["Color"], colour, 500)
             if self.values.get("alphaMode") == "MASK":
                 self._holes(picture.outputs["Alpha"])
-        self._link(colour, "Base Color")
+        self._set(colour, "Base Color")
         if self.values.get("alphaMode") == "BLEND":
-            self._link(colours.outputs["Alpha"], "Alpha")
+            self._set(factor[3] if alpha is None else alpha, "Alpha")
             set_if_there(self.material, blend_method="BLEND", surface_render_method="BLENDED")
+
+    def _set(self, value, name):
+        """Links a socket to an input of the shader, or gives it a value."""
+        if hasattr(value, "node"):
+            self._link(value, name)
+        else:
+            self.shader.inputs[name].default_value = value
 
     def _holes(self, alpha):
         """Texels with an opacity below the cutoff are holes, in Cycles too."""

@@ -44,11 +44,11 @@ class MeshArrays:
         self.features = None if features is None else features[self.triangles[:, 0]]
 
     def tint(self, slot):
-        """The mean linear colour of the vertices of a material; white without colours."""
+        """The mean linear colour of the vertices of a material; None without colours."""
+        if self.colours is None:
+            return None
         corners = self.triangles[self.slots == slot][::16].ravel()
-        if self.colours is None or not len(corners):
-            return numpy.ones(3)
-        return (self.colours[corners, :3] ** 2.2).mean(axis=0)
+        return (self.colours[corners, :3] ** 2.2).mean(axis=0) if len(corners) else numpy.ones(3)
 
     def _keeps_normals(self, primitive, rows, corners):
         """Whether a primitive has normals that its faces have not."""
