@@ -6,7 +6,7 @@ from pathlib import Path
 import mathutils
 
 from .choice import Choice, Viewer, chosen_tiles
-from .light import light_of_run
+from .light import apply_light, light_of_run
 from .materials import Materials
 from .meshes import Meshes
 from .earlier_run import TILE_KEY, begin_run, forget_tile
@@ -49,7 +49,8 @@ def bring_in(context, folder, wishes, on_progress=lambda share: None):
         add_file(builder, file)
     context.scene.collection.children.link(collection)
     keep_origin(context.scene, run)
-    notes = [] if not wishes.has_sky else light_of_run(context.scene, run)
+    notes = light_of_run(context.scene, run) if wishes.has_sky else []
+    apply_light(context.scene)
     if wishes.has_view:
         set_view(context.scene, collection, any(file.key == "surroundings" for file in files))
     return ". ".join([f"{run.name}: {len(files)} files, {len(collection.all_objects)} objects in {time.time() - start_s:.1f} s", *notes])
@@ -72,6 +73,15 @@ def add_file(builder, file):
     group[TILE_KEY] = file.key
     if file.level is not None:
         group["level"], group["box_m"] = file.level, box_of_meshes(group)
+
+
+def add_finer(context, run, file):
+    """Replaces a tile of an imported run by a file that the run's report does not list."""
+    collection = begin_run(context.scene, run, keeps_tiles=True)
+    materials = Materials()
+    add_file(Builder(collection, Meshes(materials), materials, place_run(context.scene, run), set(LAYERS), True, True), file)
+    context.scene.collection.children.link(collection)
+    apply_light(context.scene)
 
 
 def box_of_meshes(group):

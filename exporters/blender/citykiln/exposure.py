@@ -3,9 +3,10 @@ import math
 
 # Degrees of the sun above the horizon, and stops, as in preview/picture/exposure.cpp (adapted_exposure).
 ADAPTED = [(-6, 9.4), (-3, 6.5), (-0.8, 4.2), (0, 3.6), (2, 2.6), (5, 1.5), (10, 0.55), (15, 0)]
-# Blender's view transforms, the one most like the preview's first, with the stops at which Cycles shows three views of the example
-# town by day as bright as the preview: its curve is AgX with more contrast.
-TRANSFORMS = {"AgX": -5.0, "Filmic": -4.2}
+# Blender's view transforms, the one most like the preview's first, with two numbers at which Cycles shows three views of the example
+# town as bright as the preview: stops by day, and the share of adapted_stops() by dusk. The preview's curve is AgX with more contrast,
+# so that dark pictures need less light here.
+TRANSFORMS = {"AgX": (-4.45, 0.93), "Filmic": (-4.35, 0.88)}
 
 
 def adapted_stops(elevation_deg):
@@ -21,4 +22,5 @@ def adapted_stops(elevation_deg):
 
 def exposure_stops(transform, sine):
     """Stops for a view transform and the sine of the sun's elevation."""
-    return TRANSFORMS[transform] + adapted_stops(math.degrees(math.asin(sine)))
+    by_day, share = TRANSFORMS[transform]
+    return by_day + share * adapted_stops(math.degrees(math.asin(sine)))

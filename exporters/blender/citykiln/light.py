@@ -70,7 +70,6 @@ def light_of_run(scene, run):
     held.pop()
     set_sun(light, mathutils.Vector(run.sky["to_sun"]))
     set_first(scene.view_settings, "view_transform", TRANSFORMS)
-    apply_light(scene)
     return []
 
 

@@ -78,6 +78,8 @@ class VIEW3D_PT_citykiln_light(bpy.types.Panel):
             row = self.layout.row(align=True)
             for name in names:
                 row.prop(context.scene.citykiln, name)
+        self.layout.operator("scene.citykiln_finer")
+        self.layout.operator("scene.citykiln_bake")
 
 
 def id_text(value):
