@@ -9,7 +9,7 @@ from .choice import Choice, Viewer, chosen_tiles
 from .light import apply_light, light_of_run
 from .materials import Materials
 from .meshes import Meshes
-from .earlier_run import TILE_KEY, begin_run, forget_tile
+from .earlier_run import TILE_KEY, begin_run, forget_tile, forget_unused
 from .objects import Builder
 from .run_folder import LAYERS, Run, RunError
 from .scene_origin import keep_origin, place_run
@@ -47,8 +47,11 @@ def bring_in(context, folder, wishes, on_progress=lambda share: None):
     for i, file in enumerate(files):
         on_progress(i / len(files))
         add_file(builder, file)
+    builder.place_all()
+    note_boxes(collection)
     context.scene.collection.children.link(collection)
     keep_origin(context.scene, run)
+    forget_unused()
     notes = light_of_run(context.scene, run) if wishes.has_sky else []
     apply_light(context.scene)
     if wishes.has_view:
@@ -72,22 +75,33 @@ def add_file(builder, file):
     group = builder.add_tile(tile, file.name)
     group[TILE_KEY] = file.key
     if file.level is not None:
-        group["level"], group["box_m"] = file.level, box_of_meshes(group)
+        group["level"] = file.level
 
 
 def add_finer(context, run, file):
     """Replaces a tile of an imported run by a file that the run's report does not list."""
     collection = begin_run(context.scene, run, keeps_tiles=True)
     materials = Materials()
-    add_file(Builder(collection, Meshes(materials), materials, place_run(context.scene, run), set(LAYERS), True, True), file)
+    builder = Builder(collection, Meshes(materials), materials, place_run(context.scene, run), set(LAYERS), True, True)
+    add_file(builder, file)
+    builder.place_all()
+    note_boxes(collection)
     context.scene.collection.children.link(collection)
+    forget_unused()
     apply_light(context.scene)
+
+
+def note_boxes(collection):
+    """Gives tiles that are new their box, for cameras."""
+    for group in collection.children:
+        if "level" in group and "box_m" not in group:
+            group["box_m"] = box_of_meshes(group)
 
 
 def box_of_meshes(group):
     """The least and largest coordinates of a tile's merged meshes and buildings, in the scene's metres."""
-    corners = [thing.matrix_basis @ mathutils.Vector(corner) for thing in group.all_objects if thing.type == "MESH"
-               for corner in thing.bound_box]
+    corners = [thing.matrix_basis @ mathutils.Vector(corner) for thing in group.all_objects
+               if thing.type == "MESH" and thing.data.users == 1 for corner in thing.bound_box]
     return [f(corner[i] for corner in corners) for f in (min, max) for i in range(3)] if corners else [0] * 6
 
 

@@ -1,6 +1,8 @@
 """What an earlier import of the same run left in a scene, which a new import replaces."""
 import bpy
 
+from .materials import KEY as MADE
+
 # of a run's collection: its folder. Of a tile's collection: the tile, at any level
 FOLDER, TILE_KEY = "citykiln_folder", "citykiln_tile"
 
@@ -36,3 +38,9 @@ def remove_tree(collection):
     bpy.data.batch_remove(own)
     bpy.data.batch_remove([each for each in data if each.users == 0])
     bpy.data.batch_remove(below)
+
+
+def forget_unused():
+    """Removes materials and pictures of runs that nothing shows any more."""
+    for kind in (bpy.data.materials, bpy.data.images):
+        bpy.data.batch_remove([each for each in kind if MADE in each and each.users == 0])

@@ -25,27 +25,34 @@ class Builder:
         self.placement, self.layers, self.has_lamps = placement, layers, has_lamps
         self.has_single_buildings = has_single_buildings
         self.shared_lights = {}
+        self.waiting = []
 
     def add_tile(self, tile, name):
-        """Adds the chosen layers of a tile, and returns its collection."""
+        """Adds the chosen layers of a tile, and returns its collection, whose objects place_all() makes."""
         keys, collections = self.materials.keys_of(tile.glb), {}
         group = bpy.data.collections.new(name)
         set_facts(group, tile.extras)
         for item in filter(self._is_wanted, tile.items):
             layer = collections.get(item.layer) or collections.setdefault(item.layer, self._layer(group, name, item.layer))
-            for thing in self._things(tile, item, keys, name):
-                layer.objects.link(thing)
+            self.waiting += [(layer, *thing) for thing in self._things(tile, item, keys, name)]
         self.run_collection.children.link(group)
         return group
+
+    def place_all(self):
+        """Makes the objects of all tiles. Before, the scene has meshes only: Blender looks at all objects whenever a mesh gets a
+        material."""
+        for layer, name, data, matrix, facts in self.waiting:
+            layer.objects.link(self._object(name, data, matrix, facts))
+        self.waiting.clear()
 
     def _is_wanted(self, item):
         return self.has_lamps if item.light is not None else not item.layer or item.layer in self.layers
 
     def _things(self, tile, item, keys, tile_name):
-        """The objects of an item: one, or one for each building of a merged mesh."""
+        """The objects of an item, as name, data, matrix and facts: one, or one for each building of a merged mesh."""
         if item.light is not None:
-            return [self._object(name_of_copy(item.name, item.facts), light_of(tile.glb, item.light, self.shared_lights), item.matrix,
-                                 item.facts)]
+            light = light_of(tile.glb, item.light, self.shared_lights)
+            return [(name_of_copy(item.name, item.facts), light, item.matrix, item.facts)]
         if item.layer == "buildings" and (self.has_single_buildings or not item.is_merged):
             return list(self._buildings(tile, item, keys))
         mesh = self.meshes.mesh(tile.glb, item.mesh, keys, is_shared=not item.is_merged)
@@ -53,7 +60,7 @@ class Builder:
             mesh[FEATURES] = features_text(mesh, tile.table)
         is_single = item.is_merged or not item.facts and item.layer == item.name
         name = f"{tile_name} {item.name}" if is_single else name_of_copy(item.name, item.facts)
-        return [self._object(name, mesh, item.matrix, item.facts)]
+        return [(name, mesh, item.matrix, item.facts)]
 
     def _buildings(self, tile, item, keys):
         """An object for each building, whose origin is its middle at its lowest vertex."""
@@ -64,7 +71,7 @@ class Builder:
             facts = item.facts or {"feature": row} | (facts_of_row(tile.table, row) if tile.table and row else {})
             name = name_of_building(facts)
             mesh = self.meshes.mesh_of(tile.glb, name, part, keys)
-            yield self._object(name, mesh, item.matrix @ moved_by(part.origin), facts)
+            yield name, mesh, item.matrix @ moved_by(part.origin), facts
 
     def _layer(self, group, tile_name, layer):
         if not layer:
