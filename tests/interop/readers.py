@@ -40,6 +40,15 @@ def blender():
     return shutil.which("blender")
 
 
+def pinned_python(module):
+    """The Python of the folder build/interop, which has requirements.txt; None where it lacks the module."""
+    python = HERE.parent.parent / "build" / "interop" / "bin" / "python"
+    if not python.exists() or subprocess.run([python, "-c", f"import importlib.util as u; assert u.find_spec('{module}')"],
+                                             capture_output=True, check=False).returncode != 0:
+        return None
+    return str(python)
+
+
 def godot():
     """The command that runs Godot 3 with a window on a virtual screen, or nothing."""
     if not all(map(shutil.which, ("godot3", "godot3-server", "xvfb-run"))):
