@@ -6,6 +6,7 @@ Commands: "run" and "map" import; "light" sets properties of the scene's light; 
 object of the tile `tile` selected. The facts of a step are {"error": the message}, or those of `facts_of`.
 """
 import json
+import os
 import sys
 
 import bpy
@@ -145,3 +146,7 @@ else:
 found = [done(step) for step in job["steps"]]
 with open(job["facts"], "w", encoding="utf-8") as out:
     json.dump(found, out)
+if not bpy.app.binary_path:
+    # bpy 4.2 as a module ends with a segmentation fault once any operator with a property is registered
+    sys.stdout.flush()
+    os._exit(0)
