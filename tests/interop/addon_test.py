@@ -15,8 +15,6 @@ from readers import ReaderTest
 
 
 TOWN_RUN = ["--lods", "0.5,2.5", "--target", "blender", "--lights", "20", "--surroundings", "none"]
-# the program that runs a script: Blender, or Python with the module bpy
-COMMAND = [readers.blender(), "-b", "--factory-startup", "-noaudio", "--python-exit-code", "3", "-P"]
 
 
 class AddonTest(ReaderTest):
@@ -30,7 +28,7 @@ class AddonTest(ReaderTest):
         job.write_text(json.dumps({"zip": str(target), "facts": str(facts), "steps": steps}))
         # add-ons are installed below this folder
         env = {**os.environ, "PATH": "/usr/bin:/bin", "BLENDER_USER_SCRIPTS": str(self.folder), "BLENDER_USER_RESOURCES": str(self.folder)}
-        return readers.done_by([*COMMAND, readers.HERE / "import_addon.py", "--", job], facts, env=env)[0]
+        return readers.done_by([*readers.blender_command(), readers.HERE / "import_addon.py", "--", job], facts, env=env)[0]
 
     def town_run(self):
         """A run that the tests of a class share."""
@@ -137,7 +135,7 @@ class Fits(AddonTest):
 
 
 class Looks(AddonTest):
-    """What an artist sees."""
+    """Names, places, light and camera after an import."""
 
     def test_names_are_words_and_materials_have_colours(self):
         [found] = self.addon(("run", {"directory": str(self.town_run()), "level": 0}))
@@ -264,8 +262,5 @@ class Mistakes(AddonTest):
 
 
 if __name__ == "__main__":
-    if "bpy" in sys.argv:
-        sys.argv.remove("bpy")
-        COMMAND = [readers.pinned_python("bpy")]
-    readers.skip_unless(COMMAND[0] and readers.has_pictures(), "Blender is not installed (./setup.sh release interop), or bpy (tests/interop/requirements.txt)")
-    unittest.main(verbosity=2)
+    readers.skip_unless(readers.blender_command() and readers.has_pictures(), "Blender is not installed (./setup.sh release interop), or bpy (tests/interop/requirements.txt)")
+    unittest.main(argv=[word for word in sys.argv if word != "bpy"], verbosity=2)

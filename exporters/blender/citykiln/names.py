@@ -45,7 +45,7 @@ def name_of_building(facts):
 
 
 def name_of_material(name, mesh_name):
-    """What it is, its colour if it has one of its own, and for leaves and bark the plant.
+    """The name of a material for people, with its colour if it has one of its own, and for leaves with their plant.
     @param mesh_name  Of the first mesh that shows it."""
     plain = OF_TILE.sub("", name)
     colour = COLOUR.search(plain)
