@@ -54,7 +54,7 @@ class Arrives(AddonTest):
 
     def test_faces_know_their_object(self):
         out = self.town_run()
-        [found] = self.addon(("run", {"directory": str(out), "level": 0, "layers": ["buildings"], "buildings": False}))
+        [found] = self.addon(("run", {"directory": str(out), "level": 0, "layers": ["buildings"], "buildings": False, "lamps": False}))
         self.assertEqual(found["layers"], ["buildings"])
         for name, facts in found["tiles"].items():
             tile = Glb(out / "glb" / f"{name}.glb")
