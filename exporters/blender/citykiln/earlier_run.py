@@ -1,9 +1,9 @@
-"""What an earlier import of the same run left in a scene, which a new import replaces."""
+"""Removes from a scene the objects of an earlier import of the same run, which a new import replaces."""
 import bpy
 
 from .materials import KEY as MADE
 
-# of a run's collection: its folder. Of a tile's collection: the tile, at any level
+# of a run's collection: its folder; of a tile's collection: the tile, at any level
 FOLDER, TILE_KEY = "citykiln_folder", "citykiln_tile"
 
 
