@@ -49,7 +49,7 @@ Files in $out:
 What to open next:
   the picture   xdg-open $out/preview.png
   in a browser  drag $out/glb/0_0_L1.glb onto https://gltf-viewer.donmccurdy.com or https://sandbox.babylonjs.com
-  in Blender    File > Import > glTF 2.0, then choose $out/glb/0_0_L1.glb (tested with 3.4)
+  in Blender    $citykiln addon blender -o citykiln.zip; install it, then File > Import > citykiln run, and choose $out
   your own map  $citykiln compile MAP.osm.pbf -o out/mine
   fly over it   $citykiln view $out   (bakes 3D Tiles, then serves a page)
 END

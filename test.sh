@@ -35,6 +35,19 @@ install_readers() {
   npm ci --prefix tests/interop "$@" --silent --no-audit --no-fund || echo "npm ci failed: tests with the glTF validator are skipped"
 }
 
+# Readers from PyPI (OpenUSD, its validator, Blender as a module), at the versions of requirements.txt, in build/interop; where they
+# cannot be installed, tests with them are skipped.
+install_python_readers() {
+  wanted=tests/interop/requirements.txt kept=build/interop/requirements.txt
+  cmp -s "$wanted" "$kept" && return 0
+  mkdir -p build
+  if python3 -m venv build/interop && build/interop/bin/pip install --quiet --only-binary :all: -r "$wanted"; then
+    cp "$wanted" "$kept"
+  else
+    echo "pip install failed: tests with OpenUSD and Blender 4 are skipped"
+  fi
+}
+
 # run_tests PRESET OPTIONS… runs the tests that ctest's options choose.
 run_tests() {
   preset="$1"
@@ -70,6 +83,7 @@ run_long() (
 run_interop() {
   ./setup.sh release test interop
   [ -d tests/interop/node_modules/cesium ] || install_readers
+  install_python_readers
   run_tests release -L interop
 }
 

@@ -40,6 +40,23 @@ def blender():
     return shutil.which("blender")
 
 
+def pinned_python(module):
+    """The Python of the folder build/interop, which has requirements.txt; None where it lacks the module."""
+    python = HERE.parent.parent / "build" / "interop" / "bin" / "python"
+    if not python.exists() or subprocess.run([python, "-c", f"import importlib.util as u; assert u.find_spec('{module}')"],
+                                             capture_output=True, check=False).returncode != 0:
+        return None
+    return str(python)
+
+
+def blender_command():
+    """The program that runs a script: Blender, or where the argument bpy is given to the test Python with the module bpy; [] where it is
+    not installed."""
+    if "bpy" in sys.argv:
+        return [pinned_python("bpy")] if pinned_python("bpy") else []
+    return [blender(), "-b", "--factory-startup", "-noaudio", "--python-exit-code", "3", "-P"] if blender() else []
+
+
 def godot():
     """The command that runs Godot 3 with a window on a virtual screen, or nothing."""
     if not all(map(shutil.which, ("godot3", "godot3-server", "xvfb-run"))):
@@ -276,7 +293,7 @@ def done_by(command, facts, **options):
 
 def run_blender(folder, files, pictures=()):
     job, facts = write_job(folder, files, pictures)
-    command = [blender(), "-b", "--factory-startup", "-noaudio", "--python-exit-code", "3", "-P", HERE / "import_blender.py", "--", job]
+    command = [*blender_command(), HERE / "import_blender.py", "--", job]
     # Blender looks for its Python library beside the first python3 on the PATH
     return done_by(command, facts, env={**os.environ, "PATH": "/usr/bin:/bin"})
 

@@ -7,10 +7,11 @@ bl_info = {"name": "citykiln", "author": "citykiln", "version": (0, 1, 0), "blen
 
 import bpy  # noqa: E402
 
-from . import import_map, import_run, panel  # noqa: E402
+from . import import_map, import_run, light, panel, remake  # noqa: E402
 
-CLASSES = [import_map.CitykilnPreferences, import_run.IMPORT_SCENE_OT_citykiln_run, import_map.IMPORT_SCENE_OT_citykiln_map,
-           panel.MESH_OT_citykiln_select, panel.VIEW3D_PT_citykiln]
+CLASSES = [light.CitykilnLight, import_map.CitykilnPreferences, import_run.IMPORT_SCENE_OT_citykiln_run, import_map.IMPORT_SCENE_OT_citykiln_map,
+           panel.MESH_OT_citykiln_select, panel.VIEW3D_PT_citykiln, panel.VIEW3D_PT_citykiln_light,
+           remake.SCENE_OT_citykiln_bake, remake.SCENE_OT_citykiln_finer]
 
 
 def draw_menu(menu, context):
@@ -21,10 +22,12 @@ def draw_menu(menu, context):
 def register():
     for each in CLASSES:
         bpy.utils.register_class(each)
+    light.register()
     bpy.types.TOPBAR_MT_file_import.append(draw_menu)
 
 
 def unregister():
+    light.unregister()
     bpy.types.TOPBAR_MT_file_import.remove(draw_menu)
     for each in reversed(CLASSES):
         bpy.utils.unregister_class(each)

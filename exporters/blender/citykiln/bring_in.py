@@ -1,17 +1,20 @@
 """Brings a run into a scene: chooses files, builds their objects, sets the world. Both commands of the menu end here."""
 import time
 from dataclasses import dataclass, field
+from pathlib import Path
 
-import bpy
+import mathutils
 
 from .choice import Choice, Viewer, chosen_tiles
+from .light import apply_light, light_of_run
 from .materials import Materials
 from .meshes import Meshes
+from .earlier_run import TILE_KEY, begin_run, forget_tile, forget_unused
 from .objects import Builder
 from .run_folder import LAYERS, Run, RunError
 from .scene_origin import keep_origin, place_run
-from .sky_world import set_world
 from .tile import Tile
+from .view import set_view
 
 
 @dataclass
@@ -21,10 +24,12 @@ class Wishes:
     by_distance: bool = False
     pixel_error: float = 1
     layers: set = field(default_factory=lambda: set(LAYERS))
-    has_lamps: bool = False
+    has_lamps: bool = True
+    has_single_buildings: bool = True
     has_sky: bool = True
     has_surroundings: bool = True
     has_clouds: bool = True
+    has_view: bool = True
 
 
 def bring_in(context, folder, wishes, on_progress=lambda share: None):
@@ -35,28 +40,78 @@ def bring_in(context, folder, wishes, on_progress=lambda share: None):
     if wishes.by_distance:
         wishes.choice.viewer = viewer_of(context.scene, placement, wishes.pixel_error)
     files = files_of(run, wishes)
-    collection = bpy.data.collections.new(run.name)
-    collection["lon_0"], collection["lat_0"] = run.origin_deg
+    collection = begin_run(context.scene, run, keeps_tiles=wishes.choice.is_part())
     materials = Materials()
     builder = Builder(collection, Meshes(materials), materials, placement, wishes.layers | {"surroundings", "clouds"},
-                      wishes.has_lamps)
-    for i, (name, path) in enumerate(files):
+                      wishes.has_lamps, wishes.has_single_buildings)
+    for i, file in enumerate(files):
         on_progress(i / len(files))
-        builder.add_tile(Tile(path), name)
+        add_file(builder, file)
+    builder.place_all()
+    note_boxes(collection)
     context.scene.collection.children.link(collection)
     keep_origin(context.scene, run)
-    notes = [] if not wishes.has_sky else set_world(context.scene, run)
+    forget_unused()
+    notes = light_of_run(context.scene, run) if wishes.has_sky else []
+    apply_light(context.scene)
+    if wishes.has_view:
+        set_view(context.scene, collection, any(file.key == "surroundings" for file in files))
     return ". ".join([f"{run.name}: {len(files)} files, {len(collection.all_objects)} objects in {time.time() - start_s:.1f} s", *notes])
 
 
+@dataclass
+class File:
+    """A file to import: `key` is the same for all levels of a tile."""
+    key: str
+    name: str
+    path: Path
+    level: int = None
+
+
+def add_file(builder, file):
+    """Adds the objects of a file, in place of those that its tile had in an earlier import."""
+    forget_tile(builder.run_collection, file.key)
+    tile = Tile(file.path)
+    group = builder.add_tile(tile, file.name)
+    group[TILE_KEY] = file.key
+    if file.level is not None:
+        group["level"] = file.level
+
+
+def add_finer(context, run, file):
+    """Replaces a tile of an imported run by a file that the run's report does not list."""
+    collection = begin_run(context.scene, run, keeps_tiles=True)
+    materials = Materials()
+    builder = Builder(collection, Meshes(materials), materials, place_run(context.scene, run), set(LAYERS), True, True)
+    add_file(builder, file)
+    builder.place_all()
+    note_boxes(collection)
+    context.scene.collection.children.link(collection)
+    forget_unused()
+    apply_light(context.scene)
+
+
+def note_boxes(collection):
+    """Gives tiles that are new their box, for cameras."""
+    for group in collection.children:
+        if "level" in group and "box_m" not in group:
+            group["box_m"] = box_of_meshes(group)
+
+
+def box_of_meshes(group):
+    """The least and largest coordinates of a tile's merged meshes and buildings, in the scene's metres."""
+    corners = [thing.matrix_basis @ mathutils.Vector(corner) for thing in group.all_objects
+               if thing.type == "MESH" and thing.data.users == 1 for corner in thing.bound_box]
+    return [f(corner[i] for corner in corners) for f in (min, max) for i in range(3)] if corners else [0] * 6
+
+
 def files_of(run, wishes):
-    """The names and paths of the files to import."""
-    files = [(f"tile_{tile.name}_L{tile.level}", tile.path) for tile in chosen_tiles(run, wishes.choice)]
-    is_whole = not wishes.choice.tiles and not wishes.choice.box_deg
-    if wishes.has_surroundings and is_whole and run.surroundings() is not None:
-        files.append(("surroundings", run.surroundings()))
+    """The files to import."""
+    files = [File(tile.name, f"Tile {tile.name}, level {tile.level}", tile.path, tile.level) for tile in chosen_tiles(run, wishes.choice)]
+    if wishes.has_surroundings and not wishes.choice.is_part() and run.surroundings() is not None:
+        files.append(File("surroundings", "Surroundings", run.surroundings()))
     if wishes.has_clouds and run.clouds() is not None:
-        files.append(("clouds", run.clouds()))
+        files.append(File("clouds", "Clouds", run.clouds()))
     return files
 
 

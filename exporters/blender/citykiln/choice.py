@@ -19,6 +19,9 @@ class Choice:
     tiles: str = ""         # such as "0_0, -1_2"; empty: all
     box_deg: str = ""       # west, south, east, north; empty: all
 
+    def is_part(self):
+        return bool(self.tiles.strip() or self.box_deg.strip())
+
 
 def chosen_tiles(run, choice):
     """The files to import, one for each chosen tile. Error: the run has none of them."""

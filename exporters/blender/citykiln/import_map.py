@@ -22,6 +22,12 @@ class CitykilnPreferences(bpy.types.AddonPreferences):
         self.layout.prop(self, "program")
 
 
+def program_of(context, path):
+    """The program at a path, else that of the preferences. Error: there is none."""
+    addon = context.preferences.addons.get(__package__)
+    return found_program(path or (addon.preferences.program if addon else ""))
+
+
 class IMPORT_SCENE_OT_citykiln_map(bpy.types.Operator, ImportHelper, Wanted):
     """Compile an OpenStreetMap extract by citykiln and import its tiles"""
     bl_idname = "import_scene.citykiln_map"
@@ -74,8 +80,7 @@ class IMPORT_SCENE_OT_citykiln_map(bpy.types.Operator, ImportHelper, Wanted):
         map_path = Path(bpy.path.abspath(self.filepath))
         if not map_path.is_file():
             raise RunError(f"{map_path}: there is no such map")
-        addon = context.preferences.addons.get(__package__)
-        program = found_program(self.program or (addon.preferences.program if addon else ""))
+        program = program_of(context, self.program)
         self.folder = self.out or str(map_path.parent / map_path.name.split(".")[0])
         heightmaps = [each.strip() for each in self.heightmaps.split(";") if each.strip()]
         return Job(compile_command(program, str(map_path), heightmaps, self.box, self.target, self.folder))

@@ -17,21 +17,25 @@ class Wanted:
     pixel_error: FloatProperty(name="Error in Pixels", default=1, min=0.1, max=100,
                                description="Largest error on the camera's picture, for levels by distance")
     layers: EnumProperty(name="Layers", items=LAYER_ITEMS, options={"ENUM_FLAG"}, default=set(LAYERS))
-    lamps: BoolProperty(name="Lamps as Lights", default=False,
-                        description="Street lamps as lights, where the run has them (compile --lights)")
+    lamps: BoolProperty(name="Lamps as Lights", default=True,
+                        description="Street lamps as lights, where the run has them (compile --lights); off while the sun is up")
+    buildings: BoolProperty(name="Single Buildings", default=True,
+                            description="Each building as an object of its own, whose origin is its middle at the ground; else one mesh")
     sky: BoolProperty(name="Sun and Sky", default=True, description="The sun and the sky of the run's time, as the scene's world")
     surroundings: BoolProperty(name="Surroundings", default=True, description="The land around the map, with all of its tiles")
     clouds: BoolProperty(name="Clouds", default=True, description="Clouds, where the run has them")
+    view: BoolProperty(name="Camera and View", default=True,
+                       description="A camera, where the scene has none, and views that show the whole run")
 
     def wishes(self, **choice):
         return Wishes(Choice(level=self.level, **choice), self.by_distance, self.pixel_error, set(self.layers), self.lamps,
-                      self.sky, self.surroundings, self.clouds)
+                      self.buildings, self.sky, self.surroundings, self.clouds, self.view)
 
     def draw_wanted(self, layout):
         layout.prop(self, "by_distance")
         layout.prop(self, "pixel_error" if self.by_distance else "level")
         layout.column().prop(self, "layers")
-        for name in ("lamps", "sky", "surroundings", "clouds"):
+        for name in ("buildings", "lamps", "sky", "surroundings", "clouds", "view"):
             layout.prop(self, name)
 
 

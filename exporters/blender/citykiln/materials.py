@@ -3,8 +3,16 @@ import hashlib
 import json
 
 import bpy
+import numpy
 
-KEY = "citykiln_key"  # a custom property: what the material was made of
+from .names import name_of_material
+
+# custom properties: what a material or picture was made of, and a picture's mean colour
+KEY, MEAN = "citykiln_key", "citykiln_mean"
+# one of so many texels counts for the mean; a prime, so that all columns do
+SAMPLE_STEP = 37
+# of a material's values, those that do not change how it looks: names have the tile
+NOT_LOOK = {"name", "extras"}
 
 
 class Materials:
@@ -19,10 +27,13 @@ class Materials:
         digests = [digest_of(glb.picture(image)) for image in glb.gltf.get("images", [])]
         return [key_of(glb, material, digests) for material in glb.gltf.get("materials", [])]
 
-    def material(self, glb, number, key):
-        """The material with this key; made at the first call."""
+    def material(self, glb, number, key, mesh_name, tint):
+        """The material with this key; made at the first call.
+        @param tint  The mean colour of its vertices in the mesh that shows it first; None for a mesh without colours, in which
+                     Blender would see black."""
+        key += "" if tint is None else " colours"
         if key not in self.made:
-            self.made[key] = self._make(glb, glb.gltf["materials"][number])
+            self.made[key] = self._make(glb, glb.gltf["materials"][number], mesh_name, tint)
             self.made[key][KEY] = key
         return self.made[key]
 
@@ -41,15 +52,38 @@ class Materials:
             self.pictures[key] = made
         return self.pictures[key]
 
-    def _make(self, glb, values):
-        material = bpy.data.materials.new(values.get("name", "material"))
+    def _make(self, glb, values, mesh_name, tint):
+        material = bpy.data.materials.new(name_of_material(values.get("name", "material"), mesh_name))
         material.use_nodes = True
         # a mask shows leaves or railings, whose backs are left out (mesh_arrays.without_backs)
         material.use_backface_culling = not values.get("doubleSided", False) and values.get("alphaMode") != "MASK"
-        Nodes(self, glb, material, values).build()
+        nodes = Nodes(self, glb, material, values, tint is not None)
+        nodes.build()
+        material.diffuse_color = shown_colour(values, tint, nodes.base_picture)
         for name, value in values.get("extras", {}).items():
             material[name] = value
         return material
+
+
+def shown_colour(values, tint, picture):
+    """The colour in views that show no textures: factor times picture times vertices, opaque where leaves have holes."""
+    factor = values.get("pbrMetallicRoughness", {}).get("baseColorFactor", [1, 1, 1, 1])
+    colour = numpy.array(factor[:3]) * (1 if tint is None else tint)
+    if picture is not None:
+        colour = colour * mean_colour(picture)
+    return [*colour, factor[3] if values.get("alphaMode") == "BLEND" else 1]
+
+
+def mean_colour(picture):
+    """The mean of a picture's opaque texels, linear; kept at the picture."""
+    if MEAN not in picture:
+        texels = numpy.empty(len(picture.pixels), numpy.float32)
+        picture.pixels.foreach_get(texels)
+        texels = texels.reshape(-1, picture.channels)[::SAMPLE_STEP]
+        weights = texels[:, 3:4] if picture.channels == 4 else numpy.ones((len(texels), 1), numpy.float32)
+        stored = (texels[:, :3] * weights).sum(axis=0) / max(float(weights.sum()), 1e-6)
+        picture[MEAN] = (stored ** 2.2).tolist()
+    return numpy.array(picture[MEAN])
 
 
 def digest_of(data):
@@ -61,7 +95,7 @@ def source_of(texture):
 
 
 def key_of(glb, material, digests):
-    """Material values with the pictures' digests in place of their numbers."""
+    """Material values with the pictures' digests in place of their numbers, and without names."""
     def named(values):
         if isinstance(values, dict):
             if "index" in values:
@@ -70,18 +104,20 @@ def key_of(glb, material, digests):
                 return values | {"index": [digests[source_of(texture)], sampler]}
             return {name: named(value) for name, value in values.items()}
         return values
-    return digest_of(json.dumps(named(material), sort_keys=True).encode())
+    look = {name: value for name, value in material.items() if name not in NOT_LOOK}
+    return digest_of(json.dumps(named(look), sort_keys=True).encode())
 
 
 class Nodes:
     """The nodes of one material: base colour times colours of vertices, roughness, metal, normals, light, holes."""
 
-    def __init__(self, materials, glb, material, values):
+    def __init__(self, materials, glb, material, values, has_colours):
+        self.has_colours = has_colours
         self.materials, self.glb, self.material, self.values = materials, glb, material, values
         self.surface = values.get("pbrMetallicRoughness", {})
         self.tree = material.node_tree
         self.shader = next(node for node in self.tree.nodes if node.type == "BSDF_PRINCIPLED")
-        self.shown = {}
+        self.base_picture = None
 
     def build(self):
         self._base_colour()
@@ -91,18 +127,28 @@ class Nodes:
 
     def _base_colour(self):
         factor = self.surface.get("baseColorFactor", [1, 1, 1, 1])
-        colours = self._add("ShaderNodeVertexColor", -600, 300)
-        colours.layer_name = "Color"
-        colour = self._product(colours.outputs["Color"], factor, 300)
+        colour, alpha = list(factor), None
+        if self.has_colours:
+            node = self._add("ShaderNodeVertexColor", -600, 300)
+            node.layer_name = "Color"
+            colour, alpha = self._product(node.outputs["Color"], factor, 300), node.outputs["Alpha"]
         if "baseColorTexture" in self.surface:
             picture = self._picture(self.surface["baseColorTexture"], 500, True)
+            self.base_picture = picture.image
             colour = self._product(picture.outputs["Color"], colour, 500)
             if self.values.get("alphaMode") == "MASK":
                 self._holes(picture.outputs["Alpha"])
-        self._link(colour, "Base Color")
+        self._set(colour, "Base Color")
         if self.values.get("alphaMode") == "BLEND":
-            self._link(colours.outputs["Alpha"], "Alpha")
+            self._set(factor[3] if alpha is None else alpha, "Alpha")
             set_if_there(self.material, blend_method="BLEND", surface_render_method="BLENDED")
+
+    def _set(self, value, name):
+        """Links a socket to an input of the shader, or gives it a value."""
+        if hasattr(value, "node"):
+            self._link(value, name)
+        else:
+            self.shader.inputs[name].default_value = value
 
     def _holes(self, alpha):
         """Texels with an opacity below the cutoff are holes, in Cycles too."""

@@ -43,6 +43,13 @@ class MeshArrays:
             self.normals = None
         self.features = None if features is None else features[self.triangles[:, 0]]
 
+    def tint(self, slot):
+        """The mean linear colour of the vertices of a material; None without colours."""
+        if self.colours is None:
+            return None
+        corners = self.triangles[self.slots == slot][::16].ravel()
+        return (self.colours[corners, :3] ** 2.2).mean(axis=0) if len(corners) else numpy.ones(3)
+
     def _keeps_normals(self, primitive, rows, corners):
         """Whether a primitive has normals that its faces have not."""
         if "NORMAL" not in primitive["attributes"]:
@@ -65,6 +72,39 @@ class MeshArrays:
             numpy.subtract(1, uvs[:, 1], out=self.uvs[rows, 1])
         if "_FEATURE_ID_0" in attributes:
             features[rows] = glb.array(attributes["_FEATURE_ID_0"])
+
+
+class Part:
+    """The triangles of one object in a MeshArrays, with the same members; positions are from `origin`, the middle of its box at its
+    lowest vertex."""
+
+    def __init__(self, whole, triangles):
+        used, inverse = numpy.unique(whole.triangles[triangles], return_inverse=True)
+        of = lambda values: None if values is None else values[used]
+        self.triangles = inverse.reshape(-1, 3).astype(numpy.int32)
+        self.positions, self.normals, self.colours, self.uvs = map(of, (whole.positions, whole.normals, whole.colours, whole.uvs))
+        numbers, self.slots = numpy.unique(whole.slots[triangles], return_inverse=True)
+        self.slots = self.slots.astype(numpy.int32)
+        self.materials = [whole.materials[number] for number in numbers]
+        self.is_smooth, self.features = whole.is_smooth[triangles], None
+        self.origin = foot_of(self.positions)
+        self.positions = self.positions - self.origin
+
+    tint = MeshArrays.tint
+
+
+def foot_of(positions):
+    """The middle of a box of positions, at its lowest."""
+    low, high = positions.min(axis=0), positions.max(axis=0)
+    return numpy.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]], numpy.float32)
+
+
+def parts_by_feature(whole):
+    """The rows of a merged mesh, and the Part of each."""
+    order = numpy.argsort(whole.features, kind="stable")
+    rows, starts = numpy.unique(whole.features[order], return_index=True)
+    for row, triangles in zip(rows.tolist(), numpy.split(order, starts[1:])):
+        yield row, Part(whole, triangles)
 
 
 def indices_of(glb, primitive, count):

@@ -22,14 +22,19 @@ class Meshes:
         @param keys  Of the file's materials.  @param is_shared  False: it is the only one of its kind."""
         primitives = glb.gltf["meshes"][number]["primitives"]
         key = digest_of(glb, primitives, keys) if is_shared else None
-        if key is not None and key in self.made:
-            return self.made[key]
-        arrays = MeshArrays(glb, primitives)
-        mesh = make_mesh(glb.gltf["meshes"][number].get("name", "mesh"), arrays)
-        for material in arrays.materials:
-            mesh.materials.append(None if material is None else self.materials.material(glb, material, keys[material]))
-        if key is not None:
+        if key is None or key not in self.made:
+            mesh = self.mesh_of(glb, glb.gltf["meshes"][number].get("name", "mesh"), MeshArrays(glb, primitives), keys)
+            if key is None:
+                return mesh
             self.made[key] = mesh
+        return self.made[key]
+
+    def mesh_of(self, glb, name, arrays, keys):
+        """A new mesh of arrays, with its materials."""
+        mesh = make_mesh(name, arrays)
+        for slot, material in enumerate(arrays.materials):
+            mesh.materials.append(None if material is None else
+                                  self.materials.material(glb, material, keys[material], name, arrays.tint(slot)))
         return mesh
 
 

@@ -65,6 +65,23 @@ class VIEW3D_PT_citykiln(bpy.types.Panel):
             self.layout.operator(MESH_OT_citykiln_select.bl_idname)
 
 
+class VIEW3D_PT_citykiln_light(bpy.types.Panel):
+    bl_label = "citykiln Light"
+    bl_space_type, bl_region_type, bl_category = "VIEW_3D", "UI", "citykiln"
+
+    @classmethod
+    def poll(cls, context):
+        return context.scene.citykiln.is_set
+
+    def draw(self, context):
+        for names in (("year", "month", "day"), ("hour",), ("sun_elevation", "sun_azimuth"), ("turbidity",), ("exposure",), ("lamps",)):
+            row = self.layout.row(align=True)
+            for name in names:
+                row.prop(context.scene.citykiln, name)
+        self.layout.operator("scene.citykiln_finer")
+        self.layout.operator("scene.citykiln_bake")
+
+
 def id_text(value):
     return str(int(value)) if isinstance(value, float) and value.is_integer() else str(value)
 

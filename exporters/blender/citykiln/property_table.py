@@ -3,7 +3,7 @@ import numpy
 
 COLUMN_DTYPES = {"UINT8": numpy.uint8, "UINT16": numpy.uint16, "UINT32": numpy.uint32, "UINT64": numpy.uint64,
                  "INT32": numpy.int32, "FLOAT32": numpy.float32}
-TYPES = ["none", "node", "way", "relation"]
+TYPES = ["none", "node", "way", "relation", "lot"]
 
 
 def read_table(glb):

@@ -29,7 +29,7 @@ class TileFile:
 
 
 class Run:
-    """A run: name, origin_deg (longitude, latitude), tile_m, tiles, sky (None in reports of older versions)."""
+    """A run: name, origin_deg (longitude, latitude), tile_m, tiles, report, sky (None in reports of older versions)."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
@@ -50,6 +50,7 @@ class Run:
 
     def _take(self, report):
         self.origin_deg = (report["origin"]["lon_deg"], report["origin"]["lat_deg"])
+        self.report = report
         self.tile_m, self.sky = report["tile_m"], report.get("sky")
         self.tiles = [TileFile(tile["x"], tile["y"], tile["level"], tile["error_m"], self.folder / tile["file"], tile["bytes"],
                                tile["box_deg"]) for tile in report["tiles"]]

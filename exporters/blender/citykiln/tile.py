@@ -5,7 +5,12 @@ import numpy
 
 from .axes import matrices_of, matrix_of, turned_matrix
 from .glb import GlbFile
+from .owners import own_facts
 from .property_table import facts_of_row, read_table
+
+
+# layers whose nodes are objects of the map themselves
+ONE_OBJECT = {"buildings", "ground", "roads", "water", "structures"}
 
 
 @dataclass
@@ -55,6 +60,8 @@ class Tile:
             return
         is_merged = "_FEATURE_ID_0" in mesh["primitives"][0]["attributes"] and "feature" not in node.get("extras", {})
         facts = {} if len(names) == 1 else node.get("extras", {})
+        if layer not in ONE_OBJECT:
+            facts = own_facts(names[-1], facts)
         self.items.append(Item(names[-1], layer, turned_matrix(here), node["mesh"], facts=facts, is_merged=is_merged))
 
     def _add_copies(self, node, here, name, layer, attributes):
@@ -64,4 +71,4 @@ class Tile:
         rows = values.get("_FEATURE_ID_0", numpy.zeros(len(places))).astype(int).tolist()
         for place, row in zip(places, rows):
             facts = {"feature": row} | facts_of_row(self.table, row) if self.table else {}
-            self.items.append(Item(name, layer, place, node["mesh"], facts=facts))
+            self.items.append(Item(name, layer, place, node["mesh"], facts=own_facts(name, facts)))
