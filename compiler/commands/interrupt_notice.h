@@ -6,9 +6,9 @@
 
 namespace citykiln::commands {
 
-/// What an interrupted command says when it only reads, or has not written yet.
+/// The words of an interrupted command that only reads, or has not written yet.
 inline constexpr std::string_view kNothingWritten = "nothing was written";
-/// What it says while a run is written to a folder.
+/// The words of one that writes a run to a folder.
 inline constexpr std::string_view kRunAsBefore =
     "the output folder holds the earlier run, if there was one, and the same command goes on with the tiles baked so "
     "far";

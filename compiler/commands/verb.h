@@ -40,7 +40,7 @@ struct Verb {
   std::function<Result<Exit>(const Console& console)> run;  ///< Called after all options are stored.
   std::vector<std::string> examples{};                      ///< Complete command lines for the help.
   bool is_hidden = false;                                   ///< Not in the help: for builds of packages.
-  std::string_view interrupted = kNothingWritten;           ///< What Ctrl-C says, unless run() says something else.
+  std::string_view interrupted = kNothingWritten;           ///< The words of Ctrl-C, unless run() has others.
 };
 
 /// A switch that every verb has.
