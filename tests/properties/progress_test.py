@@ -11,7 +11,7 @@ import unittest
 
 from citykiln_program import PROGRAM, ROOT, TOWN, ProgramTest, run, sha256
 
-MANY_SAMPLES = ["--size", "640x480", "--spp", "4096"]
+MANY_SAMPLES = ["--size", "320x240", "--spp", "512"]
 
 
 def files_below(folder):
@@ -37,6 +37,11 @@ class OnTerminal:
                 break
         return re.search(pattern, self.text)
 
+    def kill(self):
+        """Ends the command if a test has failed before its end."""
+        self.process.kill()
+        self.process.wait()
+
     def interrupt(self):
         self.process.send_signal(signal.SIGINT)
         self.read_until(r"(?!)")
@@ -45,6 +50,11 @@ class OnTerminal:
 
 
 class Progress(ProgramTest):
+    def on_terminal(self, *arguments):
+        shown = OnTerminal(*arguments)
+        self.addCleanup(shown.kill)
+        return shown
+
     def town(self):
         return self.compiled_once("--spec", TOWN / "spec.json", "--lods", "2.5,12.5", "--emit", "kiln,glb")
 
@@ -64,7 +74,7 @@ class Progress(ProgramTest):
         before = files_below(self.town())
         for words, line in self.commands():
             with self.subTest(verb=words[0]):
-                shown = OnTerminal(*words)
+                shown = self.on_terminal(*words)
                 self.assertTrue(shown.read_until(r"\r[a-z ]+ +\[[#.]{30}\] +\d+ %|\r[a-z ]+ \d+:\d\d so far"), shown.text)
                 self.assertEqual(shown.interrupt(), 130, shown.text)
                 last = shown.text.replace("\r\n", "\n").rsplit("\x1b[K", 1)[1]
@@ -72,23 +82,18 @@ class Progress(ProgramTest):
                 self.assertEqual(files_below(self.town()), before)
                 self.assertEqual([path for path in self.folder.rglob("*") if path.is_file() and ".new" not in path.parts], [])
 
-    def test_a_picture_so_far_is_written_and_the_line_is_said_once(self):
+    def test_a_picture_shows_the_time_left_and_ctrl_c_writes_it_so_far(self):
         picture = self.folder / "town.png"
-        shown = OnTerminal("preview", self.town(), "--level", 1, *MANY_SAMPLES, "-o", picture)
-        self.assertTrue(shown.read_until(r"render +\[[#.]{30}\] +\d+ %"), shown.text)
+        shown = self.on_terminal("preview", self.town(), "--level", 1, *MANY_SAMPLES, "-o", picture)
+        self.assertTrue(shown.read_until(r"render +\[[#.]{30}\] +\d+ %, \d+:\d\d left"), shown.text)
         self.assertEqual(shown.interrupt(), 0, shown.text)
         self.assertEqual(shown.text.count("interrupted"), 1, shown.text)
         self.assertTrue(picture.exists())
 
-    def test_the_time_left_is_said_once_it_is_known(self):
-        shown = OnTerminal("preview", self.town(), "--level", 1, *MANY_SAMPLES, "-o", self.folder / "town.png")
-        self.assertTrue(shown.read_until(r"render +\[[#.]{30}\] +\d+ %, \d+:\d\d left"), shown.text)
-        shown.interrupt()
-
     def test_pipes_and_quiet_show_nothing(self):
-        words = ["compile", "--spec", TOWN / "spec.json", "--lods", "1.2", "-o", self.folder / "run"]
+        words = ["compile", "--spec", TOWN / "spec.json", "--lods", "2.5", "-o", self.folder / "run"]
         self.assertEqual(run(*words).stderr, "")
-        shown = OnTerminal(*words, "--quiet")
+        shown = self.on_terminal(*words, "--quiet")
         self.assertFalse(shown.read_until(r"."), shown.text)
         shown.process.wait()
         os.close(shown.side)
