@@ -51,5 +51,5 @@ What to open next:
   in a browser  drag $out/glb/0_0_L1.glb onto https://gltf-viewer.donmccurdy.com or https://sandbox.babylonjs.com
   in Blender    $citykiln addon blender -o citykiln.zip; install it, then File > Import > citykiln run, and choose $out
   your own map  $citykiln compile MAP.osm.pbf -o out/mine
-  fly over it   $citykiln view $out   (bakes 3D Tiles, then serves a page)
+  fly over it   $citykiln view $out   (prints the address of a page for the browser)
 END

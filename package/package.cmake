@@ -12,11 +12,20 @@ function(install_packed file destination name)
   ")
 endfunction()
 
-# ---- the manual page and the completion of bash, printed by the program from its tables of options -------------------
+# ---- the manual pages and the completion of bash, printed by the program from its tables of options -------------------
 add_custom_command(TARGET citykiln POST_BUILD VERBATIM
-                   COMMAND citykiln man > ${PROJECT_BINARY_DIR}/citykiln.1
+                   COMMAND ${CMAKE_COMMAND} -E rm -rf ${PROJECT_BINARY_DIR}/man
+                   COMMAND citykiln man -o ${PROJECT_BINARY_DIR}/man
                    COMMAND citykiln completion > ${PROJECT_BINARY_DIR}/citykiln.bash)
-install_packed(${PROJECT_BINARY_DIR}/citykiln.1 ${CMAKE_INSTALL_MANDIR}/man1 citykiln.1)
+install(CODE "
+  file(GLOB pages \"${PROJECT_BINARY_DIR}/man/*.1\")
+  set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_MANDIR}/man1\")
+  file(MAKE_DIRECTORY \"\${folder}\")
+  foreach(page IN LISTS pages)
+    get_filename_component(name \"\${page}\" NAME)
+    execute_process(COMMAND ${GZIP} -9nc \"\${page}\" OUTPUT_FILE \"\${folder}/\${name}.gz\" COMMAND_ERROR_IS_FATAL ANY)
+  endforeach()
+")
 install(FILES ${PROJECT_BINARY_DIR}/citykiln.bash RENAME citykiln
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 

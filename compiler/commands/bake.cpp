@@ -185,7 +185,7 @@ Result<Exit> bake_to_folder(const BakeRequest& request, const Console& console) 
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(request.out_path);
   if (!folder) return folder.error();
 
-  const InterruptNotice notice;
+  const InterruptNotice notice(kRunAsBefore);
   Report report;
   const Outputs& outputs = request.spec.outputs;
   const Result<outputs::WrittenOutputs> written =

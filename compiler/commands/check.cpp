@@ -134,7 +134,7 @@ Result<verify::CheckResults> check_tiles(const verify::LoadedRun& loaded, int th
   verify::BordersByTile borders;
   Result<Done> done = Done{};
   const auto take = [&](std::size_t i) {
-    on_progress("check", static_cast<double>(i) / static_cast<double>(tiles.size()));
+    on_progress("check tiles", static_cast<double>(i) / static_cast<double>(tiles.size()));
     const Result<verify::CheckedTile> checked = *std::exchange(slots[i], std::nullopt);
     if (!checked) done = checked.error();
     if (!checked) return false;
@@ -192,12 +192,11 @@ Result<std::vector<outputs::Finding>> read_findings(const std::string& folder) {
 // The page of the worst places, if it is asked for.
 Result<Done> write_page(const CheckRequest& request, const verify::LoadedRun& loaded,
                         std::span<const outputs::Finding> findings, const verify::CheckResults& results,
-                        const Console& console) {
+                        const Console& console, const OnProgress& on_progress) {
   if (request.worst == 0) return Done{};
   const std::vector<verify::PlacesOfKind> kinds = verify::worst_places(
       results, results.earthworks, findings, map::Plane(loaded.scene.header.origin), request.worst);
-  const Result<Done> written =
-      write_worst_page(loaded, kinds, request.page_folder, request.threads, console.progress());
+  const Result<Done> written = write_worst_page(loaded, kinds, request.page_folder, request.threads, on_progress);
   if (!written) return written;
   console.print_line(request.page_folder + "/index.html: the worst places");
   return Done{};
@@ -231,6 +230,8 @@ Result<Exit> run_check(const CheckRequest& request, const Console& console) {
     if (const Result<Done> fits = check_output_file(request.template_path); !fits) return fits.error();
   if (request.worst > 0)
     if (const Result<Done> made = make_output_folder(request.page_folder); !made) return made.error();
+  const OnProgress on_progress = console.progress();
+  on_progress("check files", 0);
   const Result<verify::LoadedRun> loaded = open_run(folder);
   if (!loaded) return loaded.error();
   const Result<std::vector<outputs::Finding>> findings = read_findings(folder);
@@ -241,13 +242,16 @@ Result<Exit> run_check(const CheckRequest& request, const Console& console) {
   if (!recipes.files.failures.empty()) return failure(folder, recipes.files);
   recipes.ledger.tests = 1;
   for (const std::string& account : loaded->record.unbalanced) recipes.ledger.test_all(0, false, account);
+  on_progress("check recipes", 0);
   check_recipes(loaded->scene, *findings, request.threads, recipes);
-  Result<verify::CheckResults> results = check_tiles(*loaded, request.threads, console.progress(), std::move(recipes));
+  Result<verify::CheckResults> results = check_tiles(*loaded, request.threads, on_progress, std::move(recipes));
   if (!results) return results.error();
+  on_progress("check usd and tileset", 0);
   if (const Result<Done> done = check_usd(*loaded, request.threads, *results); !done) return done.error();
   verify::check_tileset(*loaded, request.threads, *results);
   print(*results, console);
-  if (const Result<Done> done = write_page(request, *loaded, *findings, *results, console); !done) return done.error();
+  if (const Result<Done> done = write_page(request, *loaded, *findings, *results, console, on_progress); !done)
+    return done.error();
   if (const Result<Done> done = write_template(request, *loaded, *findings, *results, console); !done)
     return done.error();
   for (const verify::Check* check : verify::all_of(*results)) {
@@ -274,6 +278,7 @@ Verb check_verb() {
                   threads_option(request->threads)};
   verb.examples = {"citykiln check out/town", "citykiln check out/town --worst 20 -o out/town-worst",
                    "citykiln check out/town --edits-template town.edits"};
+  verb.interrupted = "the run is as before";
   verb.run = [request](const Console& console) { return run_check(*request, console); };
   return verb;
 }

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "compiler/commands/manual/built_commit.h"
 #include "compiler/commands/run_paths.h"
 #include "compiler/contract/system/program_version.h"
 #include "compiler/contract/texts/nearest_name.h"
@@ -64,6 +65,7 @@ Result<Done> take(const CLI::App& command, const Verb& verb) {
 
 int run_verb(const CLI::App& command, const Verb& verb, const Console& console) {
   if (const Result<Done> taken = take(command, verb); !taken) return fail(taken.error(), console);
+  const InterruptNotice notice(verb.interrupted);
   const Result<Exit> exit = verb.run(console);
   return exit ? static_cast<int>(*exit) : fail(exit.error(), console);
 }
@@ -205,7 +207,7 @@ std::vector<std::string> with_optional_values(std::span<const Verb> verbs, std::
 
 int run_words(std::span<const Verb> verbs, int argc, const char* const* argv, Console& console) {
   CLI::App app("citykiln compiles OpenStreetMap extracts and heightmaps to 3D city tiles", "citykiln");
-  app.set_version_flag("--version", kProgramVersion);
+  app.set_version_flag("--version", std::string(kProgramVersion) + kBuiltCommit);
   app.require_subcommand(1);
   for (const Verb& verb : verbs) declare(app, verb, console);
   const std::span words(argv + 1, static_cast<std::size_t>(argc - 1));

@@ -9,6 +9,13 @@
 #include "compiler/pipeline.h"
 
 namespace citykiln::commands {
+namespace {
+
+/// True if `view` can show a run: it has its manifest, and lies on the ground of the Earth.
+bool can_be_viewed(const CompileSpec& spec) { return spec.outputs.manifest && spec.world != World::kCylinder; }
+
+}  // namespace
+
 Verb compile_verb() {
   struct Request {
     CompileRequest compile;
@@ -31,7 +38,9 @@ Verb compile_verb() {
     if (const Result<Done> area = resolve_area(*spec); !area) return area.error();
     const Result<Compiled> compiled = compile_to_folder(
         *spec, [&](const OnProgress& progress) { return compile(*spec, progress); }, console);
-    return compiled ? Result<Exit>(compiled->exit) : compiled.error();
+    if (!compiled) return compiled.error();
+    if (can_be_viewed(*spec)) console.print_line(view_line(spec->outputs.folder));
+    return compiled->exit;
   };
   return verb;
 }

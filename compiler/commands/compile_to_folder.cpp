@@ -90,7 +90,7 @@ Result<Compiled> compile_to_folder(const CompileSpec& spec, const CompileMap& co
   if (!folder) return folder.error();
   // before a map is compiled in vain
   if (const auto sets = outputs::sets_of(spec.outputs); !sets) return sets.error();
-  const InterruptNotice notice;
+  const InterruptNotice notice(kRunAsBefore);
 
   const OnProgress on_progress = console.progress();
   Result<CompileResult> compiled = compile_map(on_progress);
@@ -129,6 +129,10 @@ Result<Compiled> compile_to_folder(const CompileSpec& spec, const CompileMap& co
   print_compile_summary(spec, *compiled, *written, costs, folder->files(), console);
   console.print_json(report);
   return Compiled{exit, std::move(costs), written->files.bytes()};
+}
+
+std::string view_line(const std::string& folder) {
+  return fmt::format("  citykiln view {}   shows it in a browser", folder);
 }
 
 }  // namespace citykiln::commands

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "compiler/commands/verb.h"
@@ -28,5 +29,8 @@ struct Compiled {
 /// @param takes_over   The runs whose finished tiles may be reused.
 Result<Compiled> compile_to_folder(const CompileSpec& spec, const CompileMap& compile_map, const Console& console,
                                    exporters::TakesOver takes_over = exporters::TakesOver::kInterrupted);
+
+/// Returns the command that shows a run, as a line of output.
+std::string view_line(const std::string& folder);
 
 }  // namespace citykiln::commands

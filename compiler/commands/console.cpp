@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <stop_token>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "compiler/contract/texts/parse.h"
@@ -21,47 +25,93 @@ using Clock = std::chrono::steady_clock;
 constexpr int kBarWidth = 30;
 /// Runs shorter than this show no bar.
 constexpr auto kProgressDelay = std::chrono::seconds(1);
-/// Shortest time between two updates of the bar.
-constexpr auto kRedrawInterval = std::chrono::milliseconds(50);
+/// Time between two updates of the bar.
+constexpr auto kRedrawInterval = std::chrono::milliseconds(100);
 
 /// Share of a stage from which on its time left is estimated, and shortest time spent in it.
 constexpr double kLeastShare = 0.02;
 constexpr auto kLeastTime = std::chrono::seconds(2);
 
+/// True while the last line of the terminal is a bar. Guarded by the mutex, which is locked while the line is written.
+struct BarLine {
+  std::mutex mutex;
+  bool is_drawn = false;
+};
+
+BarLine& bar_line() {
+  static BarLine line;
+  return line;
+}
+
+/// Erases the bar, if there is one, so that a line of text can take its place.
+void erase_bar() {
+  const std::lock_guard lock(bar_line().mutex);
+  if (std::exchange(bar_line().is_drawn, false)) fmt::print(stderr, "\r\x1b[K");
+}
+
+/// Returns "1:05".
+std::string minutes_text(double seconds) {
+  const auto whole_s = static_cast<long>(seconds + 0.5);
+  return fmt::format("{}:{:02}", whole_s / 60, whole_s % 60);
+}
+
 /// Returns ", 1:05 left", for a stage that continues at the same speed; "" while that is unknown.
 std::string time_left(Clock::duration spent, double share) {
   if (share < kLeastShare || spent < kLeastTime) return "";
-  const double left_s = std::chrono::duration<double>(spent).count() * (1 - share) / share;
-  const auto whole_s = static_cast<long>(left_s + 0.5);
-  return fmt::format(", {}:{:02} left", whole_s / 60, whole_s % 60);
+  return fmt::format(", {} left", minutes_text(std::chrono::duration<double>(spent).count() * (1 - share) / share));
 }
 
-/// A progress bar that redraws its own line and erases it at the end.
+/// Returns a stage with its share and the time left; with the time spent, while nothing is known of its share.
+std::string bar_text(std::string_view stage, double share, Clock::duration spent) {
+  if (share <= 0 && spent >= kLeastTime)
+    return fmt::format("{:<22} {} so far", stage, minutes_text(std::chrono::duration<double>(spent).count()));
+  const int filled = static_cast<int>(share * kBarWidth);
+  return fmt::format("{:<22} [{:#<{}}{:.<{}}] {:3.0f} %{}", stage, "", filled, "", kBarWidth - filled, share * 100,
+                     time_left(spent, share));
+}
+
+/// A progress bar that a thread of its own redraws, so that stages that report nothing show that they go on. It is
+/// erased at the end. Thread-safe.
 class ProgressBar {
  public:
-  ProgressBar() : begin_(Clock::now()) {}
+  ProgressBar() : drawing_([this](const std::stop_token& stop) { redraw(stop); }) {}
   ~ProgressBar() {
-    if (is_drawn_) fmt::print(stderr, "\r\x1b[K");
+    drawing_ = {};
+    erase_bar();
   }
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
   void show(std::string_view stage, double share) {
-    const Clock::time_point now = Clock::now();
-    if (stage != stage_) stage_ = stage, stage_begin_ = now;
-    if (now - begin_ < kProgressDelay || (is_drawn_ && now - drawn_ < kRedrawInterval)) return;
-    const int filled = static_cast<int>(share * kBarWidth);
-    fmt::print(stderr, "\r{:<22} [{:#<{}}{:.<{}}] {:3.0f} %{}\x1b[K", stage, "", filled, "", kBarWidth - filled,
-               share * 100, time_left(now - stage_begin_, share));
-    std::fflush(stderr);
-    is_drawn_ = true;
-    drawn_ = now;
+    const std::lock_guard lock(mutex_);
+    if (stage != stage_) stage_ = stage, stage_begin_ = Clock::now();
+    share_ = share;
   }
 
  private:
-  Clock::time_point begin_, stage_begin_, drawn_;
+  void redraw(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    for (auto wait = Clock::duration(kProgressDelay);; wait = kRedrawInterval) {
+      changed_.wait_for(lock, stop, wait, [] { return false; });
+      if (stop.stop_requested()) return;
+      draw();
+    }
+  }
+
+  void draw() const {
+    if (stage_.empty()) return erase_bar();
+    const std::lock_guard lock(bar_line().mutex);
+    fmt::print(stderr, "\r{}\x1b[K", bar_text(stage_, share_, Clock::now() - stage_begin_));
+    std::fflush(stderr);
+    bar_line().is_drawn = true;
+  }
+
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  Clock::time_point stage_begin_;
   std::string stage_;
-  bool is_drawn_ = false;
+  double share_ = 0;
+  std::jthread drawing_;  // last: it uses the others
 };
 
 struct FileAndPlace {
@@ -82,7 +132,9 @@ FileAndPlace file_and_place(const std::string& where) {
 }  // namespace
 
 void Console::print_line(std::string_view line) const {
-  if (!is_quiet && !is_json) fmt::print("{}\n", line);
+  if (is_quiet || is_json) return;
+  erase_bar();
+  fmt::print("{}\n", line);
 }
 
 void Console::print_json(std::string_view json) const {
@@ -105,6 +157,7 @@ void Console::end_json() const {
 void Console::print_error(const Error& error) const {
   // one line, even if a library's message has several; a list without a place has one for each item
   std::string text = to_string(error);
+  erase_bar();
   if (!error.where.empty()) std::ranges::replace(text, '\n', ' ');
   for (const std::string_view line : split(text, '\n')) fmt::print(stderr, "citykiln: {}\n", line);
   if (!is_json) return;

@@ -28,9 +28,10 @@ struct Console {
   /// Prints exactly one JSON value on stdout if is_json: the value that was kept, several as a list, {} if there was
   /// none. After an error, the error's object, in which the others are "result". Later values are not printed.
   void end_json() const;
-  /// Returns a function that draws a progress bar with the remaining time on stderr after one second, if stderr is a
-  /// terminal and the console is neither quiet nor JSON. The bar is erased when the last copy of the function is
-  /// destroyed.
+  /// Returns a function that shows progress on stderr after one second, if stderr is a terminal and the console is
+  /// neither quiet nor JSON: the stage, a bar of its share and the time left. A stage that stays at 0 shows its time so
+  /// far; an empty one hides the line. The line is redrawn by a thread, gives way to other lines of the console, and is
+  /// erased when the last copy of the function is destroyed. The function is thread-safe.
   OnProgress progress() const;
 
   /// The values and the error of print_json() and print_error(). Copies of a console share it.

@@ -265,20 +265,31 @@ Result<Done> write_land_around(Gathered& all, const CompileSpec& spec, exporters
   return Done{};
 }
 
-Result<Done> write_out(Gathered& all, const CompileSpec& spec, const std::string& path) {
+/// Takes over the files of the regions.
+Result<Done> adopt_placed(Gathered& all, exporters::OutputFolder& folder, const OnProgress& on_progress) {
+  std::set<std::string> tiles;
+  for (const outputs::WrittenTile& tile : all.files.tiles) tiles.insert(tile.file.name);
+  for (const outputs::WrittenTile& tile : all.files.usd) tiles.insert(tile.file.name);
+  std::size_t adopted = 0;
+  for (const auto& [name, placed] : all.placed) {
+    on_progress("take over files", static_cast<double>(adopted++) / static_cast<double>(all.placed.size()));
+    if (Result<Done> done = folder.adopt(placed.file, placed.path); !done) return done;
+    if (!tiles.contains(name)) all.files.files.push_back({name, placed.file.bytes});
+  }
+  return Done{};
+}
+
+Result<Done> write_out(Gathered& all, const CompileSpec& spec, const std::string& path, const OnProgress& on_progress) {
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(path);
   if (!folder) return folder.error();
+  const InterruptNotice notice(kRunAsBefore);
+  on_progress("write the manifest", 0);
   const std::vector<std::byte> manifest = exporters::encode_manifest(all.scene, spec.threads);
   if (Result<Done> done = exporters::check_header(manifest, exporters::kManifestName); !done) return done;
   if (Result<Done> done = folder->write(exporters::kManifestName, manifest); !done) return done;
   all.files.files.push_back({exporters::kManifestName, manifest.size()});
-  std::set<std::string> tiles;
-  for (const outputs::WrittenTile& tile : all.files.tiles) tiles.insert(tile.file.name);
-  for (const outputs::WrittenTile& tile : all.files.usd) tiles.insert(tile.file.name);
-  for (const auto& [name, placed] : all.placed) {
-    if (Result<Done> done = folder->adopt(placed.file, placed.path); !done) return done;
-    if (!tiles.contains(name)) all.files.files.push_back({name, placed.file.bytes});
-  }
+  if (Result<Done> done = adopt_placed(all, *folder, on_progress); !done) return done;
+  on_progress("write the whole", 0);
   if (Result<Done> done = write_roots(all, spec.outputs, *folder); !done) return done;
   if (Result<Done> done = write_land_around(all, spec, *folder); !done) return done;
   verify::HeightReport heights{verify::measure_heights(all.scene, spec.threads), {}};
@@ -299,14 +310,16 @@ Result<Exit> gather(const std::string& plan_folder, const Console& console) {
   if (!request) return request.error();
   const Result<CompileSpec> spec = spec_of(*request);
   if (!spec) return spec.error();
-  Gathered all = gather_regions(*plan, folder, spec->outputs, console.progress());
+  const OnProgress on_progress = console.progress();
+  Gathered all = gather_regions(*plan, folder, spec->outputs, on_progress);
   for (const std::string& line : all.missing) console.print_line("missing: " + line);
   if (!all.missing.empty())
     return Error{plan_folder, fmt::format("{} of {} regions are not whole, first {}", all.missing.size(),
                                           plan->regions.size(), all.missing.front())};
+  on_progress("check borders", 0);
   if (const Result<Done> done = check_sides(*plan, all, plan_folder, spec->threads, console); !done)
     return done.error();
-  if (const Result<Done> done = write_out(all, *spec, folder + "/out"); !done) return done.error();
+  if (const Result<Done> done = write_out(all, *spec, folder + "/out", on_progress); !done) return done.error();
   console.print_line(fmt::format("{}/out: {} regions, {} tiles, {:.1f} MB", plan_folder, plan->regions.size(),
                                  all.scene.chunks.size(), all.files.bytes() * 1e-6));
   return Exit::kDone;

@@ -118,8 +118,12 @@ Result<Exit> invent_world(const InventRequest& request, const Console& console) 
   if (!settings) return settings.error();
   const Result<invent::TileSet> tile_set = tile_set_of(request);
   if (!tile_set) return tile_set.error();
+  const OnProgress on_progress = console.progress();
+  on_progress("invent", 0);
   const Result<invent::InventedWorld> world = invent::invent(*settings, *tile_set);
   if (!world) return Error{request.tile_set_path, world.error().message};
+  on_progress("write", 0);
+  const InterruptNotice notice("the world is not whole; the same command writes it again");
   const Result<invent::MapCounts> counts = write_world(*world, *settings, request.folder);
   if (!counts) return counts.error();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

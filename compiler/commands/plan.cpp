@@ -270,6 +270,7 @@ Verb plan_verb() {
                           store_text(request->geojson)});
   verb.examples = {"citykiln plan andorra.osm.pbf --dem heights/ --region 16384 -o out/plan", "ninja -C out/plan",
                    "citykiln plan --status out/plan"};
+  verb.interrupted = "the plan is not finished; the same command makes it";
   verb.run = [request](const Console& console) -> Result<Exit> {
     if (request->status.empty()) return plan_map(*request, console);
     if (!request->geojson.empty() && has_zones(request->status))

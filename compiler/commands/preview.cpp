@@ -326,9 +326,12 @@ Result<Exit> run_preview(PreviewRequest request, const Console& console) {
   if (!request.is_interactive && leave_out_hiding_land(*scene, *cameras))
     console.print_line("note: the land around the map would hide it from here and is left out");
   clear_haze(request, cameras->front(), scene->sky);
+  on_progress("light", 0);
   const preview::Lights lights =
       *environment ? preview::Lights(**environment, scene->lamps) : lights_of(*scene, cameras->front(), request);
   const Stage stage{request, *scene, lights, console, options_of(request)};
+  // a window shows the progress itself
+  if (request.is_interactive) on_progress({}, 0);
   if (request.is_interactive) return fly(stage, cameras->front());
   return render_frames(stage, *cameras, on_progress);
 }
@@ -506,6 +509,7 @@ Verb preview_verb() {
                    "citykiln preview out/town --view street --time 2026-12-21T22:00 -o night.png",
                    "citykiln preview out/town/scene.kiln --eye 0,-200,+60 --look 0,0,+5 --spp 256 -o town.exr",
                    "citykiln preview out/town --turntable 100 --spp 16 -o frame_###.png"};
+  verb.interrupted = "no picture was changed, except those that were finished";
   verb.run = [request](const Console& console) { return run_preview(*request, console); };
   return verb;
 }

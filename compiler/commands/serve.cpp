@@ -19,9 +19,7 @@ Result<Exit> run_serve(const ServeRequest& request, const Console& console) {
   const Result<SiteRequest> asked = site_request(request.choices, false);
   if (!asked) return asked.error();
   if (const Result<Done> free = check_port(request.server); !free) return free.error();
-  const Result<std::unique_ptr<Site>> site = Site::open(*asked);
-  if (!site) return site.error();
-  return run_server(**site, request.server, console);
+  return serve_site(*asked, request.server, console);
 }
 
 }  // namespace

@@ -25,10 +25,10 @@ void stop(int) {
 
 StopOnInterrupt::StopOnInterrupt() {
   stopped = false;
-  std::signal(SIGINT, stop);
+  previous_ = std::signal(SIGINT, stop);
 }
 
-StopOnInterrupt::~StopOnInterrupt() { std::signal(SIGINT, SIG_DFL); }
+StopOnInterrupt::~StopOnInterrupt() { std::signal(SIGINT, previous_); }
 
 const std::atomic<bool>& StopOnInterrupt::is_stopped() const { return stopped; }
 

@@ -6,7 +6,8 @@
 namespace citykiln::commands {
 
 /// During its lifetime the first SIGINT sets is_stopped(), instead of ending the process, and prints a line on stderr.
-/// The second one ends the process. Only one object may exist at a time.
+/// The second one ends the process. Afterwards SIGINT has the effect that it had before. Only one object may exist at a
+/// time.
 class StopOnInterrupt {
  public:
   StopOnInterrupt();
@@ -15,6 +16,9 @@ class StopOnInterrupt {
   StopOnInterrupt& operator=(const StopOnInterrupt&) = delete;
 
   const std::atomic<bool>& is_stopped() const;
+
+ private:
+  void (*previous_)(int);
 };
 
 }  // namespace citykiln::commands

@@ -5,9 +5,11 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/commands/console.h"
+#include "compiler/commands/interrupt_notice.h"
 #include "compiler/contract/result.h"
 #include "compiler/parse_values.h"
 
@@ -38,6 +40,7 @@ struct Verb {
   std::function<Result<Exit>(const Console& console)> run;  ///< Called after all options are stored.
   std::vector<std::string> examples{};                      ///< Complete command lines for the help.
   bool is_hidden = false;                                   ///< Not in the help: for builds of packages.
+  std::string_view interrupted = kNothingWritten;           ///< The words of Ctrl-C, unless run() has others.
 };
 
 /// A switch that every verb has.
@@ -63,6 +66,7 @@ Verb addon_verb();
 Verb view_verb();
 Verb serve_verb();
 Verb invent_verb();
+Verb demo_verb();
 
 /// A range of numbers. Both ends are included if it is closed, else neither.
 struct NumberRange {

@@ -29,9 +29,7 @@ Result<Exit> run_view(const ViewRequest& request, const Console& console) {
     return done ? Result<Exit>(Exit::kDone) : done.error();
   }
   if (const Result<Done> free = check_port(request.server); !free) return free.error();
-  const Result<std::unique_ptr<Site>> site = Site::open(*asked);
-  if (!site) return site.error();
-  return run_server(**site, request.server, console);
+  return serve_site(*asked, request.server, console);
 }
 
 }  // namespace

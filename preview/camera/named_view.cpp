@@ -7,6 +7,7 @@
 #include "preview/camera/camera.h"
 #include "preview/camera/place_views.h"
 #include "preview/camera/street_view.h"
+#include "preview/camera/view_names.h"
 
 namespace citykiln::preview {
 namespace {
@@ -203,14 +204,14 @@ constexpr PlaceView kPlaceViews[] = {
     {"roofs", roofs_view, "nothing is built in this scene"},
     {"skyline", skyline_view, "nothing tall is built in this scene"}};
 
-std::string known_views() {
-  std::string known = "street, low";
-  for (const View& view : kOutsideViews) known += std::string(", ") + view.name;
-  for (const PlaceView& view : kPlaceViews) known += std::string(", ") + view.name;
-  return known;
-}
-
 }  // namespace
+
+std::string view_names(const char* separator) {
+  std::string names = std::string("street") + separator + "low";
+  for (const View& view : kOutsideViews) names += std::string(separator) + view.name;
+  for (const PlaceView& view : kPlaceViews) names += std::string(separator) + view.name;
+  return names;
+}
 
 Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::string& name, std::optional<Vec3> to_sun) {
   const SceneGrid grid(tiles);
@@ -218,7 +219,7 @@ Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::str
     if (name == view.name) return outside_view(grid, view);
   const auto place = std::ranges::find(kPlaceViews, name, &PlaceView::name);
   if (name != "street" && name != "low" && place == std::end(kPlaceViews))
-    return Error{"--view " + name, "expected one of " + known_views()};
+    return Error{"--view " + name, "expected one of " + view_names(", ")};
   const World world(tiles, grid.core_point());
   const ViewScene scene{tiles, grid, ViewProbe{world}, to_sun};
   if (name == "street") return street_view(scene);

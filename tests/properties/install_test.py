@@ -25,6 +25,16 @@ class Install(ProgramTest):
         self.call(program, "preview", "out", "--level", 0, "--size", "64x48", "--spp", 1, "-o", "town.png")
         self.assertGreater((self.folder / "town.png").stat().st_size, 1000)
 
+    def test_a_moved_installation_compiles_its_own_example(self):
+        program = self.installed_and_moved()
+        self.call(program, "demo", "--no-view")
+        self.assertGreater((self.folder / "citykiln-demo" / "scene.kiln").stat().st_size, 1000)
+        share = program.parent.parent / "share/citykiln"
+        share.rename(self.folder / "away")
+        done = subprocess.run([program, "demo", "--no-view"], capture_output=True, text=True, cwd=self.folder, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"^citykiln: the example town is missing; expected the folder .*\n$")
+
     def test_no_file_names_the_build(self):
         program = self.installed_and_moved()
         build = str(Path(PROGRAM).parent).encode()

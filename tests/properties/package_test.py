@@ -14,7 +14,8 @@ from pathlib import Path
 from citykiln_program import PROGRAM, ROOT, ProgramTest, long_test, run
 
 BUILD = Path(PROGRAM).parent
-VERBS = ["compile", "bake", "preview", "view", "inspect", "check", "plan", "gather", "addon"]
+# the verbs of the help
+VERBS = re.findall(r"^  ([a-z]+) {2,}", run("--help").stdout.partition("Subcommands:")[2], re.MULTILINE)
 
 
 def call(*words, **options):
@@ -77,6 +78,15 @@ class Package(ProgramTest):
         for shared in ("--help", "--json", "--quiet"):
             self.assertIn(f"\\fB{shared}\\fR", page)
 
+    def test_every_verb_has_a_manual_page_of_its_own(self):
+        folder = self.content / "usr/share/man/man1"
+        self.assertEqual({path.name for path in folder.iterdir()},
+                         {"citykiln.1.gz"} | {f"citykiln-{verb}.1.gz" for verb in VERBS})
+        for verb in VERBS:
+            page = call("gzip", "-dc", folder / f"citykiln-{verb}.1.gz").replace("\\-", "-")
+            self.assertIn(f".SH NAME\ncitykiln-{verb} - ", page)
+            self.assertEqual([flag for flag in flags_in_help(verb) if f"\\fB{flag}\\fR" not in page], [], verb)
+
     def completed(self, *words):
         """The words that bash offers for the last one."""
         script = self.content / "usr/share/bash-completion/completions/citykiln"
@@ -88,8 +98,17 @@ class Package(ProgramTest):
         self.assertEqual(self.completed("citykiln", "com"), ["compile"])
         self.assertEqual(self.completed("citykiln", "compile", "--targ"), ["--target"])
         self.assertEqual(self.completed("citykiln", "compile", "--compress", "d"), ["draco"])
+        self.assertGreater(len(VERBS), 9)
         for verb in VERBS:
             self.assertEqual(set(self.completed("citykiln", verb, "--")), flags_in_help(verb))
+
+    def test_bash_completes_lists_names_of_views_and_words_by_place(self):
+        self.assertEqual(self.completed("citykiln", "compile", "--emit", "3"), ["3dtiles", "3tz"])
+        self.assertEqual(self.completed("citykiln", "compile", "--emit", "kiln,gl"), ["kiln,glb"])
+        self.assertEqual(self.completed("citykiln", "preview", "--view", "s"), ["street", "south", "square", "skyline"])
+        self.assertEqual(self.completed("citykiln", "addon", ""), ["blender"])
+        self.assertEqual(self.completed("citykiln", "compile", "--compress", "none,d"), [], "one value, no list")
+        self.assertEqual(self.completed("citykiln", "compile", "--bbox", "W"), [], "names of numbers are no values")
 
     def test_hidden_verbs_are_in_no_list(self):
         self.assertNotRegex(run("--help").stdout, r"\n\s+(man|completion)\b")
@@ -123,6 +142,7 @@ class Package(ProgramTest):
         inside("apt-get update -qq; apt-get install -y -qq --no-install-recommends /tmp/citykiln.deb; rm /tmp/citykiln.deb")
         inside("cd /root; citykiln compile --spec /usr/share/citykiln/examples/town/spec.json --lods 2.5 -o town")
         inside("cd /root; citykiln preview town --size 64x48 --spp 1 -o town.png; test -s town.png; rm -r town town.png")
+        inside("cd /root; citykiln demo --no-view; test -s citykiln-demo/scene.kiln; rm -r citykiln-demo")
         inside("apt-get purge -y -qq --auto-remove citykiln")
         self.assertEqual(inside(packages), before)
         self.assertEqual([path for path in bare.rglob("*citykiln*")], [])

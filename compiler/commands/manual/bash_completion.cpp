@@ -23,13 +23,22 @@ bool is_literal(std::string_view text) {
          std::ranges::all_of(text, [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; });
 }
 
-/// The values that the table lists: "clear" and "fair" of "clear|fair|FILE.json", none of "FILE".
-std::vector<std::string> literals_of(const Option& option) {
+/// The values that the table lists, and whether several can be given with commas between them.
+struct Literals {
   std::vector<std::string> values;
-  if (option.value.find('|') == std::string::npos) return values;
-  for (const std::string_view value : split(option.value, '|'))
-    if (is_literal(value)) values.emplace_back(value);
-  return values;
+  bool is_list = false;
+};
+
+/// Returns "clear" and "fair" of "clear|fair|FILE.json", "kiln" and "glb" of "kiln,glb", "none" of "[none]", and none
+/// of "FILE".
+Literals literals_of(const Option& option) {
+  std::string_view text = option.value;
+  if (text.starts_with("[") && text.ends_with("]")) text = text.substr(1, text.size() - 2);
+  const bool is_list = text.find('|') == std::string_view::npos && text.find(',') != std::string_view::npos;
+  Literals literals{.values = {}, .is_list = is_list};
+  for (const std::string_view value : split(text, is_list ? ',' : '|'))
+    if (is_literal(value)) literals.values.emplace_back(value);
+  return literals;
 }
 
 /// A case of the script: after these words, these can follow.
@@ -45,22 +54,32 @@ std::string flag_case(const Verb& verb) {
   return case_of(verb.name + ":-*", flags);
 }
 
+/// The words before a value: the flags of an option, or for what stands by place the verb.
+std::vector<std::string> words_before(const Option& option, const Verb& verb) {
+  return option.flags.starts_with('-') ? flags_of(option) : std::vector{verb.name};
+}
+
 std::string value_cases(const Verb& verb) {
   std::string text;
   for (const Option& option : verb.options) {
-    const std::vector<std::string> values = literals_of(option);
-    for (const std::string& flag : flags_of(option))
-      if (!values.empty()) text += case_of(fmt::format("{}:{}", verb.name, flag), values);
+    const Literals literals = literals_of(option);
+    if (literals.values.empty()) continue;
+    for (const std::string& before : words_before(option, verb))
+      text += fmt::format("    {}:{}) {}words=\"{}\" ;;\n", verb.name, before, literals.is_list ? "is_list=1 " : "",
+                          fmt::join(literals.values, " "));
   }
   return text;
 }
 
 constexpr std::string_view kScriptStart = R"(# bash completion for citykiln, written by `citykiln completion`
 _citykiln() {
-  local word="${COMP_WORDS[COMP_CWORD]}" verb="${COMP_WORDS[1]}" before="${COMP_WORDS[COMP_CWORD-1]}" words=""
+  local word="${COMP_WORDS[COMP_CWORD]}" verb="${COMP_WORDS[1]}" before="${COMP_WORDS[COMP_CWORD-1]}"
+  local words="" is_list="" given=""
 )";
 
-constexpr std::string_view kScriptEnd = R"(  COMPREPLY=($(compgen -W "$words" -- "$word"))
+constexpr std::string_view kScriptEnd = R"(  # of a list, the part after the last comma is completed
+  if [ -n "$is_list" ] && [ "$word" != "${word%,*}" ]; then given="${word%,*},"; fi
+  COMPREPLY=($(compgen -P "$given" -W "$words" -- "${word#"$given"}"))
 }
 complete -o bashdefault -o default -F _citykiln citykiln
 )";

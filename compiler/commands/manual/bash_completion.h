@@ -8,8 +8,9 @@
 
 namespace citykiln::commands {
 
-/// Returns a script for /usr/share/bash-completion/completions. It completes verbs, the flags of a verb, and values of
-/// options whose table lists them, such as "none|quantize|draco|meshopt"; elsewhere bash completes files. Hidden verbs
+/// Returns a script for /usr/share/bash-completion/completions. It completes verbs, the flags of a verb, and values
+/// whose table lists them, such as "none|quantize|draco|meshopt", also one after another in lists such as "kiln,glb";
+/// elsewhere bash completes files. Hidden verbs
 /// are left out.
 std::string bash_completion(std::span<const Verb> verbs);
 

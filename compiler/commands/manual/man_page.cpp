@@ -71,21 +71,29 @@ std::string section_of(const Verb& verb) {
 }
 
 std::string shared_options() {
-  std::string text = ".SS All commands\n";
+  std::string text;
   for (const SharedSwitch& shared : {kJson, kQuiet, kHelp})
     text += fmt::format(".TP\n{}\n{}\n", bold(shared.flag), escaped(shared.help));
   return text;
 }
 
-constexpr std::string_view kPageEnd =
+constexpr std::string_view kExitStatus =
     ".SH EXIT STATUS\n"
     ".TP\n0\ndone\n"
     ".TP\n1\nfailed; one line on the standard error says why\n"
     ".TP\n2\ndone, but data was mended or dropped and \\fB\\-\\-strict\\fR was given\n"
-    ".TP\n130\ninterrupted\n"
+    ".TP\n130\ninterrupted\n";
+constexpr std::string_view kFiles =
     ".SH FILES\n"
     ".TP\n\\fI/usr/share/citykiln/examples/town\\fR\nan invented town to begin with\n"
     ".TP\n\\fI/usr/share/citykiln\\fR\nadd\\-ons for programs that read the tiles\n";
+
+std::string see_also(std::span<const Verb> verbs) {
+  std::string names;
+  for (const Verb& verb : verbs)
+    if (!verb.is_hidden) names += (names.empty() ? "" : ",\n") + bold("citykiln-" + verb.name) + "(1)";
+  return ".SH SEE ALSO\n" + names + "\n";
+}
 
 }  // namespace
 
@@ -97,7 +105,17 @@ std::string man_page(std::span<const Verb> verbs) {
   page += fmt::format(".fi\n.SH DESCRIPTION\n{}\n.SH COMMANDS\n", escaped(kDescription));
   for (const Verb& verb : verbs)
     if (!verb.is_hidden) page += section_of(verb);
-  return page + shared_options() + std::string(kPageEnd);
+  page += ".SS All commands\n" + shared_options() + std::string(kExitStatus) + std::string(kFiles);
+  return page + see_also(verbs);
+}
+
+std::string man_page_of(const Verb& verb) {
+  const std::string name = "citykiln-" + verb.name;
+  std::string page = fmt::format(".TH {} 1 \"\" \"{}\" \"User Commands\"\n", escaped(name), escaped(kProgramVersion));
+  page += fmt::format(".SH NAME\n{} \\- {}\n.SH SYNOPSIS\n{}\n.SH OPTIONS\n", escaped(name), escaped(verb.help),
+                      usage_of(verb));
+  for (const Option& option : verb.options) page += section_of(option);
+  return page + shared_options() + examples_of(verb) + std::string(kExitStatus) + ".SH SEE ALSO\n\\fBcitykiln\\fR(1)\n";
 }
 
 }  // namespace citykiln::commands

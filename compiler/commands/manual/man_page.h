@@ -12,4 +12,8 @@ namespace citykiln::commands {
 /// no date, so the same tables give the same bytes. Hidden verbs are left out.
 std::string man_page(std::span<const Verb> verbs);
 
+/// Returns the manual page of one verb, citykiln-VERB(1): its usage, options and examples, and the options of all
+/// verbs.
+std::string man_page_of(const Verb& verb);
+
 }  // namespace citykiln::commands

@@ -114,6 +114,16 @@ Result<Exit> run_server(const Site& site, const ServerRequest& request, const Co
   return Error{"--listen", fmt::format("cannot listen at {}, port {}", request.address, request.port)};
 }
 
+Result<Exit> serve_site(const SiteRequest& site, const ServerRequest& request, const Console& console) {
+  OnProgress on_progress = console.progress();
+  on_progress("open the scene", 0);
+  const Result<std::unique_ptr<Site>> opened = Site::open(site);
+  on_progress = {};
+  if (!opened) return opened.error();
+  const InterruptNotice notice("the server has ended; it wrote nothing");
+  return run_server(**opened, request, console);
+}
+
 Result<Done> check_port(const ServerRequest& request) {
   if (request.port > 0 && is_loopback(request.address) && is_answered(request.port)) return port_in_use(request);
   return Done{};

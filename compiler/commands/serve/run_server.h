@@ -22,6 +22,9 @@ struct ServerRequest {
 /// that is not of this machine, a server module (citykiln_serve.so) that cannot be loaded.
 Result<Exit> run_server(const Site& site, const ServerRequest& request, const Console& console);
 
+/// Opens a site, with progress, and serves it until the process ends. Errors: those of Site::open() and run_server().
+Result<Exit> serve_site(const SiteRequest& site, const ServerRequest& request, const Console& console);
+
 /// Tests, before long work, that no server answers at the port. Error: one does. Tests nothing for port 0 or an address
 /// that is not loopback. Costs one attempt to connect.
 Result<Done> check_port(const ServerRequest& request);

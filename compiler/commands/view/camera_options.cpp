@@ -12,6 +12,7 @@
 #include "compiler/map/plane/plane.h"
 #include "preview/camera/camera_path.h"
 #include "preview/camera/camera_rays.h"
+#include "preview/camera/view_names.h"
 
 namespace citykiln::commands {
 namespace {
@@ -200,10 +201,8 @@ Result<std::vector<preview::Camera>> cameras_of(const CameraRequest& request, co
 
 std::vector<Option> camera_options(CameraRequest& request) {
   return {
-      {"--view", "NAME",
-       "overview, street, square, water, park, hilltop, roofs, skyline, low, top, north, south, east or west "
-       "(default: overview)",
-       false, store_text(request.view)},
+      {"--view", preview::view_names("|"), "a view that is found in the scene by its name (default: overview)", false,
+       store_text(request.view)},
       {"--eye", "X,Y,Z",
        "place of the viewer in plane metres, such as 0,-200,150, or 0,-200,+2 for 2 m above the ground; needs --look",
        false, store_point(request.eye)},

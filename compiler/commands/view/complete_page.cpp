@@ -97,7 +97,7 @@ Result<Done> add_to_run(const PageRequest& request, const exporters::FileList& l
   Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(request.folder);
   if (!folder) return folder.error();
 
-  const InterruptNotice notice;
+  const InterruptNotice notice(kRunAsBefore);
   const Outputs outputs = outputs_of(request, *record);
   if (const Result<Done> done = keep_files(request.folder, list, *folder); !done) return done;
   const auto files =
