@@ -51,7 +51,9 @@ bool is_all_of(const PlotInputs& inputs, const PlotRectangle& r, const ground::L
 
 void add_allotment(const PlotInputs& inputs, const PlotRectangle& r, const ground::LandCoverPolygon& area,
                    std::uint32_t number, Plots& plots) {
-  if (!is_in_tile(inputs, ring_of(r)) || !is_all_of(inputs, r, area)) return;
+  PlotRectangle with_alley = r;
+  with_alley.corner = r.at(0, -kAlley_m), with_alley.depth_m += kAlley_m;
+  if (!is_in_tile(inputs, ring_of(with_alley)) || !is_all_of(inputs, r, area)) return;
   const ObjectId id{area.id.osm, number};
   const RandomSequence draw(inputs.seed, stable_id(id), "allotment");
   plots.grounds.push_back(ground_of(r, id, lots::LotKind::kAllotment, country_of(inputs)));

@@ -50,8 +50,8 @@ struct Plots {
 /// - in allotments: plots of 11 by 18 m in rows, with beds, and paths between the rows;
 /// - mapped building sites of 150 m2 or more, with their whole area as ground.
 ///
-/// Surfaces lie in the tile, so neighbouring tiles need not agree on them; paths of allotments may cross its border by
-/// 0.5 m. O(roads + plots² + buildings · areas), each with a query of land cover.
+/// Surfaces lie in the tile, so neighbouring tiles need not agree on them. O(roads + plots² + buildings · areas), each
+/// with a query of land cover.
 Plots plots_of(const PlotInputs& inputs);
 
 }  // namespace citykiln::vacant

@@ -166,6 +166,17 @@ TEST(Plots, AllotmentsHaveRowsOfPlots) {
   }
 }
 
+// At the borders of the tile paths would end in neighbours that do not know them.
+TEST(Plots, SurfacesOfAllotmentsLieInTheTile) {
+  MadeLand land;
+  const Box2 tile = land.tile;
+  for (double shift_m = 0; shift_m < 3; shift_m += 0.25) {
+    land.areas = {made_area(1, LandCoverClass::kAllotments, tile.min - Vec2{shift_m, shift_m}, tile.max)};
+    for (const ground::LandCoverPolygon& surface : land.plots().surfaces)
+      for (const Vec2 p : surface.rings.front()) EXPECT_TRUE(tile.contains(p)) << shift_m;
+  }
+}
+
 TEST(Plots, BuildingSitesAreGroundsAsMapped) {
   MadeLand land;
   land.areas = {made_area(1, LandCoverClass::kConstruction, {-100, 20}, {0, 120})};
