@@ -1,13 +1,16 @@
 // What a picture may cost: triangles and megabytes by device. Where the tiles that the camera sees have more triangles, coarser ones are shown
 // farther away, and small or far instances such as bins, cars and trees are left out.
-import { Box3, Matrix4, Sphere, Vector3 } from "three";
+import { Matrix4, Vector3 } from "three";
+import { LEAST_SHADOW_M } from "./shadows.js";
 
 /** Triangles of a picture, and megabytes of tiles that are kept. */
 const BUDGETS = { phone: { triangles: 1.2e6, megabytes: 160 }, computer: { triangles: 3e6, megabytes: 500 } };
-/** Where a walker stands, levels are chosen as if errors were this much larger: at eye height far tiles are seen flat. */
+/** Errors that are allowed grow by this factor while pictures cost too much, at most this often. */
 const STEP = 1.3, MOST = 8;
-/** Pictures that must stay over, or far under, the budget before the level changes. */
+/** Pictures of a moving camera that must be over the budget before the level changes. */
 const PATIENCE = 20;
+/** The level becomes finer again when the camera is this far from where a picture cost too much. */
+const AWAY_M = 60;
 /** Instances smaller than this in the picture are left out. */
 const LEAST_PX = 3;
 /** Instances are chosen anew when the camera has moved this far. */
@@ -18,7 +21,7 @@ export const deviceOf = () => (window.matchMedia("(pointer: coarse)").matches ? 
 
 export class Budget {
   constructor(tileset, renderer, camera) {
-    Object.assign(this, { tileset, renderer, camera, factor: 1, count: 0, over: 0, under: 0, seen: new Vector3(Infinity) });
+    Object.assign(this, { tileset, renderer, camera, factor: 1, over: 0, seen: new Vector3(Infinity), costly: new Vector3(Infinity) });
     this.device = deviceOf();
     Object.assign(this, BUDGETS[this.device]);
     const cache = tileset.tiles.lruCache;
@@ -26,19 +29,33 @@ export class Budget {
     cache.maxBytesSize = this.megabytes * 1e6;
   }
 
-  /** Chooses levels and instances for the next picture. */
+  get isOver() {
+    return this.renderer.info.render.triangles > this.triangles;
+  }
+
+  /** Chooses levels and instances for the next picture of a moving camera. */
   update() {
-    const { render } = this.renderer.info;
-    this.over = render.triangles > this.triangles ? this.over + 1 : 0;
-    this.under = render.triangles < this.triangles / 3 && this.factor > 1 ? this.under + 1 : 0;
-    if (this.over > PATIENCE && this.tileset.isWhole) this.turn(Math.min(MOST, this.factor * STEP));
-    if (this.under > 4 * PATIENCE && this.tileset.isWhole) this.turn(Math.max(1, this.factor / STEP));
+    this.over = this.isOver ? this.over + 1 : 0;
+    if (this.over > PATIENCE) this.coarser();
     if (this.camera.position.distanceTo(this.seen) > MOVED_M) this.choose();
+  }
+
+  /** Chooses the level where the camera stands still. Returns true if it has changed. */
+  settle() {
+    if (this.isOver && this.factor < MOST) return this.coarser(), true;
+    const isFar = this.camera.position.distanceTo(this.costly) > AWAY_M;
+    if (this.factor === 1 || !isFar || this.renderer.info.render.triangles > this.triangles / 2) return false;
+    return this.turn(Math.max(1, this.factor / STEP)), true;
+  }
+
+  coarser() {
+    this.costly.copy(this.camera.position);
+    this.turn(Math.min(MOST, this.factor * STEP));
   }
 
   turn(factor) {
     this.factor = factor;
-    this.over = this.under = 0;
+    this.over = 0;
     this.tileset.setFactor(factor);
   }
 
@@ -71,20 +88,27 @@ function originalsOf(mesh) {
   return { places, attributes, count: mesh.count, size_m: 2 * geometry.boundingSphere.radius * scale, shown: mesh.count };
 }
 
-/** Moves the instances that are large enough in the picture to the front, and draws these alone. */
+/** Moves the instances that are large enough in the picture to the front, those near the camera first, and draws these alone. */
 function chooseInstances(mesh, eye, pixels) {
   const own = (mesh.userData.originals ??= originalsOf(mesh)), most_m = (own.size_m * pixels) / LEAST_PX;
-  const isNear = (i) => Math.hypot(own.places[3 * i] - eye.x, own.places[3 * i + 1] - eye.y, own.places[3 * i + 2] - eye.z) < most_m;
-  let count = 0;
+  const near = [], far = [];
   for (let i = 0; i < own.count; ++i) {
-    if (!isNear(i)) continue;
-    for (const { attribute, array } of own.attributes) {
-      const { itemSize } = attribute;
-      for (let k = 0; k < itemSize; ++k) attribute.array[count * itemSize + k] = array[i * itemSize + k];
-    }
-    ++count;
+    const far_m = Math.hypot(own.places[3 * i] - eye.x, own.places[3 * i + 1] - eye.y, own.places[3 * i + 2] - eye.z);
+    if (far_m < most_m) (far_m < 2 * LEAST_SHADOW_M ? near : far).push(i);
   }
-  if (count === own.shown && count === own.count) return;
-  own.shown = mesh.count = count;
-  for (const { attribute } of own.attributes) attribute.needsUpdate = true;
+  mesh.userData.near = near.length;
+  const chosen = near.concat(far);
+  if (chosen.length === own.shown && chosen.length === own.count && own.near === near.length) return;
+  Object.assign(own, { shown: chosen.length, near: near.length });
+  mesh.count = chosen.length;
+  for (const { attribute, array } of own.attributes) reorder(attribute, array, chosen);
+  mesh.boundingSphere = null;
+}
+
+function reorder(attribute, from, chosen) {
+  const { array: to, itemSize } = attribute;
+  chosen.forEach((i, place) => {
+    for (let k = 0; k < itemSize; ++k) to[place * itemSize + k] = from[i * itemSize + k];
+  });
+  attribute.needsUpdate = true;
 }

@@ -2,11 +2,25 @@
 import { Vector3 } from "three";
 
 /** Half of the side of the square with shadows: this many heights of the camera, within limits. */
-const HEIGHTS = 1.5, LEAST_M = 90, MOST_M = 1500;
+export const LEAST_SHADOW_M = 90;
+const HEIGHTS = 1.5, MOST_M = 1500;
 /** The square moves with the camera in steps of this share of its half side. */
 const STEP = 0.2;
+const CASTING = ["buildings", "structures", "props", "plants"];
+/** Lower lights throw none. */
 const LOWEST = 0.03;
 const TALL_M = 400;
+
+/** Draws the near instances of a mesh alone, which come first (budget.js). */
+const drawNear = {
+  onBeforeShadow() {
+    this.userData.all = this.count;
+    this.count = Math.min(this.count, this.userData.near ?? this.count);
+  },
+  onAfterShadow() {
+    this.count = this.userData.all;
+  },
+};
 
 export class Shadows {
   constructor(renderer, sun, size_px) {
@@ -17,7 +31,12 @@ export class Shadows {
   }
 
   take(tile) {
-    for (const mesh of tile.meshes) mesh.castShadow = mesh.receiveShadow = true;
+    for (const mesh of tile.meshes) {
+      mesh.receiveShadow = true;
+      // the ground is lit by its slope
+      mesh.castShadow = CASTING.includes(mesh.userData.layer);
+      if (mesh.isInstancedMesh) Object.assign(mesh, drawNear);
+    }
     this.isOld = true;
   }
 
@@ -30,7 +49,7 @@ export class Shadows {
     const isOn = this.isWanted && toSun.z > LOWEST;
     if (this.sun.castShadow !== isOn) (this.sun.castShadow = isOn), (this.isOld = true);
     if (!isOn) return;
-    const half_m = 2 ** Math.round(Math.log2(Math.min(MOST_M, Math.max(LEAST_M, moves.above_m * HEIGHTS))));
+    const half_m = 2 ** Math.round(Math.log2(Math.min(MOST_M, Math.max(LEAST_SHADOW_M, moves.above_m * HEIGHTS))));
     const middle = this.middle(camera, moves, half_m);
     if (middle.distanceTo(this.at) > STEP * half_m || half_m !== this.half_m) this.move(middle, half_m);
     // the light's direction may have changed with the sky

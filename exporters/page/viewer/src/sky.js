@@ -10,7 +10,7 @@ import { uniforms as shared } from "./surfaces.js";
 const EMISSION = 100 / 6250;
 export const CANDELA = 1 / 6250;
 /** Luminance of a lit window, in candela a square metre. */
-const WINDOW_CD_M2 = 120;
+const WINDOW_CD_M2 = 40;
 /** White ground under street lamps; darker places are not brightened further. */
 const LEAST_WHITE = 0.002;
 /** Level white ground in the picture, where the tone curve starts to bend below 1. */

@@ -17,7 +17,7 @@ const WINDOWS = `
 vec3 room = floor(placeAt / vec3(3.7, 3.7, 3.0));
 float draw = fract(sin(dot(room, vec3(12.9898, 78.233, 37.719))) * 43758.5453);
 float pane = 1.0 - smoothstep(0.12, 0.3, roughnessFactor);
-totalEmissiveRadiance += lit * pane * step(draw, 0.35) * mix(vec3(1.0, 0.62, 0.3), vec3(1.0, 0.85, 0.65), fract(draw * 91.0));`;
+totalEmissiveRadiance += lit * pane * step(draw, 0.35) * mix(vec3(1.0, 0.5, 0.16), vec3(1.0, 0.72, 0.42), fract(draw * 91.0));`;
 
 const HAZE = `
 vec3 way = placeAt - eye;

@@ -44,7 +44,8 @@ export class Touch {
   // the ground under two fingers stays under them
   slide(before, now, radians) {
     const far_m = Math.max(this.moves.above_m, 5), [from, to] = [middleOf(before), middleOf(now)];
-    const ahead = far_m * (1 - spanOf(before) / spanOf(now));
+    // fingers report one after the other: the logarithm cancels what one seems to pinch and the next to spread
+    const ahead = far_m * Math.log(spanOf(now) / spanOf(before));
     this.moves.step({ ahead, aside: -(to[0] - from[0]) * radians * far_m, up: (to[1] - from[1]) * radians * far_m });
   }
 

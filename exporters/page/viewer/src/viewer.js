@@ -147,6 +147,7 @@ export class Viewer {
 
   // all that the camera sees is loaded and drawn
   settle() {
+    if (this.budget.settle()) return this.changed();
     this.address.later();
     this.findings.load().catch((error) => say(error.message));
     if (this.walk.wanted) this.walk.land();
@@ -261,6 +262,8 @@ export class Viewer {
     this.moves.travel = null;
     if (mode === "fly") return this.moves.setMode("fly");
     const { id, record } = this.picked ?? {};
+    // the mark of what is picked would cover the street
+    this.outline.show(null, []);
     return this.walk.begin(record ? { id, at: new THREE.Vector3(...record.at) } : null);
   }
 
