@@ -138,10 +138,10 @@ export class Viewer {
     this.tileset.update(this.camera);
     this.progress.tiles(this.tileset.tiles.stats);
     this.lamps.update(this.camera.position, this.tileset.shown, this.sky.exposure, this.areLit);
-    const isBusy = this.isChanged || this.moves.isMoving || !this.tileset.isWhole || !this.camera.matrixWorld.equals(this.seenFrom);
-    this.stillFrames = isBusy ? 0 : this.stillFrames + 1;
+    const isOld = this.isChanged || this.moves.isMoving || !this.camera.matrixWorld.equals(this.seenFrom);
+    this.stillFrames = isOld || !this.tileset.isWhole ? 0 : this.stillFrames + 1;
     this.seenFrom.copy(this.camera.matrixWorld);
-    if (isBusy) this.draw();
+    if (isOld) this.draw();
     if (this.stillFrames === 1) this.settle();
   }
 
@@ -150,12 +150,12 @@ export class Viewer {
     if (this.budget.settle()) return this.changed();
     this.address.later();
     this.findings.load().catch((error) => say(error.message));
-    if (this.walk.wanted) this.walk.land();
+    if (this.walk.wanted) this.walk.settle().then(this.changed);
   }
 
   /** True if all that the camera sees is loaded and drawn. */
   get isStill() {
-    return !this.isChanged && this.stillFrames > 3;
+    return !this.isChanged && this.stillFrames > 3 && !this.walk.wanted;
   }
 
   get areLit() {

@@ -10,6 +10,9 @@ const FREE_M = 12;
 /** The picked object is looked at from the street if it is not farther than this. */
 const SEEN_M = 60;
 
+/** Each landing may load finer tiles; so many settle. */
+const MOST_LANDINGS = 6;
+
 const isIn = ({ west, south, east, north }, { x, y }) => x > west && x < east && y > south && y < north;
 const headingTo = (from, to) => Math.atan2(to.x - from.x, to.y - from.y);
 const turnBetween = (a, b) => Math.abs(Math.atan2(Math.sin(a - b), Math.cos(a - b)));
@@ -25,7 +28,7 @@ export class Walk {
 
   /** Begins to walk. @param picked The place and the id of what is picked: {at, id}; null for what is looked at. */
   begin(picked) {
-    this.wanted = { point: this.pointOf(picked), id: picked?.id ?? null, picked: picked?.at ?? null, heading: this.moves.heading };
+    this.wanted = { point: this.pointOf(picked), id: picked?.id ?? null, picked: picked?.at ?? null, landings: 0, heading: this.moves.heading };
     this.moves.setMode("walk");
     return this.land();
   }
@@ -49,7 +52,14 @@ export class Walk {
     const { x, y } = wanted.point;
     const at = own?.at ?? new Vector3(x, y, this.rays.groundAt(x, y) ?? this.moves.limits.ground_m);
     this.moves.walkAt(at, own ? this.headingAt(own, wanted) : wanted.heading);
-    if (this.tileset.isWhole) this.wanted = null;
+  }
+
+  /** Sets the walker down for the last time, if the tiles that are seen from there have changed nothing. Returns true if the walker stands. */
+  async settle() {
+    const before = this.camera.position.clone(), { wanted } = this;
+    await this.land();
+    if (wanted && this.wanted === wanted && (++wanted.landings > MOST_LANDINGS || before.distanceTo(this.camera.position) < 0.1)) this.wanted = null;
+    return !this.wanted;
   }
 
   async streetOf({ point, id }) {
