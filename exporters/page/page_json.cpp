@@ -75,11 +75,11 @@ OrderedJson record_json(const FeatureRecord& record) {
 }
 
 // Keys of names in other languages and scripts by which an element is looked for.
-constexpr std::array<std::string_view, 6> kNameKeys = {"name:en", "int_name", "alt_name", "official_name",
-                                                       "short_name", "loc_name"};
+constexpr std::array<std::string_view, 6> kNameKeys = {"name:en",       "int_name",   "alt_name",
+                                                       "official_name", "short_name", "loc_name"};
 
 /// Returns the names of an element, each once: its name, and those of the tags that the run keeps.
-std::vector<std::string> names_of(const FeatureRecord& record) {
+std::vector<std::string> element_names(const FeatureRecord& record) {
   std::vector<std::string> names;
   const auto add = [&](std::string_view name) {
     if (!name.empty() && std::ranges::find(names, name) == names.end()) names.emplace_back(name);
@@ -149,7 +149,7 @@ std::vector<std::string> feature_files(const FeatureRecords& records, std::size_
 std::string names_json(const FeatureRecords& records) {
   std::vector<std::pair<std::string, OsmId>> names;
   for (const auto& [id, record] : records)
-    for (const std::string& name : names_of(record)) names.emplace_back(name, id);
+    for (const std::string& name : element_names(record)) names.emplace_back(name, id);
   std::ranges::sort(names);
   std::string text = "[";
   for (const auto& [name, id] : names) {

@@ -65,7 +65,7 @@ struct PageFacts {
   std::vector<std::string> attributions;
   std::vector<double> levels_m;  ///< Tolerances, finest first.
   Box2 region_m;
-  double ground_m = 0;     ///< The mean height of the ground in the tileset's frame.
+  double ground_m = 0;         ///< The mean height of the ground in the tileset's frame.
   double visibility_km = 100;  ///< Distance at which a black object keeps 2 % of its contrast.
   std::size_t lights = 0;      ///< Lamps of a tile that are lights.
   bool has_tags = false;

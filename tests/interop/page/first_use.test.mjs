@@ -226,8 +226,7 @@ test("a bar says what is loading, and a plate stands there until the first tile 
   const held = new Promise((resolve) => (letGo = resolve));
   await slow.route(/\.glb/, async (route) => (await held, route.continue()));
   await slow.goto(`${url}#detail=20`);
-  await slow.waitForFunction(() => window.citykiln?.sky.environment);
-  assert.match(await slow.locator("#loading-text").innerText(), /Loading tiles: 0 of \d+/);
+  await slow.waitForFunction(() => /^Loading tiles: \d+ of \d+$/.test(document.getElementById("loading-text").innerText) && window.citykiln.sky.environment);
   assert.ok(await slow.evaluate(() => window.citykiln.plate.visible));
   letGo();
   await slow.waitForFunction(() => window.citykiln.isStill && document.getElementById("loading").hidden);

@@ -1,4 +1,4 @@
-// The page on a phone, with touch emulated: fingers turn, slide and pinch, buttons walk, the controls are a sheet at the bottom.
+// The page on a phone, with touch emulated: fingers turn, slide, spread and close, buttons walk, the controls are a sheet at the bottom.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { OpenPage, distance } from "./open_page.mjs";
@@ -57,7 +57,7 @@ test("two fingers apart move nearer, together farther", async () => {
   await slide([[120, 250], [280, 250]], [[180, 250], [220, 250]]);
   const far = (await open.camera()).at;
   assert.ok(far[1] < near[1] - 10 && far[2] > near[2], `${near} to ${far}`);
-  assert.equal(await page.isVisible("#feature"), false, "a pinch picks nothing");
+  assert.equal(await page.isVisible("#feature"), false, "two fingers pick nothing");
 });
 
 test("two fingers together slide the view", async () => {

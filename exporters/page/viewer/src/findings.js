@@ -112,7 +112,7 @@ export class Findings {
   /** Returns one sentence about a finding. */
   describe({ properties }) {
     const about = properties.other ? `${elementOf(properties.id)} and ${elementOf(properties.other)}: ` : "";
-    const tags = properties.tags ? ` (${properties.tags})` : "";
+    const tags = properties.tags ? ` (${properties.tags.replace(/\b[nwr]\d+(?=:)/g, elementOf)})` : "";
     const size = properties.size ? `, ${properties.size}` : "";
     return `${about}${this.page.codes[properties.code] ?? wordsOf(properties.code)}${tags}${size}`;
   }
