@@ -7,10 +7,14 @@ import { LEAST_SHADOW_M } from "./shadows.js";
 const BUDGETS = { phone: { triangles: 1.2e6, megabytes: 160 }, computer: { triangles: 3e6, megabytes: 500 } };
 /** Errors that are allowed grow by this factor while pictures cost too much, at most this often. */
 const STEP = 1.3, MOST = 8;
+/** The first picture allows errors that are larger by this factor: it is there with a third of the bytes. */
+const FIRST = 2;
 /** Pictures of a moving camera that must be over the budget before the level changes. */
 const PATIENCE = 20;
 /** The level becomes finer again when the camera is this far from where a picture cost too much. */
 const AWAY_M = 60;
+/** Pictures with more than this share of the budget do not become finer. */
+const NEARLY = 0.6;
 /** Instances smaller than this in the picture are left out. */
 const LEAST_PX = 3;
 /** Instances are chosen anew when the camera has moved this far. */
@@ -27,6 +31,12 @@ export class Budget {
     const cache = tileset.tiles.lruCache;
     cache.minBytesSize = this.megabytes * 0.7e6;
     cache.maxBytesSize = this.megabytes * 1e6;
+    this.turn(FIRST);
+  }
+
+  /** Keeps the level of the first picture until the camera leaves its place. */
+  begin() {
+    this.costly.copy(this.camera.position);
   }
 
   get isOver() {
@@ -44,7 +54,7 @@ export class Budget {
   settle() {
     if (this.isOver && this.factor < MOST) return this.coarser(), true;
     const isFar = this.camera.position.distanceTo(this.costly) > AWAY_M;
-    if (this.factor === 1 || !isFar || this.renderer.info.render.triangles > this.triangles / 2) return false;
+    if (this.factor === 1 || !isFar || this.renderer.info.render.triangles > NEARLY * this.triangles) return false;
     return this.turn(Math.max(1, this.factor / STEP)), true;
   }
 

@@ -23,28 +23,39 @@ export class Touch {
   }
 
   begin(event) {
+    this.apply();
     if (this.fingers.size === 0) this.wasMany = false;
-    this.fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    const at = { x: event.clientX, y: event.clientY };
+    this.fingers.set(event.pointerId, { ...at, from: at });
     if (this.fingers.size > 1) this.wasMany = true;
   }
 
   end(event) {
+    this.apply();
     this.fingers.delete(event.pointerId);
   }
 
+  // fingers report one after the other; what they do together is seen in the next picture
   drag(event) {
-    const before = [...this.fingers.values()].map((finger) => ({ ...finger }));
     Object.assign(this.fingers.get(event.pointerId), { x: event.clientX, y: event.clientY });
-    const now = [...this.fingers.values()], radians = this.moves.radiansPerPixel;
+    this.frame ||= requestAnimationFrame(() => this.apply());
+  }
+
+  /** Moves the view by what the fingers have moved since the last time. */
+  apply() {
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
+    const now = [...this.fingers.values()], before = now.map(({ from }) => from), radians = this.moves.radiansPerPixel;
+    if (now.every(({ x, y, from }) => x === from.x && y === from.y)) return;
+    for (const finger of now) finger.from = { x: finger.x, y: finger.y };
     this.moves.interrupt();
-    if (now.length === 1) return this.moves.turn(-(now[0].x - before[0].x) * radians, (now[0].y - before[0].y) * radians);
+    if (now.length === 1) this.moves.turn(-(now[0].x - before[0].x) * radians, (now[0].y - before[0].y) * radians);
     if (now.length === 2) this.slide(before, now, radians);
   }
 
   // the ground under two fingers stays under them
   slide(before, now, radians) {
     const far_m = Math.max(this.moves.above_m, 5), [from, to] = [middleOf(before), middleOf(now)];
-    // fingers report one after the other: the logarithm cancels what one seems to pinch and the next to spread
     const ahead = far_m * Math.log(spanOf(now) / spanOf(before));
     this.moves.step({ ahead, aside: -(to[0] - from[0]) * radians * far_m, up: (to[1] - from[1]) * radians * far_m });
   }

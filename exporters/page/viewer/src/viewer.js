@@ -123,6 +123,7 @@ export class Viewer {
     if (this.device === "phone") this.fold(true);
     this.goHome();
     this.moves.follow(Infinity);
+    this.budget.begin();
     this.openLink();
     this.last_ms = performance.now();
     this.renderer.setAnimationLoop((now_ms) => this.frameAt(now_ms));
