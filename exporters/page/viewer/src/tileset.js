@@ -69,7 +69,8 @@ export class Tileset {
     const isOffered = [...byId("detail").options].some((option) => Number(option.value) === error_px);
     if (!isOffered) return;
     this.detail_px = error_px;
-    this.tiles.errorTarget = error_px * this.factor;
+    // a larger error may be that of a root without content, and nothing would be shown
+    this.tiles.errorTarget = Math.min(Math.max(error_px, COARSE_PX), error_px * this.factor);
     byId("detail").value = String(error_px);
     this.watch.changed();
   }
