@@ -110,9 +110,15 @@ export class Tileset {
     return [...this.tiles.visibleTiles].map((tile) => this.loaded.get(tile)).filter(Boolean);
   }
 
+  /** The numbers of tiles that are not there yet. Tiles for which the budget has no room are not waited for. */
+  get waiting() {
+    const { queued, downloading, parsing } = this.tiles.stats;
+    return { queued: this.tiles.lruCache.isFull() ? 0 : queued, downloading, parsing };
+  }
+
   /** True if nothing is loading. */
   get isWhole() {
-    const { queued, downloading, parsing } = this.tiles.stats;
+    const { queued, downloading, parsing } = this.waiting;
     return queued + downloading + parsing === 0 && this.loaded.size > 0;
   }
 

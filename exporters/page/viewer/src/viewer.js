@@ -137,7 +137,7 @@ export class Viewer {
     this.setNear();
     this.camera.updateMatrixWorld();
     this.tileset.update(this.camera);
-    this.progress.tiles(this.tileset.tiles.stats);
+    this.progress.tiles(this.tileset.waiting);
     this.lamps.update(this.camera.position, this.tileset.shown, this.sky.exposure, this.areLit);
     const isOld = this.isChanged || this.moves.isMoving || !this.camera.matrixWorld.equals(this.seenFrom);
     this.stillFrames = isOld || !this.tileset.isWhole ? 0 : this.stillFrames + 1;
