@@ -129,6 +129,7 @@ exporters::PageFacts facts_of(const scene::Scene& scene, const Outputs& outputs,
           .levels_m = outputs.tolerances_m,
           .region_m = header.extent,
           .ground_m = header.sky.ground_m + map::height_m(geoid, header.extent.centre()),
+          .visibility_km = header.sky.visibility_km,
           .lights = outputs.lights,
           .has_tags = std::ranges::any_of(scene.chunks, keeps_tags),
           .skies = page_skies(header, hours)};

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -72,6 +74,22 @@ OrderedJson record_json(const FeatureRecord& record) {
   return json;
 }
 
+// Keys of names in other languages and scripts by which an element is looked for.
+constexpr std::array<std::string_view, 6> kNameKeys = {"name:en",       "int_name",   "alt_name",
+                                                       "official_name", "short_name", "loc_name"};
+
+/// Returns the names of an element, each once: its name, and those of the tags that the run keeps.
+std::vector<std::string> element_names(const FeatureRecord& record) {
+  std::vector<std::string> names;
+  const auto add = [&](std::string_view name) {
+    if (!name.empty() && std::ranges::find(names, name) == names.end()) names.emplace_back(name);
+  };
+  add(record.name);
+  for (const map::TagView& tag : record.tags.views())
+    if (std::ranges::find(kNameKeys, tag.key) != kNameKeys.end()) add(tag.value);
+  return names;
+}
+
 // Bytes that are no UTF-8 become U+FFFD.
 std::string text_of_json(const OrderedJson& json) {
   return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
@@ -86,6 +104,7 @@ std::string page_json(const PageFacts& facts, const FeatureRecords& records) {
       {"levels_m", facts.levels_m},
       {"region_m", {facts.region_m.min.x, facts.region_m.min.y, facts.region_m.max.x, facts.region_m.max.y}},
       {"ground_m", in_centimetres(facts.ground_m)},
+      {"visibility_km", in_centimetres(facts.visibility_km)},
       {"lights", facts.lights},
       {"has_tags", facts.has_tags},
       {"feature_files", facts.feature_files},
@@ -128,12 +147,16 @@ std::vector<std::string> feature_files(const FeatureRecords& records, std::size_
 }
 
 std::string names_json(const FeatureRecords& records) {
-  std::map<std::string, OsmId> first;
+  std::vector<std::pair<std::string, OsmId>> names;
   for (const auto& [id, record] : records)
-    if (!record.name.empty()) first.emplace(record.name, id);
+    for (const std::string& name : element_names(record)) names.emplace_back(name, id);
+  std::ranges::sort(names);
   std::string text = "[";
-  for (const auto& [name, id] : first)
-    text += (text.size() > 1 ? ",\n" : "\n") + text_of_json(OrderedJson::array({name, to_string(id)}));
+  for (const auto& [name, id] : names) {
+    const FeatureRecord& record = records.at(id);
+    const OrderedJson row = {name, to_string(id), record.kind, std::lround(record.at.x), std::lround(record.at.y)};
+    text += (text.size() > 1 ? ",\n" : "\n") + text_of_json(row);
+  }
   return text + "\n]\n";
 }
 

@@ -65,8 +65,9 @@ struct PageFacts {
   std::vector<std::string> attributions;
   std::vector<double> levels_m;  ///< Tolerances, finest first.
   Box2 region_m;
-  double ground_m = 0;     ///< The mean height of the ground in the tileset's frame.
-  std::size_t lights = 0;  ///< Lamps of a tile that are lights.
+  double ground_m = 0;         ///< The mean height of the ground in the tileset's frame.
+  double visibility_km = 100;  ///< Distance at which a black object keeps 2 % of its contrast.
+  std::size_t lights = 0;      ///< Lamps of a tile that are lights.
   bool has_tags = false;
   std::vector<PageSky> skies;
   std::size_t feature_files = 0;
@@ -85,7 +86,8 @@ std::size_t feature_file_count(const FeatureRecords& records);
 /// (number of files). A file is an object of records by the id, such as "w123".
 std::vector<std::string> feature_files(const FeatureRecords& records, std::size_t count);
 
-/// Returns the names as a list of [name, id], sorted; of features with one name the first is listed.
+/// Returns the names as a list of [name, id, class, x, y], sorted by name and id; x and y are whole metres. Names in
+/// other languages (name:en, int_name, alt_name …) are rows of their own in runs that keep tags.
 std::string names_json(const FeatureRecords& records);
 
 }  // namespace citykiln::exporters

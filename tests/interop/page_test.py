@@ -125,7 +125,7 @@ class ServesTheTown(PageTest):
                     status, body, _ = server.ask(path)
                     self.assertIn(status, (400, 403, 404), path)
                     self.assertNotIn(b"secret", body)
-                for path in ("/unlisted.txt", "/page", "/page/", "/etc/passwd", "//etc/passwd", "/.new/journal"):
+                for path in ("/unlisted.txt", "/page", "/page/", "/etc/passwd", "//etc/passwd", "/.new/journal", "/%00", "/index.html%00"):
                     self.assertEqual(server.ask(path)[0], 404, path)
         finally:
             (self.out / "unlisted.txt").unlink()
@@ -213,6 +213,14 @@ class UsesTheTown(PageTest):
     def test_every_function(self):
         with Server(self.out) as server, StaticServer(self.out) as static:
             self.use("town.test.mjs", PAGE_URL=server.url, PAGE_STATIC=static.url)
+
+    def test_a_new_reader(self):
+        with Server(self.out) as server:
+            self.use("first_use.test.mjs", PAGE_URL=server.url)
+
+    def test_fingers(self):
+        with Server(self.out) as server:
+            self.use("touch.test.mjs", PAGE_URL=server.url)
 
     def test_the_keyboard_alone(self):
         with Server(self.out) as server:

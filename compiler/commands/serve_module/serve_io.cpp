@@ -3,6 +3,7 @@
 #include <httplib.h>
 #include <zlib.h>
 
+#include <chrono>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -12,6 +13,8 @@ namespace {
 
 // Browsers keep six connections open; requests that wait for a content to be baked need one each.
 constexpr std::size_t kConnections = 64;
+// A browser that is busy with other tiles reads nothing meanwhile; the library would give up after five seconds.
+constexpr std::chrono::minutes kWriteTimeout{5};
 
 bool is_text(const std::string& type) {
   return type.starts_with("application/json") || type.starts_with("application/javascript");
@@ -106,6 +109,7 @@ int citykiln_serve(const HttpServer& server) {
   httplib::Server http;
   http.new_task_queue = [] { return new httplib::ThreadPool(kConnections); };
   http.set_tcp_nodelay(true);
+  http.set_write_timeout(kWriteTimeout);
   http.set_socket_options(set_socket);
   http.set_default_headers(headers_of(server));
   http.Get(".*",

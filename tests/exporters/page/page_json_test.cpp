@@ -39,7 +39,26 @@ TEST(PageJson, ARecordTellsTagsRecipeAndAssumptions) {
 
 TEST(PageJson, NamesAreSortedAndKeepMarkupAsText) {
   const json names = json::parse(names_json(some_records()));
-  EXPECT_EQ(names, json::array({{"</script><img src=x>", "w1001"}, {"Abbey", "r1001"}}));
+  EXPECT_EQ(names, json::array({{"</script><img src=x>", "w1001", "House", 1, -5}, {"Abbey", "r1001", "", 0, 0}}));
+}
+
+TEST(PageJson, AllFeaturesOfANameAreListed) {
+  FeatureRecords records;
+  records[{OsmType::kWay, 2}].name = records[{OsmType::kWay, 1}].name = "Mill Lane";
+  const json names = json::parse(names_json(records));
+  EXPECT_EQ(names.size(), 2U);
+  EXPECT_EQ(names.at(0).at(1), "w1");
+  EXPECT_EQ(names.at(1).at(1), "w2");
+}
+
+TEST(PageJson, NamesInOtherLanguagesAreRowsOfTheirOwn) {
+  FeatureRecords records;
+  FeatureRecord& tower = records[{OsmType::kWay, 1}];
+  tower.name = "東京タワー", tower.tags.add("int_name", "Tokyo Tower"), tower.tags.add("name:en", "Tokyo Tower");
+  const json names = json::parse(names_json(records));
+  ASSERT_EQ(names.size(), 2U);
+  EXPECT_EQ(names.at(0).at(0), "Tokyo Tower");
+  EXPECT_EQ(names.at(1).at(0), "東京タワー");
 }
 
 TEST(PageJson, TextsThatAreNoUtf8AreReplaced) {

@@ -108,6 +108,7 @@ test("goes to a place and to a finding", async () => {
   await open.still();
   const there = (await open.camera()).at;
   await tabTo("finding-code");
+  await page.keyboard.press("a");
   await page.keyboard.press("Tab");
   await page.keyboard.press("Tab");
   await page.keyboard.press("Enter");

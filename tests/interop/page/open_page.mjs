@@ -1,6 +1,6 @@
 // Opens the page of a run in headless Chromium, and looks at what it draws. Functions run in the page as they are written here, under the
 // page's own policy of what may run.
-import { chromium } from "playwright-core";
+import { chromium, devices } from "playwright-core";
 
 const SIZE = { width: 760, height: 360 };
 
@@ -11,7 +11,8 @@ export class OpenPage {
       executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
       args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
     });
-    const context = await browser.newContext({ viewport: options.size ?? SIZE, acceptDownloads: true });
+    const device = options.isPhone ? { ...devices["Pixel 5"], deviceScaleFactor: 1 } : { viewport: options.size ?? SIZE };
+    const context = await browser.newContext({ ...device, acceptDownloads: true });
     const page = await context.newPage();
     const opened = new OpenPage(browser, page);
     page.setDefaultTimeout(options.timeout_ms ?? 240_000);

@@ -1,6 +1,6 @@
 // Colours the scene by level, error or source. The colours differ in lightness and keep apart for the colour-blind: cividis for numbers
 // (Nuñez, Anderton and Renslow 2018), Okabe and Ito's blue and orange for sources.
-import { Color, BufferAttribute, InstancedBufferAttribute, MeshLambertMaterial } from "three";
+import { Color, BufferAttribute, InstancedBufferAttribute, MeshBasicMaterial } from "three";
 import { byId, make } from "./dom.js";
 import { featuresOf, tableOf } from "./features.js";
 
@@ -86,11 +86,16 @@ function swatch(colour) {
   return canvas;
 }
 
-/** Returns a material of one colour that keeps the cutouts of the mesh's own. */
+/** Returns a material of one colour, without light, so that it is the legend's; it keeps the cutouts of the mesh's own. */
 function plain(mesh, colour, hasColours = false) {
   const { alphaTest, side, map } = mesh.userData.own;
-  const cut = alphaTest > 0 ? { alphaTest, alphaMap: null, map } : {};
-  return new MeshLambertMaterial({ color: colour, side, vertexColors: hasColours, ...cut });
+  const material = new MeshBasicMaterial({ color: colour, side, vertexColors: hasColours, toneMapped: false });
+  if (alphaTest > 0 && map) Object.assign(material, { alphaTest, map }).onBeforeCompile = keepAlphaAlone;
+  return material;
+}
+
+function keepAlphaAlone(shader) {
+  shader.fragmentShader = shader.fragmentShader.replace("#include <map_fragment>", "diffuseColor.a *= texture2D(map, vMapUv).a;");
 }
 
 function setColour(mesh, attribute) {

@@ -13,7 +13,8 @@ export function make(name, properties = {}, ...children) {
 /** Makes a description list of [term, text] pairs. */
 export function makeList(pairs) {
   const list = make("dl");
-  for (const [term, text] of pairs) list.append(make("dt", {}, String(term)), make("dd", {}, String(text)));
+  // texts of the map may run from right to left
+  for (const [term, text] of pairs) list.append(make("dt", {}, String(term)), make("dd", { dir: "auto" }, String(text)));
   return list;
 }
 

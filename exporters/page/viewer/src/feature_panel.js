@@ -1,18 +1,15 @@
 // The panel about the picked feature: class, tags, recipe, what is assumed, and the findings about it. All of it is text.
 import { byId, make, makeList, say } from "./dom.js";
-
-const KINDS = { n: "node", w: "way", r: "relation" };
+import { addressOf, capital, elementOf, propertyOf, valueOf, wordsOf } from "./words.js";
 
 const heading = (text) => make("h3", {}, text);
 const note = (text) => make("p", { className: "note" }, text);
 
-/** Returns the rows of a recipe: numbers with the unit that ends their name. */
-function rowsOf(recipe) {
-  return Object.entries(recipe).map(([name, value]) => {
-    const unit = name.endsWith("_m2") ? " m²" : name.endsWith("_m") ? " m" : "";
-    return [name.replace(/_m2?$/, "").replaceAll("_", " "), `${value}${unit}`];
-  });
-}
+/** Returns the rows of a recipe, in words. */
+const rowsOf = (recipe) => Object.entries(recipe).map(([name, value]) => [propertyOf(name), valueOf(name, value)]);
+
+/** Returns the class of a record in words: "Tertiary road". */
+const classOf = (record) => (record?.class ? capital(wordsOf(record.class)) : "Unknown");
 
 export class FeaturePanel {
   constructor(page, records, findings, closed) {
@@ -30,21 +27,22 @@ export class FeaturePanel {
   /** Shows a feature and returns its record; undefined if the run has none. */
   async show(id) {
     this.id = id;
-    const record = await this.records.find(id);
+    const [record] = await Promise.all([this.records.find(id), this.findings.load()]);
     if (this.id !== id) return undefined;
-    byId("feature-title").textContent = record?.name || `${KINDS[id[0]]} ${id.slice(1)}`;
+    const title = byId("feature-title");
+    title.textContent = record?.name || (record?.class ? classOf(record) : capital(elementOf(id)));
+    title.dir = "auto";
     byId("feature-text").replaceChildren(...this.parts(id, record ?? {}));
     byId("feature").hidden = false;
-    say(`Picked ${record?.class ?? "feature"} ${id}`);
+    say(`${record?.name ? `${record.name}, ` : ""}${record?.class ? wordsOf(record.class) : elementOf(id)}`);
     return record;
   }
 
   parts(id, record) {
-    const href = `https://www.openstreetmap.org/${KINDS[id[0]]}/${id.slice(1)}`;
-    const link = make("a", { href, target: "_blank", rel: "noopener noreferrer" }, `${KINDS[id[0]]} ${id.slice(1)}`);
+    const link = make("a", { href: addressOf(id), target: "_blank", rel: "noopener noreferrer" }, `OpenStreetMap: ${elementOf(id)}`);
     return [
       make("p", {}, link),
-      makeList([["class", record.class ?? "unknown"], ...(record.height_m ? [["height", `${record.height_m} m`]] : [])]),
+      makeList([["class", classOf(record)], ...(record.height_m ? [["height", `${record.height_m}\u00a0m`]] : [])]),
       heading("Tags"), this.tags(record),
       heading("Recipe"), record.recipe ? makeList(rowsOf(record.recipe)) : note("No recipe of its own."),
       heading("Assumed"), this.assumed(record),
@@ -66,6 +64,6 @@ export class FeaturePanel {
   found(id) {
     const own = this.findings.about(id);
     if (own.length === 0) return note("None.");
-    return makeList(own.map((finding) => [finding.properties.code, this.findings.describe(finding)]));
+    return makeList(own.map((finding) => [capital(wordsOf(finding.properties.code)), this.findings.describe(finding)]));
   }
 }

@@ -9,7 +9,14 @@ async function readTable({ gltf }) {
   const view = (name) => gltf.parser.getDependency("bufferView", table.properties[name].values);
   const [ids, types] = await Promise.all([view("id"), view("type")]);
   const assumed = table.properties.assumed ? new Uint16Array(await view("assumed")) : null;
-  return { ids: new BigInt64Array(ids), types: new Uint8Array(types), assumed };
+  const classes = table.properties.class ? classNames(gltf, new Uint16Array(await view("class"))) : [];
+  return { ids: new BigInt64Array(ids), types: new Uint8Array(types), assumed, classes };
+}
+
+/** Returns the name of the class of each row. */
+function classNames({ parser }, values) {
+  const names = new Map(parser.json.extensions.EXT_structural_metadata.schema.enums.class.values.map(({ name, value }) => [value, name]));
+  return Array.from(values, (value) => names.get(value) ?? "");
 }
 
 /** Returns the table of a tile, which is read once. */

@@ -1,30 +1,38 @@
-// The findings of the run: a list, marks in the scene, and the way to each of them.
+// The findings of the run: a list, marks in the scene, and the way to each of them. None is shown at first.
 import { BufferGeometry, Float32BufferAttribute, Points, PointsMaterial, Color } from "three";
 import { byId, make, say } from "./dom.js";
+import { fetchJson } from "./records.js";
+import { capital, elementOf, wordsOf } from "./words.js";
 
 const STEP = 100;
 /** Dropped, mended and notes: vermillion, orange and sky blue of Okabe and Ito. */
 const COLOURS = { dropped: "#d55e00", mended: "#e69f00", note: "#56b4e9" };
 
 export class Findings {
-  /** @param {Function} fly Called with a finding to fly to. */
-  constructor(scene, page, collection, frame, rays, fly, changed) {
-    Object.assign(this, { scene, page, frame, rays, fly, changed, all: collection.features, count: STEP, code: "" });
+  /** @param {object} parts {page, frame, rays, limits}. @param {Function} fly Called with a finding to fly to. */
+  constructor(scene, parts, fly, changed) {
+    Object.assign(this, parts, { fly, changed, all: [], some: [], placed: [], count: STEP, code: "none" });
     this.marks = new Points(new BufferGeometry(), new PointsMaterial({ size: 9, sizeAttenuation: false, vertexColors: true, depthTest: false, toneMapped: false }));
     this.marks.frustumCulled = false;
     this.marks.renderOrder = 10;
     scene.add(this.marks);
-    this.addCodes();
+    byId("finding-code").append(make("option", { value: "none" }, "none"));
     byId("finding-code").addEventListener("change", (event) => this.filter(event.target.value));
     byId("more-findings").addEventListener("click", () => this.showMore());
-    this.filter("");
   }
 
-  addCodes() {
+  /** Loads the findings of the run once, after its tiles or when they are asked for. */
+  load() {
+    this.loading ??= fetchJson("findings.json").then((collection) => this.take(collection));
+    return this.loading;
+  }
+
+  take(collection) {
+    this.all = collection.features;
     const counts = new Map();
     for (const { properties } of this.all) counts.set(properties.code, (counts.get(properties.code) ?? 0) + 1);
-    const rows = [...counts].sort((a, b) => b[1] - a[1]).map(([code, count]) => make("option", { value: code }, `${code} (${count})`));
-    byId("finding-code").append(make("option", { value: "" }, `all ${this.all.length}`), make("option", { value: "none" }, "none"), ...rows);
+    const rows = [...counts].sort((a, b) => b[1] - a[1]).map(([code, count]) => make("option", { value: code }, `${capital(wordsOf(code))} (${count})`));
+    byId("finding-code").append(make("option", { value: "" }, `all ${this.all.length}`), ...rows);
   }
 
   filter(code) {
@@ -50,10 +58,22 @@ export class Findings {
 
   button(finding) {
     const { code, id, severity } = finding.properties;
-    const button = make("button", { type: "button", title: this.describe(finding) }, `${code} ${id ?? ""} (${severity})`);
-    button.disabled = !finding.geometry;
-    button.addEventListener("click", () => this.fly(finding));
+    const about = id ? `, ${elementOf(id)}` : "";
+    const button = make("button", { type: "button", title: this.describe(finding) }, `${capital(wordsOf(code))}${about} (${severity})`);
+    button.addEventListener("click", () => this.open(finding));
     return button;
+  }
+
+  open(finding) {
+    if (this.isOnMap(finding)) return this.fly(finding);
+    say(`${this.describe(finding)}. ${finding.geometry ? "It is outside of the map." : "It has no place on the map."}`);
+  }
+
+  /** True if a finding has a place inside of the map. */
+  isOnMap({ geometry }) {
+    if (!geometry) return false;
+    const { x, y } = this.frame.at(...geometry.coordinates), { west, south, east, north } = this.limits;
+    return x >= west && x <= east && y >= south && y <= north;
   }
 
   /** Returns the place of a finding in the scene, on the ground where it is loaded. */
@@ -66,7 +86,7 @@ export class Findings {
 
   // marks stand at the mean height of the ground until the ground below is loaded
   showMarks() {
-    const placed = this.some.filter(({ geometry }) => geometry);
+    const placed = this.some.filter((finding) => this.isOnMap(finding));
     const places = placed.flatMap((finding) => this.frame.at(...finding.geometry.coordinates, this.page.ground_m).toArray());
     const colours = placed.flatMap(({ properties }) => new Color(COLOURS[properties.severity] ?? "white").toArray());
     this.marks.geometry.dispose();
@@ -91,10 +111,10 @@ export class Findings {
 
   /** Returns one sentence about a finding. */
   describe({ properties }) {
-    const about = properties.other ? `${properties.id} and ${properties.other}: ` : "";
-    const tags = properties.tags ? ` (${properties.tags})` : "";
+    const about = properties.other ? `${elementOf(properties.id)} and ${elementOf(properties.other)}: ` : "";
+    const tags = properties.tags ? ` (${properties.tags.replace(/\b[nwr]\d+(?=:)/g, elementOf)})` : "";
     const size = properties.size ? `, ${properties.size}` : "";
-    return `${about}${this.page.codes[properties.code] ?? properties.code}${tags}${size}`;
+    return `${about}${this.page.codes[properties.code] ?? wordsOf(properties.code)}${tags}${size}`;
   }
 
   tell(finding) {

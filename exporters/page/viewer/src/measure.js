@@ -23,7 +23,7 @@ export class Measure {
     this.points = [];
     this.draw();
     byId("measured").textContent = "";
-    if (isOn) say("Click two points, or put the cross on them and press Enter.");
+    if (isOn) say("Tap or click two points, or put the cross on them and press Enter.");
   }
 
   add(point) {

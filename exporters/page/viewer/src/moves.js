@@ -2,6 +2,8 @@
 import { Vector3 } from "three";
 
 export const EYE_M = 1.7;
+/** The camera stays within this many lengths of the map's diagonal around it, and below as many. */
+const MOST_AWAY = 1.5;
 const WALK_M_S = 1.5, RUN = 4, TURN_S = 1.2;
 /** Flying is faster the higher the camera is. */
 const FLY_PER_M_S = 0.8, LEAST_FLY_M_S = 6, MOST_FLY_M_S = 3000;
@@ -18,8 +20,10 @@ const KEYS = {
 const ease = (t) => t * t * (3 - 2 * t);
 
 export class Moves {
-  constructor(canvas, camera, rays, changed) {
+  /** @param {object} limits The box that walkers stay in and flyers stay near: {west, south, east, north, ground_m}. */
+  constructor(canvas, camera, rays, limits, changed) {
     this.canvas = canvas;
+    this.limits = limits;
     this.camera = camera;
     this.rays = rays;
     this.changed = changed;
@@ -29,6 +33,8 @@ export class Moves {
     this.isFast = false;
     this.above_m = 100;
     this.travel = null;
+    /** Called when the reader moves: what was to happen on the way no longer does. */
+    this.interrupted = () => {};
     this.listen();
   }
 
@@ -38,7 +44,7 @@ export class Moves {
     canvas.addEventListener("keyup", (event) => (this.held.delete(event.code), (this.isFast = event.shiftKey)));
     canvas.addEventListener("blur", () => this.held.clear());
     canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
-    canvas.addEventListener("pointermove", (event) => event.buttons && this.drag(event));
+    canvas.addEventListener("pointermove", (event) => event.buttons && event.pointerType !== "touch" && this.drag(event));
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
   }
@@ -49,13 +55,33 @@ export class Moves {
     const key = KEYS[event.code];
     if (!key) return;
     event.preventDefault();
+    this.hold(event.code, key);
+  }
+
+  /** Moves one way until release(name). */
+  hold(name, way) {
+    this.interrupt();
+    this.held.set(name, way);
+    this.changed();
+  }
+
+  release(name) {
+    this.held.delete(name);
+  }
+
+  interrupt() {
     this.travel = null;
-    this.held.set(event.code, key);
+    this.interrupted();
+  }
+
+  /** The angle of a pixel in the middle of the picture. */
+  get radiansPerPixel() {
+    return (this.camera.fov * Math.PI) / 180 / this.canvas.clientHeight;
   }
 
   drag(event) {
-    this.travel = null;
-    const radians = (this.camera.fov * Math.PI) / 180 / this.canvas.clientHeight;
+    this.interrupt();
+    const radians = this.radiansPerPixel;
     if (event.buttons & 1) {
       this.turn(-event.movementX * radians, event.movementY * radians);
     } else {
@@ -66,7 +92,7 @@ export class Moves {
 
   wheel(event) {
     event.preventDefault();
-    this.travel = null;
+    this.interrupt();
     this.step({ ahead: -Math.sign(event.deltaY) * Math.max(this.above_m * 0.15, 1), aside: 0, up: 0 });
   }
 
@@ -94,31 +120,46 @@ export class Moves {
     const along = this.mode === "walk" ? new Vector3(Math.sin(heading), Math.cos(heading), 0) : this.direction();
     camera.position.addScaledVector(along, ahead).addScaledVector(right, aside);
     if (this.mode === "fly") camera.position.z += up;
+    this.stayNear();
     this.stand();
     this.changed();
+  }
+
+  /** Keeps walkers on the map, and flyers near it. */
+  stayNear() {
+    const { west, south, east, north, ground_m } = this.limits, { position } = this.camera;
+    const away_m = this.mode === "walk" ? -1 : MOST_AWAY * Math.hypot(east - west, north - south);
+    position.x = Math.min(east + away_m, Math.max(west - away_m, position.x));
+    position.y = Math.min(north + away_m, Math.max(south - away_m, position.y));
+    if (this.mode === "fly") position.z = Math.min(position.z, ground_m + 2 * away_m + 500);
   }
 
   /** Keeps a walker on the floor, and a flyer above it. */
   stand() {
     const { position } = this.camera;
     const floor = this.rays.floorBelow(position);
+    // nothing is loaded there, or there is nothing
+    this.above_m = Math.max(position.z - (floor ?? this.limits.ground_m), 0.5);
     if (floor === undefined) return;
-    this.above_m = Math.max(position.z - floor, 0.5);
     if (this.mode === "walk") position.z = floor + EYE_M;
     else if (this.above_m < EYE_M) position.z = Math.max(position.z, floor + 0.5);
+    this.above_m = Math.max(position.z - floor, 0.5);
   }
 
   /** "fly" or "walk". */
   setMode(mode) {
     this.mode = mode;
-    if (mode === "walk") {
-      const { position } = this.camera;
-      const ground = this.rays.floorBelow(position) ?? this.rays.groundAt(position.x, position.y);
-      if (ground !== undefined) position.z = ground + EYE_M;
-      this.look(this.heading, 0);
-    }
-    this.stand();
+    if (mode === "fly") this.stand();
     this.changed();
+  }
+
+  /** Puts a walker's feet on a place. */
+  walkAt(at, heading) {
+    this.travel = null;
+    this.mode = "walk";
+    this.camera.position.set(at.x, at.y, at.z + EYE_M);
+    this.stand();
+    this.look(heading, 0);
   }
 
   /** Flies to a place and looks there from a distance. */
@@ -154,6 +195,7 @@ export class Moves {
     travel.passed_s += seconds;
     const t = ease(Math.min(1, travel.passed_s / TRAVEL_S));
     this.camera.position.lerpVectors(travel.from, travel.to, t);
+    this.above_m = Math.max(this.camera.position.z - this.limits.ground_m, EYE_M);
     this.look(this.heading, travel.pitch[0] + (travel.pitch[1] - travel.pitch[0]) * t);
     if (t < 1) return;
     this.travel = null;

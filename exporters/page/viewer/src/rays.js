@@ -28,6 +28,12 @@ export class Rays {
     return this.eye.intersectObject(this.group, true).find((hit) => hit.object.userData.loaded && isShown(hit.object));
   }
 
+  /** Returns the distance to what is first hit from a place by level heading; Infinity for nothing. */
+  free(from, heading) {
+    this.eye.set(from, new Vector3(Math.sin(heading), Math.cos(heading), 0));
+    return this.eye.intersectObject(this.group, true).find((hit) => hit.object.userData.loaded && isShown(hit.object))?.distance ?? Infinity;
+  }
+
   /** Returns the height of the highest floor that is not above a place by more than a storey; undefined where nothing is loaded. */
   floorBelow(place) {
     this.down.set(new Vector3(place.x, place.y, place.z + ABOVE_M), DOWN);

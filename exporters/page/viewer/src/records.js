@@ -29,12 +29,8 @@ export class Records {
     return Object.hasOwn(records, id) ? records[id] : undefined;
   }
 
-  /** Returns at most `most` features whose name contains a text: [name, id]. Names that begin with it come first. */
-  async named(text, most) {
-    const wanted = text.toLowerCase();
-    const names = await this.fetchOnce("page/names.json");
-    const found = names.filter(([name]) => name.toLowerCase().includes(wanted));
-    const isLater = ([name]) => !name.toLowerCase().startsWith(wanted);
-    return found.sort((a, b) => isLater(a) - isLater(b)).slice(0, most);
+  /** Returns the names of the map: [name, id, class, x, y], in the order of the file. */
+  names() {
+    return this.fetchOnce("page/names.json");
   }
 }

@@ -4,10 +4,13 @@
 import * as THREE from "three";
 import { byId, make } from "./dom.js";
 import { fetchJson } from "./records.js";
+import { uniforms as shared } from "./surfaces.js";
 
 /** The radiance of material emission at 1, and of one candela a square metre, in the unit of the tables (compiler/sky/generate.h). */
 const EMISSION = 100 / 6250;
 export const CANDELA = 1 / 6250;
+/** Luminance of a lit window, in candela a square metre. */
+const WINDOW_CD_M2 = 40;
 /** White ground under street lamps; darker places are not brightened further. */
 const LEAST_WHITE = 0.002;
 /** Level white ground in the picture, where the tone curve starts to bend below 1. */
@@ -23,13 +26,15 @@ void main() {
 }`;
 const fragmentShader = `uniform sampler2D table;
 uniform vec3 ground, toSun, disk;
+uniform float haze, above;
 varying vec3 to;
 void main() {
   vec3 d = normalize(to);
   float rows = float(textureSize(table, 0).y);
   float turn = atan(d.y, d.x) / 6.28318530718;
   vec3 c = texture2D(table, vec2(turn, (0.5 + sqrt(max(d.z, 0.0)) * (rows - 1.0)) / rows)).rgb;
-  c = mix(c, ground, smoothstep(0.0, 0.3, -d.z));
+  // level ground around the map, in the haze of its distance
+  if (d.z < 0.0) c = mix(ground, c, 1.0 - exp(-haze * above / max(-d.z, 0.0001)));
   c += disk * smoothstep(0.99998, 0.99999, dot(d, toSun));
   gl_FragColor = vec4(c, 1.0);
   #include <tonemapping_fragment>
@@ -37,7 +42,7 @@ void main() {
 }`;
 
 function makeDome() {
-  const uniforms = { table: { value: null }, ground: { value: new THREE.Color() }, toSun: { value: new THREE.Vector3(0, 0, 1) }, disk: { value: new THREE.Color() } };
+  const uniforms = { table: { value: null }, ground: { value: new THREE.Color() }, toSun: { value: new THREE.Vector3(0, 0, 1) }, disk: { value: new THREE.Color() }, above: { value: 100 }, haze: shared.haze };
   const material = new THREE.ShaderMaterial({ uniforms, vertexShader, fragmentShader, side: THREE.BackSide, depthWrite: false });
   const dome = new THREE.Mesh(new THREE.SphereGeometry(1, 48, 32), material);
   dome.frustumCulled = false;
@@ -66,8 +71,11 @@ function textureOf({ columns, rows, radiance }, gains) {
 }
 
 export class Sky {
-  constructor(scene, renderer, page, changed) {
+  constructor(scene, renderer, page, progress, changed) {
     this.scene = scene;
+    this.progress = progress;
+    this.toLight = new THREE.Vector3(0, 0, 1);
+    this.areWindowsBaked = Boolean(page.skies.find((sky) => sky.is_of_run)?.are_lamps_lit);
     this.page = page;
     this.changed = changed;
     this.exposure = 1;
@@ -87,7 +95,7 @@ export class Sky {
     if (!sky) return;
     this.number = number;
     byId("time").value = String(number);
-    this.tables[number] ??= fetchJson(sky.file);
+    this.tables[number] ??= this.progress.during("the sky", fetchJson(sky.file));
     const table = await this.tables[number];
     // another one may have been chosen meanwhile
     if (this.number === number) this.show(sky, table);
@@ -99,10 +107,13 @@ export class Sky {
     this.exposure = gains[1];
     const { uniforms } = this.dome.material;
     uniforms.table.value?.dispose();
-    uniforms.table.value = textureOf(table, gains);
+    shared.table.value = uniforms.table.value = textureOf(table, gains);
+    // the tiles of a run by night have lit windows of their own
+    shared.lit.value = sky.are_lamps_lit && !this.areWindowsBaked ? WINDOW_CD_M2 * CANDELA * this.exposure : 0;
     uniforms.ground.value = colour(table.ground);
     uniforms.toSun.value.fromArray(table.to_light);
-    this.sun.position.fromArray(table.to_light).multiplyScalar(1000);
+    this.toLight.fromArray(table.to_light);
+    this.sun.position.copy(this.toLight).multiplyScalar(1000);
     this.sun.color = colour(table.light);
     this.setEnvironment();
     uniforms.disk.value = colour(table.disk.map((c) => Math.min(c, 500 / this.exposure)));
@@ -131,10 +142,10 @@ export class Sky {
   }
 
   showNote(sky) {
-    const { page } = this;
-    const run = page.skies.find((each) => each.is_of_run);
-    const other = sky.is_of_run ? "" : `Windows and lamps are those of ${run.label}. `;
-    const lamps = page.lights > 0 ? "" : " --lights 64 makes the brightest lamps of each tile throw light.";
-    byId("time-note").textContent = `${other}Compile with --time 2026-12-21T18:00 for lit windows of that hour.${lamps}`;
+    const run = this.page.skies.find((each) => each.is_of_run);
+    const text = !this.areWindowsBaked
+      ? "The page lights windows and lamps by night. Compile with --time 2026-12-21T18:00 for those of an hour, as previews show them."
+      : sky.is_of_run ? "" : `Windows and lamps are those of ${run.label}.`;
+    byId("time-note").textContent = text;
   }
 }

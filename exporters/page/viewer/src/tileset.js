@@ -47,7 +47,7 @@ export class Tileset {
   /** @param {object} watch Functions that are called: tileLoaded(tile), tileGone(tile), changed(). */
   constructor(url, transform, camera, renderer, watch) {
     this.loaded = new Map();
-    this.bytes = 0;
+    this.factor = 1;
     this.watch = watch;
     this.renderer = renderer;
     this.tiles = new TilesRenderer(url);
@@ -68,14 +68,22 @@ export class Tileset {
   setDetail(error_px) {
     const isOffered = [...byId("detail").options].some((option) => Number(option.value) === error_px);
     if (!isOffered) return;
-    this.tiles.errorTarget = error_px;
+    this.detail_px = error_px;
+    // a larger error may be that of a root without content, and nothing would be shown
+    this.tiles.errorTarget = Math.min(Math.max(error_px, COARSE_PX), error_px * this.factor);
     byId("detail").value = String(error_px);
     this.watch.changed();
   }
 
+  /** Allows errors that are larger than the chosen detail by a factor. */
+  setFactor(factor) {
+    this.factor = factor;
+    this.setDetail(this.detail_px);
+  }
+
   /** True for slow machines, which draw at half the resolution. */
   get isCoarse() {
-    return this.tiles.errorTarget >= COARSE_PX;
+    return this.detail_px >= COARSE_PX;
   }
 
   addLoaders() {
@@ -102,9 +110,15 @@ export class Tileset {
     return [...this.tiles.visibleTiles].map((tile) => this.loaded.get(tile)).filter(Boolean);
   }
 
+  /** The numbers of tiles that are not there yet. Tiles for which the budget has no room are not waited for. */
+  get waiting() {
+    const { queued, downloading, parsing } = this.tiles.stats;
+    return { queued: this.tiles.lruCache.isFull() ? 0 : queued, downloading, parsing };
+  }
+
   /** True if nothing is loading. */
   get isWhole() {
-    const { queued, downloading, parsing } = this.tiles.stats;
+    const { queued, downloading, parsing } = this.waiting;
     return queued + downloading + parsing === 0 && this.loaded.size > 0;
   }
 

@@ -1,11 +1,15 @@
 // The scene and the parts of the page around it. A picture is drawn only when something has changed.
 import * as THREE from "three";
+import { Address } from "./address.js";
+import { Budget, deviceOf } from "./budget.js";
 import { Colours } from "./colours.js";
+import { Compass } from "./compass.js";
 import { byId, say } from "./dom.js";
 import { idOfHit } from "./features.js";
 import { FeaturePanel } from "./feature_panel.js";
 import { Findings } from "./findings.js";
 import { Frame } from "./frame.js";
+import { listenForHelp } from "./help.js";
 import { Lamps } from "./lamps.js";
 import { Layers, hiddenBy } from "./layers.js";
 import { readLink, writeLink } from "./link.js";
@@ -13,24 +17,42 @@ import { Measure } from "./measure.js";
 import { Moves } from "./moves.js";
 import { Outline } from "./outline.js";
 import { savePicture } from "./picture.js";
+import { makePlate } from "./plate.js";
 import { Rays } from "./rays.js";
 import { Records } from "./records.js";
 import { Search } from "./search.js";
+import { Shadows } from "./shadows.js";
 import { Sky } from "./sky.js";
+import { prepare, setVisibility, uniforms } from "./surfaces.js";
 import { Tileset } from "./tileset.js";
+import { Touch } from "./touch.js";
+import { Walk } from "./walk.js";
+import { elementOf } from "./words.js";
 
 const FAR_M = 60000;
-/** A press is a click if the pointer moves less than this. */
-const CLICK_PX = 4;
+/** A press is a click if the pointer moves less than this; fingers tremble. */
+const CLICK_PX = 4, TAP_PX = 12;
+/** The near plane is this part of the camera's height, within limits. */
+const NEAR = 0.03, LEAST_NEAR_M = 0.2, MOST_NEAR_M = 20;
+const SHADOW_PX = { phone: 1024, computer: 2048 };
+const MOST_RATIO = { phone: 1.5, computer: 2 };
+const VISIBILITY_KM = 100;
 
 export class Viewer {
-  constructor(page, tileset, findings) {
+  constructor(page, tileset, progress) {
     this.page = page;
+    this.progress = progress;
     this.canvas = byId("scene");
     this.isChanged = true;
     this.stillFrames = 0;
     this.seenFrom = new THREE.Matrix4();
-    const changed = (this.changed = () => (this.isChanged = true));
+    this.changed = () => (this.isChanged = true);
+    this.makeScene(tileset);
+    this.makeParts();
+    this.listen();
+  }
+
+  makeScene(tileset) {
     this.scene = new THREE.Scene();
     this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true });
     this.renderer.toneMapping = THREE.NeutralToneMapping;
@@ -40,19 +62,42 @@ export class Viewer {
     this.tileset = new Tileset("3dtiles/tileset.json", tileset.root.transform, this.camera, this.renderer, watch);
     this.scene.add(this.tileset.tiles.group);
     this.frame = new Frame(tileset.root.transform);
+    const [west, south, east, north] = this.page.region_m;
+    this.limits = { west, south, east, north, ground_m: this.page.ground_m };
+    this.plate = makePlate(this.limits);
+    this.scene.add(this.plate);
+    setVisibility(1000 * (this.page.visibility_km ?? VISIBILITY_KM));
+  }
+
+  makeParts() {
+    const { scene, page, limits, changed } = this;
+    this.device = deviceOf();
     this.rays = new Rays(this.tileset, this.camera);
-    this.moves = new Moves(this.canvas, this.camera, this.rays, changed);
+    this.moves = new Moves(this.canvas, this.camera, this.rays, limits, changed);
+    this.touch = new Touch(this.canvas, this.moves);
+    this.walk = new Walk({ tileset: this.tileset, rays: this.rays, moves: this.moves, camera: this.camera });
+    this.compass = new Compass(this.moves);
     this.layers = new Layers(this.tileset, changed);
     this.colours = new Colours(this.tileset, page, changed);
-    this.sky = new Sky(this.scene, this.renderer, page, () => this.skyChanged());
-    this.lamps = new Lamps(this.scene, this.tileset.tiles.group);
-    this.outline = new Outline(this.scene);
+    this.sky = new Sky(scene, this.renderer, page, this.progress, () => this.skyChanged());
+    this.shadows = new Shadows(this.renderer, this.sky.sun, SHADOW_PX[this.device]);
+    this.lamps = new Lamps(scene, this.tileset.tiles.group);
+    this.budget = new Budget(this.tileset, this.renderer, this.camera);
+    this.outline = new Outline(scene);
     this.records = new Records(page.feature_files);
-    this.measure = new Measure(this.scene, changed);
-    this.findings = new Findings(this.scene, page, findings, this.frame, this.rays, (finding) => this.flyTo(finding), changed);
+    this.measure = new Measure(scene, changed);
+    this.findings = new Findings(scene, { page, frame: this.frame, rays: this.rays, limits }, (finding) => this.flyTo(finding), changed);
     this.panel = new FeaturePanel(page, this.records, this.findings, () => this.pick(null));
-    this.search = new Search(this.records, { toPlace: (lon, lat) => this.goToPlace(lon, lat), toFeature: (id, record) => this.goToFeature(id, record) });
-    this.listen();
+    this.search = new Search(this.records, this.box(), { toPlace: (lon, lat) => this.goToPlace(lon, lat), toFeature: (id, record) => this.goToFeature(id, record) });
+    this.address = new Address(() => this.link);
+  }
+
+  /** The map's box in degrees. */
+  box() {
+    const { west, south, east, north, ground_m } = this.limits;
+    const places = [[west, south], [west, north], [east, south], [east, north]].map(([x, y]) => this.frame.place(new THREE.Vector3(x, y, ground_m)));
+    const [lons, lats] = [places.map(({ lon_deg }) => lon_deg), places.map(({ lat_deg }) => lat_deg)];
+    return { west: Math.min(...lons), south: Math.min(...lats), east: Math.max(...lons), north: Math.max(...lats) };
   }
 
   listen() {
@@ -65,15 +110,20 @@ export class Viewer {
     byId("home").addEventListener("click", () => this.goHome());
     byId("picture").addEventListener("click", () => savePicture(canvas, () => this.draw(), this.page.title.replace(/[^\w-]+/g, "_")));
     byId("link").addEventListener("click", () => this.copyLink());
-    byId("fold").addEventListener("click", () => this.fold());
+    byId("fold").addEventListener("click", () => this.fold(!byId("sections").hidden));
     window.addEventListener("resize", this.changed);
+    // what stands on the scene keeps clear of the sheet
+    new ResizeObserver(() => document.documentElement.style.setProperty("--sheet", `${byId("controls").offsetHeight}px`)).observe(byId("controls"));
     window.addEventListener("hashchange", () => this.openLink());
+    listenForHelp();
   }
 
   start() {
     this.sky.set(Math.max(0, this.page.skies.findIndex((sky) => sky.is_of_run)));
+    if (this.device === "phone") this.fold(true);
     this.goHome();
     this.moves.follow(Infinity);
+    this.budget.begin();
     this.openLink();
     this.last_ms = performance.now();
     this.renderer.setAnimationLoop((now_ms) => this.frameAt(now_ms));
@@ -87,16 +137,26 @@ export class Viewer {
     this.setNear();
     this.camera.updateMatrixWorld();
     this.tileset.update(this.camera);
+    this.progress.tiles(this.tileset.waiting);
     this.lamps.update(this.camera.position, this.tileset.shown, this.sky.exposure, this.areLit);
-    const isBusy = this.isChanged || this.moves.isMoving || !this.tileset.isWhole || !this.camera.matrixWorld.equals(this.seenFrom);
-    this.stillFrames = isBusy ? 0 : this.stillFrames + 1;
+    const isOld = this.isChanged || this.moves.isMoving || !this.camera.matrixWorld.equals(this.seenFrom);
+    this.stillFrames = isOld || !this.tileset.isWhole ? 0 : this.stillFrames + 1;
     this.seenFrom.copy(this.camera.matrixWorld);
-    if (isBusy) this.draw();
+    if (isOld) this.draw();
+    if (this.stillFrames === 1) this.settle();
+  }
+
+  // all that the camera sees is loaded and drawn
+  settle() {
+    if (this.budget.settle()) return this.changed();
+    this.address.later();
+    this.findings.load().catch((error) => say(error.message));
+    if (this.walk.wanted) this.walk.settle().then(this.changed);
   }
 
   /** True if all that the camera sees is loaded and drawn. */
   get isStill() {
-    return !this.isChanged && this.stillFrames > 3;
+    return !this.isChanged && this.stillFrames > 3 && !this.walk.wanted;
   }
 
   get areLit() {
@@ -105,13 +165,20 @@ export class Viewer {
 
   draw() {
     this.isChanged = false;
-    this.renderer.render(this.scene, this.camera);
+    const { camera, sky } = this;
+    uniforms.eye.value.copy(camera.position);
+    sky.dome.material.uniforms.above.value = Math.max(1, camera.position.z - this.limits.ground_m);
+    this.shadows.isWanted = !this.tileset.isCoarse;
+    this.shadows.update(camera, this.moves, sky.toLight);
+    this.budget.update();
+    this.compass.update();
+    this.renderer.render(this.scene, camera);
   }
 
   resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const size = this.renderer.getSize(new THREE.Vector2());
-    const ratio = this.tileset.isCoarse ? 0.5 : Math.min(2, window.devicePixelRatio);
+    const ratio = this.tileset.isCoarse ? 0.5 : Math.min(MOST_RATIO[this.device], window.devicePixelRatio);
     if (size.x === width && size.y === height && this.renderer.getPixelRatio() === ratio) return;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
@@ -121,7 +188,7 @@ export class Viewer {
   }
 
   setNear() {
-    const near_m = Math.min(20, Math.max(0.3, this.moves.above_m * 0.05));
+    const near_m = Math.min(MOST_NEAR_M, Math.max(LEAST_NEAR_M, this.moves.above_m * NEAR));
     if (Math.abs(near_m - this.camera.near) < 0.1 * near_m) return;
     this.camera.near = near_m;
     this.camera.updateProjectionMatrix();
@@ -129,26 +196,35 @@ export class Viewer {
   }
 
   takeTile(tile) {
+    this.plate.visible = false;
+    tile.meshes.forEach(prepare);
     this.lamps.take(tile);
     this.layers.apply(tile);
     this.sky.apply(tile);
+    this.shadows.take(tile);
     this.colours.apply(tile);
   }
 
   tilesChanged() {
-    if (!this.outline) return;
+    if (!this.address) return;
     if (this.outline.id) this.outline.show(this.outline.id, this.tileset.shown).then(this.changed);
+    if (this.walk.wanted) this.walk.land();
     this.lamps.last.x = Infinity;
+    this.budget.seen.x = Infinity;
+    this.shadows.forget();
     this.changed();
   }
 
   skyChanged() {
     for (const tile of this.tileset.loaded.values()) this.sky.apply(tile);
+    this.shadows.forget();
     this.changed();
   }
 
   click(event) {
-    if (Math.hypot(event.clientX - this.pressed[0], event.clientY - this.pressed[1]) > CLICK_PX) return;
+    const isTouch = event.pointerType === "touch";
+    if (isTouch && this.touch.wasMany) return;
+    if (Math.hypot(event.clientX - this.pressed[0], event.clientY - this.pressed[1]) > (isTouch ? TAP_PX : CLICK_PX)) return;
     const box = this.canvas.getBoundingClientRect();
     this.use(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
   }
@@ -170,23 +246,32 @@ export class Viewer {
   /** Picks a feature by its id; null picks none. */
   async pick(id) {
     const drawn = this.outline.show(id, this.tileset.shown);
-    if (id) await this.panel.show(id);
-    else byId("feature").hidden = true;
+    if (id) this.picked = { id, record: await this.panel.show(id) };
+    else [this.picked, byId("feature").hidden] = [null, true];
     await drawn;
+    this.address.later();
     this.changed();
   }
 
+  showMode(mode) {
+    for (const name of ["fly", "walk"]) byId(name).setAttribute("aria-pressed", String(mode === name));
+  }
+
+  /** "walk" sets a walker down on the street that is picked or looked at. */
   setMode(mode) {
-    byId("fly").setAttribute("aria-pressed", String(mode === "fly"));
-    byId("walk").setAttribute("aria-pressed", String(mode === "walk"));
-    this.moves.setMode(mode);
+    this.showMode(mode);
+    this.moves.travel = null;
+    if (mode === "fly") return this.moves.setMode("fly");
+    const { id, record } = this.picked ?? {};
+    // the mark of what is picked would cover the street
+    this.outline.show(null, []);
+    return this.walk.begin(record ? { id, at: new THREE.Vector3(...record.at) } : null);
   }
 
   goHome() {
-    const [west, south, east, north] = this.page.region_m;
-    const middle = new THREE.Vector3((west + east) / 2, (south + north) / 2, this.page.ground_m);
+    const { west, south, east, north, ground_m } = this.limits;
     this.setMode("fly");
-    this.moves.goTo(middle, 0.9 * Math.hypot(east - west, north - south), -0.6);
+    this.moves.goTo(new THREE.Vector3((west + east) / 2, (south + north) / 2, ground_m), 0.9 * Math.hypot(east - west, north - south), -0.6);
   }
 
   goToPlace(lon_deg, lat_deg) {
@@ -199,7 +284,7 @@ export class Viewer {
 
   goToFeature(id, record) {
     this.setMode("fly");
-    this.moves.goTo(new THREE.Vector3(...record.at), Math.max(40, 2 * (record.size_m ?? 30)));
+    this.moves.goTo(new THREE.Vector3(...record.at), Math.min(600, Math.max(40, 2 * (record.size_m ?? 30))));
     return this.pick(id);
   }
 
@@ -214,36 +299,46 @@ export class Viewer {
 
   get link() {
     const { position } = this.camera, { heading, pitch, mode } = this.moves;
-    return writeLink({ position, heading, pitch, mode, hidden: this.layers.hidden, colours: this.colours.mode, time: this.sky.number, detail_px: this.tileset.tiles.errorTarget, id: this.panel.id });
+    return writeLink({ position, heading, pitch, mode, hidden: this.layers.hidden, colours: this.colours.mode, time: this.sky.number, detail_px: this.tileset.detail_px, id: this.panel.id });
   }
 
   async copyLink() {
-    history.replaceState(null, "", `#${this.link}`);
-    await navigator.clipboard?.writeText(location.href).catch(() => {});
-    byId("linked").textContent = "The address of this page now leads to this view.";
+    this.address.now();
+    const isCopied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
+    byId("linked").textContent = isCopied ? "The link to this view is copied." : "The address of this page leads to this view.";
   }
 
   openLink() {
     for (const name of hiddenBy(new URLSearchParams(location.search).get("layers") ?? "")) this.layers.set(name, false);
     const state = readLink(location.hash.slice(1));
     this.tileset.setDetail(state.detail_px);
-    if (!state.position) return;
-    this.moves.travel = null;
-    this.camera.position.fromArray(state.position);
-    this.moves.look(state.heading, state.pitch);
-    byId(state.mode).setAttribute("aria-pressed", "true");
-    byId(state.mode === "fly" ? "walk" : "fly").setAttribute("aria-pressed", "false");
-    this.moves.mode = state.mode;
     for (const name of state.hidden) if (byId(`layer-${name}`)) this.layers.set(name, false);
     if (["none", "level", "error", "source"].includes(state.colours)) this.colours.set(state.colours);
     if (state.time !== undefined) this.sky.set(state.time);
-    if (state.id) this.pick(state.id);
+    if (state.position) this.openView(state);
+    if (state.id) this.openPicked(state);
   }
 
-  fold() {
-    const isOpen = byId("sections").hidden;
-    byId("sections").hidden = !isOpen;
-    byId("fold").textContent = isOpen ? "Hide" : "Show";
-    byId("fold").setAttribute("aria-expanded", String(isOpen));
+  openView({ position: [x, y, z], heading, pitch, mode }) {
+    const { west, south, east, north } = this.limits, away_m = 2 * Math.hypot(east - west, north - south);
+    if (x < west - away_m || x > east + away_m || y < south - away_m || y > north + away_m) return say("This link leads outside of the map.");
+    this.moves.travel = null;
+    this.camera.position.set(x, y, z);
+    this.moves.mode = mode;
+    this.moves.stand();
+    this.moves.look(heading, pitch);
+    this.showMode(mode);
+  }
+
+  async openPicked({ id, position }) {
+    const record = await this.records.find(id);
+    if (!record) return say(`This link leads to ${elementOf(id)}, which is not on this map.`);
+    return position ? this.pick(id) : this.goToFeature(id, record);
+  }
+
+  fold(isFolded) {
+    byId("sections").hidden = isFolded;
+    byId("fold").textContent = isFolded ? "More" : "Less";
+    byId("fold").setAttribute("aria-expanded", String(!isFolded));
   }
 }
