@@ -80,8 +80,6 @@ void print_compile_summary(const CompileSpec& spec, const CompileResult& compile
                                  peak_bytes * 1e-6));
   for (const std::string& note : outputs::notes_of(folder, written, files)) console.print_line(note);
   print_diagnoses(compiled.report, console);
-  if (exporters::has_file(files, exporters::kManifestName))
-    console.print_line(fmt::format("citykiln view {}   shows it in a browser", folder));
 }
 
 }  // namespace

@@ -160,7 +160,8 @@ void Site::prepare() const {
   tree_->documents();
   if (!has_page_) return;
   const std::string content = tree_->first_content();
-  cache_.get(kTreeFolder + content, [] { return true; }, [&] { return tree_->make(content); });
+  cache_.get(
+      kTreeFolder + content, [] { return true; }, [&] { return tree_->make(content); });
 }
 
 const char* media_type_of(std::string_view name) {

@@ -20,7 +20,9 @@ ground::LandCoverPolygon made_area(std::int64_t id, LandCoverClass surface, Vec2
   return {{{OsmType::kWay, id}, 0}, surface, area, {ring}};
 }
 
-// A tile of 400 m with a street along y = 0, 6 m wide.
+const Box2 kTile{{-200, -200}, {200, 200}};
+
+// The tile with a street along y = 0, 6 m wide.
 struct MadeLand {
   std::vector<ground::LandCoverPolygon> areas;
   std::vector<roads::Road> roads{1};
@@ -40,9 +42,8 @@ struct MadeLand {
     cover.push_back(made_area(1000, LandCoverClass::kResidentialRoad, {-190, -3}, {190, 3}));
     for (const buildings::Building& building : buildings)
       cover.push_back({building.id, LandCoverClass::kBuilding, 1, {building.footprint.outer}});
-    const Box2 tile{{-200, -200}, {200, 200}};
-    const ground::LandCoverIndex index = ground::index_land_cover(cover, tile.widened(48));
-    return plots_of({areas, roads, buildings, index, tile, seed});
+    const ground::LandCoverIndex index = ground::index_land_cover(cover, kTile.widened(48));
+    return plots_of({areas, roads, buildings, index, kTile, seed});
   }
 
   void add_building(std::int64_t id, map::BuildingClass own, Vec2 low, Vec2 high) {
@@ -169,11 +170,10 @@ TEST(Plots, AllotmentsHaveRowsOfPlots) {
 // At the borders of the tile paths would end in neighbours that do not know them.
 TEST(Plots, SurfacesOfAllotmentsLieInTheTile) {
   MadeLand land;
-  const Box2 tile = land.tile;
   for (double shift_m = 0; shift_m < 3; shift_m += 0.25) {
-    land.areas = {made_area(1, LandCoverClass::kAllotments, tile.min - Vec2{shift_m, shift_m}, tile.max)};
+    land.areas = {made_area(1, LandCoverClass::kAllotments, kTile.min - Vec2{shift_m, shift_m}, kTile.max)};
     for (const ground::LandCoverPolygon& surface : land.plots().surfaces)
-      for (const Vec2 p : surface.rings.front()) EXPECT_TRUE(tile.contains(p)) << shift_m;
+      for (const Vec2 p : surface.rings.front()) EXPECT_TRUE(kTile.contains(p)) << shift_m;
   }
 }
 
