@@ -28,7 +28,7 @@ const std::vector<WrongLine> kWrong = {
     {"w1 set height", R"(8: expected a tag such as height=12, found "height")"},
     {"w1 set height=", R"(8: expected a value after = ("remove height" takes a tag away), found "height=")"},
     {"w1 set drop", R"(8: expected a tag such as height=12, found "drop")"},
-    {"w1 set height=3 name=A height=4", R"(21: expected height once in a line, found "height=4")"},
+    {"w1 set height=3 name=A height=4", R"(24: expected height once in a line, found "height=4")"},
     {"w1 drop set height=3", R"(9: expected drop as the only change of a line, found "set")"},
     {"w1 move 1,2 drop", R"(13: expected drop as the only change of a line, found "drop")"},
     {"w1 remove height=3", R"(11: expected the key of a tag without its value, such as height, found "height=3")"},
@@ -101,13 +101,14 @@ TEST(ParseEdits, WordsOfTablesHaveTheSpellingOfMapsThatWereRead) {
 }
 
 TEST(ParseEdits, ALineHasSeveralChanges) {
-  const Edit edit = edit_of("w1,n2 !area set a=b c=d remove e f* move 1.5,-2 drop");
+  const Edit edit = edit_of("w1,n2 !area set a=b c=d remove e f* move 1.5,-2");
   EXPECT_EQ(edit.filter.at(0).ids.size(), 2U);
   EXPECT_TRUE(edit.filter.at(1).is_negated);
   EXPECT_EQ(edit.changes.set.size(), 2U);
   EXPECT_EQ(edit.changes.removed, (std::vector<std::string>{"e", "f*"}));
   EXPECT_EQ(edit.changes.moved_m->y, -2);
-  EXPECT_TRUE(edit.changes.is_dropped);
+  EXPECT_FALSE(edit.changes.is_dropped);
+  EXPECT_TRUE(edit_of("w1,n2 drop").changes.is_dropped);
 }
 
 TEST(ParseEdits, IdsOfNewElementsDependOnTypeAndPointsAlone) {
