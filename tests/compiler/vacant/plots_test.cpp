@@ -47,7 +47,8 @@ struct MadeLand {
   }
 
   void add_building(std::int64_t id, map::BuildingClass own, Vec2 low, Vec2 high) {
-    buildings::Building building{.id = {{OsmType::kWay, id}, 0}, .footprint = {made_box(low, high), {}}};
+    buildings::Building building;
+    building.id = {{OsmType::kWay, id}, 0}, building.footprint = {made_box(low, high), {}};
     building.building_class = static_cast<std::uint8_t>(own);
     buildings.push_back(building);
   }

@@ -68,7 +68,9 @@ TEST(PageJson, TextsThatAreNoUtf8AreReplaced) {
 }
 
 TEST(PageJson, ThePageHasTheTextsOfAllCodesAndAssumptions) {
-  const json page = json::parse(page_json({.title = "town", .region_m = {{-1, -2}, {3, 4}}}, some_records()));
+  PageFacts facts;
+  facts.title = "town", facts.region_m = {{-1, -2}, {3, 4}};
+  const json page = json::parse(page_json(facts, some_records()));
   EXPECT_EQ(page.at("region_m"), json::array({-1, -2, 3, 4}));
   EXPECT_EQ(page.at("assumptions").at("roofs"), "the shapes of roofs");
   EXPECT_TRUE(page.at("codes").contains("MissingNode"));
