@@ -278,6 +278,12 @@ std::vector<wires::WireSpan> wires_of(const CompileSpec& spec, const map::Featur
                 wires::order_of);
 }
 
+// Returns the number of those buildings that the report counts.
+std::uint64_t counted(std::span<const buildings::Building> buildings, const Report& report) {
+  return static_cast<std::uint64_t>(
+      std::ranges::count_if(buildings, [&](const buildings::Building& b) { return report.counts(b.id.osm); }));
+}
+
 // Leaves out what stands beyond a clip, and counts it. Does nothing without a clip.
 void leave_out_beyond(const scene::Clip& clip, Standing& standing, Report& report) {
   if (clip.empty()) return;
@@ -288,9 +294,9 @@ void leave_out_beyond(const scene::Clip& clip, Standing& standing, Report& repor
                       .barriers = std::move(standing.barriers),
                       .wire_spans = std::move(standing.wire_spans)};
   Account account;
-  account.in = all.buildings.size();
+  account.in = counted(all.buildings, report);
   StandingRecipes kept = within_clip(std::move(all), clip);
-  account.out = kept.buildings.size();
+  account.out = counted(kept.buildings, report);
   if (account.in > account.out) account.dropped[Code::kOutsideBounds] = account.in - account.out;
   report.account("clip", "building") = account;
   standing.buildings = std::move(kept.buildings), standing.plants.trees = std::move(kept.trees);

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "compiler/scene/yard_recipes.h"
+#include "compiler/contract/derived_id.h"
+#include "compiler/lots/recipe.h"
 
 namespace citykiln::scene {
 namespace {
@@ -20,27 +22,41 @@ void scale_woods(double factor, std::vector<plants::Wood>& woods) {
   }
 }
 
-// Returns the ids of the surfaces that a chunk lacks, sorted.
-std::vector<ObjectId> lost_surfaces(const Chunk& all, const Chunk& rest) {
-  const auto ids_of = [](const Chunk& chunk) {
-    std::vector<ObjectId> ids;
-    for (const ground::LandCoverPolygon& surface : chunk.surfaces) ids.push_back(surface.id);
-    std::ranges::sort(ids);
-    return ids;
-  };
-  std::vector<ObjectId> lost;
-  std::ranges::set_difference(ids_of(all), ids_of(rest), std::back_inserter(lost));
-  return lost;
-}
+// Finds the objects of some yards by their ids. Those that were trimmed are not what the yards generate, but have ids
+// of theirs too.
+class YardIds {
+ public:
+  explicit YardIds(std::span<const lots::Yard> yards) {
+    for (const lots::Yard& yard : yards) first_.push_back(derived_id(yard.building, lots::kPartsOfYard, 0));
+    std::ranges::sort(first_);
+  }
 
-Chunk without_yards(const Chunk& chunk, std::uint64_t seed) {
-  Chunk rest = strip_yards(chunk, seed).chunk;
+  bool has(ObjectId id) const {
+    const auto after = std::ranges::upper_bound(first_, id);
+    if (after == first_.begin()) return false;
+    const ObjectId& first = *std::prev(after);
+    return first.osm == id.osm && id.part - first.part < lots::kPartsOfYard;
+  }
+
+  template <typename Object>
+  void erase_from(std::vector<Object>& objects) const {
+    std::erase_if(objects, [&](const Object& object) { return has(object.id); });
+  }
+
+ private:
+  std::vector<ObjectId> first_;
+};
+
+Chunk without_yards(const Chunk& chunk) {
+  Chunk rest = chunk;
+  const YardIds yards(chunk.yards);
+  yards.erase_from(rest.surfaces);
+  yards.erase_from(rest.barriers);
+  yards.erase_from(rest.trees);
   rest.yards.clear();
-  const std::vector<ObjectId> lost = lost_surfaces(chunk, rest);
-  const auto is_lost = [&](const ObjectId& id) { return std::ranges::binary_search(lost, id); };
-  std::erase_if(rest.pitches, [&](const pitches::Pitch& bays) { return is_lost(bays.id); });
-  std::erase_if(rest.woods, [&](const plants::Wood& wood) { return is_lost(wood.surface); });
-  std::erase_if(rest.plantings, [&](const plants::Planting& planting) { return is_lost(planting.surface); });
+  std::erase_if(rest.pitches, [&](const pitches::Pitch& bays) { return yards.has(bays.id); });
+  std::erase_if(rest.woods, [&](const plants::Wood& wood) { return yards.has(wood.surface); });
+  std::erase_if(rest.plantings, [&](const plants::Planting& planting) { return yards.has(planting.surface); });
   return rest;
 }
 
@@ -52,7 +68,7 @@ bool shows_recipes_as_they_are(const Shown& shown) {
 
 Chunk shown_chunk(const Header& header, const Chunk& chunk) {
   const bool has_yards = !has(header.shown.left_out, SceneLayer::kYards);
-  Chunk shown = has_yards ? chunk : without_yards(chunk, header.seed);
+  Chunk shown = has_yards ? chunk : without_yards(chunk);
   if (header.shown.wood_density != 1) scale_woods(header.shown.wood_density, shown.woods);
   return shown;
 }

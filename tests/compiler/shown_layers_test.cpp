@@ -1,10 +1,13 @@
 // Tests of layers, of the density of woods, and of the ground inside of a clip, on a baked town.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "compiler/bake_scene.h"
+#include "compiler/contract/derived_id.h"
 #include "compiler/pipeline.h"
+#include "compiler/scene/shown_chunk.h"
 #include "tests/test_files.h"
 
 namespace citykiln {
@@ -98,6 +101,23 @@ TEST(ShownLayers, YardsAreLeftOutWithWhatTheyGenerate) {
 std::size_t trees_at(scene::Scene scene, double density) {
   scene.header.shown.wood_density = density;
   return shown_of(bake_tiles(scene, kShownLevel_m, 2).front(), bake::Layer::kPlants).size();
+}
+
+TEST(ShownLayers, TrimmedSurfacesOfYardsAreLeftOutToo) {
+  const scene::Scene scene = shown_town();
+  ASSERT_FALSE(scene.chunks.empty());
+  scene::Header header = scene.header;
+  header.shown.left_out = bit_of(scene::SceneLayer::kYards);
+  scene::Chunk chunk = scene.chunks.front();
+  ASSERT_FALSE(chunk.yards.empty());
+  const OsmId building = chunk.yards.front().building.osm;
+  const auto is_of_yard = [&](const ground::LandCoverPolygon& surface) {
+    return surface.id.osm == building && is_derived(surface.id);
+  };
+  const auto trimmed = std::ranges::find_if(chunk.surfaces, is_of_yard);
+  ASSERT_NE(trimmed, chunk.surfaces.end());
+  trimmed->rings.front().front().x += 0.25;
+  EXPECT_TRUE(std::ranges::none_of(scene::shown_chunk(header, chunk).surfaces, is_of_yard));
 }
 
 TEST(ShownLayers, WoodsHaveMoreTreesWithAHigherDensity) {

@@ -278,6 +278,17 @@ w4711 drop
         path.write_text(json.dumps({"type": "Polygon", "coordinates": [ring]}))
         return path
 
+    def test_a_clip_in_regions_is_that_of_one_run(self):
+        clip = ["--clip", self.clip_of(12.2994, 48.6996, 12.3016, 48.7004)]
+        whole = self.compiled("whole", self.MAP, *self.BOX, *self.DEM, *ARGUMENTS, *clip)
+        gathered = self.gathered(None, *clip)
+        self.assertEqual(bytes_of_outputs(gathered), bytes_of_outputs(whole))
+        ours, theirs = report_of(gathered), report_of(whole)
+        self.assertEqual(ours["counts"], theirs["counts"])
+        # a region beyond the clip is not compiled, and counts nothing
+        self.assertEqual(ours["ledger"]["clip/building"]["out"], theirs["ledger"]["clip/building"]["out"])
+        self.assertLessEqual(ours["ledger"]["clip/building"]["in"], theirs["ledger"]["clip/building"]["in"])
+
     def test_zones_beyond_a_clip_are_left_out(self):
         plan = self.folder / "plan"
         inputs = ["plan", TOWN / "town.osm", "--bbox", "12.2940,48.6992,12.3060,48.7008", *ARGUMENTS, "--region", 512, "--zone", 450]

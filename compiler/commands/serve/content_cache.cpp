@@ -44,8 +44,10 @@ SharedBytes ContentCache::make_now(const std::string& name, const std::shared_pt
   Result<std::vector<std::byte>> made = make();
   lock.lock();
   --begun_, work->is_done = true;
-  ++(made ? counters_.made : counters_.failed);
-  if (made) {
+  if (!made) {
+    ++counters_.failed, counters_.failure = to_string(made.error());
+  } else {
+    ++counters_.made;
     work->bytes = std::make_shared<const std::vector<std::byte>>(std::move(*made));
     keep(name, work->bytes);
   }

@@ -25,8 +25,8 @@ class ContentCache {
 
   using Make = std::function<Result<std::vector<std::byte>>()>;
   /// Returns a content: from the cache, from another request that is making it, or from make(), which runs in the
-  /// calling thread when it is its turn. Null if make() failed (its error is lost), or if is_wanted() became false
-  /// while the request waited. A make() that has begun is finished, and its content kept.
+  /// calling thread when it is its turn. Null if make() failed (counters() has its error), or if is_wanted() became
+  /// false while the request waited. A make() that has begun is finished, and its content kept.
   ///
   /// @param is_wanted  Is called about every 50 ms under the lock of the cache, so it must be fast and must not use it.
   SharedBytes get(const std::string& name, const IsWanted& is_wanted, const Make& make);
@@ -36,6 +36,7 @@ class ContentCache {
   struct Counters {
     std::uint64_t found = 0, made = 0, given_up = 0, failed = 0;
     std::uint64_t bytes = 0;  ///< In the cache now.
+    std::string failure{};    ///< The latest error of a make().
   };
   Counters counters() const;
 

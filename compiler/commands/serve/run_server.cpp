@@ -83,6 +83,7 @@ class Serving {
       console_.print_line(fmt::format("{} requests: {} contents made, {} from the cache of {:.0f} MB, {} given up",
                                       answers - told, c.made, c.found, static_cast<double>(c.bytes) * 1e-6,
                                       c.given_up));
+      if (c.failed > 0) console_.print_line(fmt::format("{} contents failed, the latest: {}", c.failed, c.failure));
       std::fflush(stdout);
       told = answers;
     }

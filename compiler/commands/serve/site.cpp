@@ -34,12 +34,15 @@ constexpr std::array<std::pair<std::string_view, const char*>, 9> kTypes = {
      {".jpg", "image/jpeg"}}};
 
 const std::string kTreeFolder = std::string(exporters::kTilesetFolder) + "/";
+const std::string kPageFiles = std::string(exporters::kPageFolder) + "/";
 constexpr std::string_view kNoFindings = R"({"type": "FeatureCollection", "features": []})";
 
 std::vector<std::byte> bytes_of(std::string_view text) {
   const auto* first = reinterpret_cast<const std::byte*>(text.data());
   return {first, first + text.size()};
 }
+
+bool depends_on_shown(const std::string& name) { return name.starts_with(kTreeFolder) || name.starts_with(kPageFiles); }
 
 /// The settings of a run that matter for its tileset.
 void take_settings(const outputs::RunRecord& record, Outputs& outputs) {
@@ -57,10 +60,16 @@ std::string text_of(const Outputs& outputs) {
                      outputs.geoid ? outputs.geoid->name : "", outputs.surroundings != AroundWish::kNo);
 }
 
+std::string text_of(const scene::Shown& shown) {
+  return fmt::format("left out {} woods {} lamps {} lit {}", shown.left_out, shown.wood_density,
+                     static_cast<int>(shown.lamps), shown.lit_windows.value_or(-1));
+}
+
 }  // namespace
 
 Site::Site(const SiteRequest& request)
     : outputs_(request.outputs),
+      shown_(request.shown),
       has_page_(request.has_page),
       threads_(request.threads),
       cache_(request.cache_bytes, std::max(1, request.threads == 0 ? 2 : request.threads)) {}
@@ -80,11 +89,14 @@ Result<std::unique_ptr<Site>> Site::open(const SiteRequest& request) {
 }
 
 Result<Done> Site::add_run(const SiteRequest& request, const exporters::FileList& list) {
-  for (const exporters::ListedFile& file : list)
+  const bool shows_own = shown_ == scene::ShownRequest{};
+  for (const exporters::ListedFile& file : list) {
+    if (!shows_own && depends_on_shown(file.name)) continue;
     entries_[file.name] = {.file = request.path + "/" + file.name,
                            .etag = file.hash.empty() ? "" : fmt::format("\"{}\"", file.hash)};
+  }
   entries_[exporters::kFileListName] = {.file = request.path + "/" + exporters::kFileListName};
-  const bool has_tileset = exporters::has_file(list, kTreeFolder + exporters::kTilesetName);
+  const bool has_tileset = shows_own && exporters::has_file(list, kTreeFolder + exporters::kTilesetName);
   const bool has_all = has_tileset && (!has_page_ || exporters::has_file(list, exporters::kPageName));
   if (has_all) return Done{};
   if (!exporters::has_file(list, exporters::kManifestName)) return missing_manifest(request.path);
@@ -100,6 +112,7 @@ Result<Done> Site::add_scene(const SiteRequest& request, const std::string& mani
   Result<scene::Scene> scene = exporters::read_manifest(manifest, {});
   if (!scene) return scene.error();
   scene_ = std::move(*scene);
+  scene_.header.shown = scene::with_request(scene_.header.shown, shown_);
   Result<map::Geoid> geoid = outputs::geoid_of(scene_.header, outputs_);
   if (!geoid) return geoid.error();
   geoid_ = std::move(*geoid);
@@ -110,8 +123,8 @@ Result<Done> Site::add_scene(const SiteRequest& request, const std::string& mani
     tree_ = std::move(*tree);
     textures = tree_->textures_hash();
   }
-  version_ =
-      exporters::content_hash(*bytes) ^ outputs::program_hash() ^ exporters::content_hash(text_of(outputs_)) ^ textures;
+  version_ = exporters::content_hash(*bytes) ^ outputs::program_hash() ^
+             exporters::content_hash(text_of(outputs_) + text_of(scene_.header.shown)) ^ textures;
   if (has_page_) add_page();
   return Done{};
 }

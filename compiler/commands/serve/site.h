@@ -20,8 +20,9 @@ namespace citykiln::commands {
 
 /// The choices of a site.
 struct SiteRequest {
-  std::string path;  ///< A manifest, or the folder of a run.
-  Outputs outputs;   ///< How contents are made.
+  std::string path;             ///< A manifest, or the folder of a run.
+  Outputs outputs;              ///< How contents are made.
+  scene::ShownRequest shown{};  ///< Tiles of a run that show something else are not taken; they are baked.
   bool has_page = false;
   std::uint64_t cache_bytes = 0;
   int threads = 0;
@@ -30,10 +31,10 @@ struct SiteRequest {
 /// The names that are answered, and how. Thread-safe.
 class Site {
  public:
-  /// Opens a run or a manifest. Tiles are files of the run if it has a tileset; else they are baked on request: with
-  /// the run's levels, or for a manifest alone with those of the request. Errors: a path that is neither a finished run
-  /// nor a manifest; a run without a manifest that lacks its tileset or the wanted page; files that cannot be read; a
-  /// scene without tiles, if they are to be baked.
+  /// Opens a run or a manifest. Tiles are files of the run if it has a tileset and nothing else is to be shown; else
+  /// they are baked on request: with the run's levels, or for a manifest alone with those of the request. Errors: a
+  /// path that is neither a finished run nor a manifest; a run without a manifest that lacks its tileset or the wanted
+  /// page; files that cannot be read; a scene without tiles, if they are to be baked.
   static Result<std::unique_ptr<Site>> open(const SiteRequest& request);
 
   /// Returns the answer for a path such as "/page/page.json"; "/" is index.html. 404 for names that are not of the
@@ -62,6 +63,7 @@ class Site {
   std::optional<Entry> entry_at(const std::string& name) const;
 
   Outputs outputs_;
+  scene::ShownRequest shown_;
   bool has_page_;
   int threads_;
   std::uint64_t version_ = 0;  ///< A hash of the manifest, the settings and the program.

@@ -13,8 +13,9 @@ namespace citykiln::commands {
 namespace {
 
 /// The settings of tiles that are baked on request.
-constexpr std::array<std::string_view, 6> kSettings = {"lods",         "lights",    "compress",
-                                                       "geoid-height", "materials", "surroundings"};
+constexpr std::array<std::string_view, 10> kSettings = {"lods",      "lights",       "compress", "geoid-height",
+                                                        "materials", "surroundings", "layers",   "wood-density",
+                                                        "lamps",     "lit-windows"};
 
 }  // namespace
 
@@ -42,6 +43,7 @@ Result<SiteRequest> site_request(const SiteChoices& choices, bool has_page) {
   std::error_code none;
   SiteRequest request{.path = choices.path,
                       .outputs = choices.spec.outputs,
+                      .shown = choices.spec.shown,
                       .has_page = has_page,
                       .cache_bytes = choices.cache_bytes,
                       .threads = choices.spec.threads};
