@@ -22,8 +22,7 @@ void scale_woods(double factor, std::vector<plants::Wood>& woods) {
   }
 }
 
-// Finds the objects of some yards by their ids. Those that were trimmed are not what the yards generate, but have ids
-// of theirs too.
+// Finds the objects of some yards by their ids. Trimmed ones are not what the yards generate, but have their ids.
 class YardIds {
  public:
   explicit YardIds(std::span<const lots::Yard> yards) {
