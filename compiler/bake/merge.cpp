@@ -65,6 +65,16 @@ struct Vertices {
     next.push_back(head);
     return head = static_cast<std::uint32_t>(primitive.positions.size() - 1);
   }
+
+  // Removes the last vertices, so that so many remain.
+  void shrink_to(std::size_t count) {
+    while (primitive.positions.size() > count) {
+      first[hash_of(primitive.positions.back()) & (first.size() - 1)] = next.back();
+      primitive.positions.pop_back(), primitive.normals.pop_back(), primitive.colours.pop_back();
+      primitive.features.pop_back(), next.pop_back();
+      if (!source.uvs.empty()) primitive.uvs.pop_back();
+    }
+  }
 };
 
 bool has_two_alike(const std::array<std::uint32_t, 3>& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
@@ -90,10 +100,14 @@ void merge(PrimitiveMap& merged, const LayeredMesh& part, Vec3 origin, std::uint
   for (const Triangle& t : mesh.triangles) {
     const Vec3 flat = normal_of(mesh, t);
     if (flat == Vec3{}) continue;
+    const std::size_t before = primitive.positions.size();
     std::array<std::uint32_t, 3> corners{};
     for (int i = 0; i < 3; ++i)
       corners[i] = vertices.vertex(t[i], single(mesh.normals.empty() ? flat : mesh.normals[t[i]]));
-    if (!has_two_alike(corners)) primitive.triangles.push_back(corners);
+    if (has_two_alike(corners))
+      vertices.shrink_to(before);
+    else
+      primitive.triangles.push_back(corners);
   }
 }
 

@@ -17,7 +17,8 @@ using PrimitiveMap = std::map<PrimitiveKey, Primitive>;
 
 /// Adds a mesh to the primitive with its key. A mesh without normals gets the normals of its triangles. Vertices of the
 /// mesh that agree in position (single precision), colour, uv and, to 2^-10 in each component, normal become one, with
-/// the normal of the first. Triangles that are degenerate in single precision are left out.
+/// the normal of the first. Triangles that are degenerate in single precision are left out, with the
+/// vertices that they alone have.
 /// @param origin   Origin of the tile, plane metres.
 /// @param feature  Index of the map element, for all vertices.
 void merge(PrimitiveMap& merged, const LayeredMesh& part, Vec3 origin, std::uint32_t feature);

@@ -46,7 +46,8 @@ struct ChartRequest {
   source::LonLatBox bbox;  ///< The area of the terrain chart, if has_bbox; else all of the heightmap.
   bool has_bbox = false;
   std::vector<source::RasterSpec> rasters;  ///< Heightmaps. The terrain chart uses only the first.
-  /// The maps of all charts except plane, terrain, smooth, canopy, plant, lsystem, lights, sky, linelights and cloud.
+  /// The maps of all charts except plane, terrain, smooth, canopy, plant, lsystem, lights, sky, linelights,
+  /// cloud, sampling, hierarchy, scatter and stability.
   std::vector<std::string> maps;
   std::optional<Vec3> eye;  ///< The viewer of the view chart; empty: 100 m above the middle of the map.
   double lat_deg = 42.5;    ///< The latitude of the plane chart's origin.
@@ -143,6 +144,18 @@ Result<std::vector<Chart>> chart_sky(const ChartRequest& request);
 /// Charts the irradiance by the line lights inside of a cylinder: the error of samples on the lines over their time,
 /// and the closed form. Needs no map.
 Result<std::vector<Chart>> chart_linelights(const ChartRequest& request);
+/// Charts the error of a pixel's mean over its number of samples, for random, jittered and the previewer's points.
+/// Notes are a Markdown table. Needs no map.
+Result<std::vector<Chart>> chart_sampling(const ChartRequest& request);
+/// Charts the time of a ray over the triangles of a mesh, each tested and by Embree's hierarchy. Notes are a Markdown
+/// table. Needs no map.
+Result<std::vector<Chart>> chart_hierarchy(const ChartRequest& request);
+/// Charts the number of plants a hectare of ground over the slope, for four ways to scatter them. Notes are a Markdown
+/// table with the least distances. Needs no map.
+Result<std::vector<Chart>> chart_scatter(const ChartRequest& request);
+/// Charts the share of failures of textbook methods and of citykiln's on input that breaks the former. Notes are a
+/// Markdown table. Needs no map.
+Result<std::vector<Chart>> chart_stability(const ChartRequest& request);
 /// Charts the errors of optical depth over particles for three cumulus clouds; their light, and that of single
 /// scattering, relative to the light by path tracing; and the time of paths relative to that of CloudField.
 Result<std::vector<Chart>> chart_cloud(const ChartRequest& request);

@@ -134,7 +134,7 @@ Result<std::vector<Chart>> chart_linelights(const ChartRequest&) {
               .x = {"time for a place and a line (µs)", true},
               .y = {"error, as a share of the mean irradiance", true},
               .series = {}};
-  constexpr int kCounts[] = {1, 2, 4, 8, 16, 32, 64, 128, 256};
+  constexpr int kCounts[] = {1, 2, 4, 8, 10, 16, 30, 32, 64, 128, 256};
   chart.series.push_back(
       sampled_series("points of the line", by_points, kCounts, lines, receivers, expected, chart.notes));
   chart.series.push_back(

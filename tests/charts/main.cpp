@@ -41,6 +41,10 @@ constexpr std::array kKinds = {Kind{"plane", chart_plane},
                                Kind{"forms", chart_forms},
                                Kind{"sky", chart_sky},
                                Kind{"linelights", chart_linelights},
+                               Kind{"sampling", chart_sampling},
+                               Kind{"hierarchy", chart_hierarchy},
+                               Kind{"scatter", chart_scatter},
+                               Kind{"stability", chart_stability},
                                Kind{"cloud", chart_cloud},
                                Kind{"assumed", chart_assumed},
                                Kind{"invented", chart_invented},
@@ -61,8 +65,8 @@ struct Texts {
 void declare(CLI::App& app, ChartRequest& request, Texts& texts) {
   app.add_option("names", request.names, known_names())->type_name("NAME...")->required();
   app.add_option("--map", request.maps,
-                 "maps for all charts except plane, terrain, smooth, canopy, plant, lsystem, lights, sky, linelights "
-                 "and cloud")
+                 "maps for all charts except plane, terrain, smooth, canopy, plant, lsystem, lights, sky, linelights, "
+                 "cloud, sampling, hierarchy, scatter and stability")
       ->type_name("FILE...");
   app.add_option("--dem", texts.rasters,
                  "heightmap for terrain, smooth, ground, view, profile, facade, lod and assumed")

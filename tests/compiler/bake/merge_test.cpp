@@ -131,6 +131,17 @@ TEST(Merge, LeavesOutTrianglesThatSinglePrecisionMakesThin) {
   EXPECT_EQ(merged({thin})[0].triangles.size(), 1u);
 }
 
+TEST(Merge, VerticesOfTrianglesThatAreLeftOutAreLeftOutToo) {
+  MaterialMesh thin = square(Material::kPlaster, false);
+  const Vec3 corner = thin.mesh.positions[1];
+  thin.mesh.positions.push_back(corner + Vec3{1e-12, 0, 0}), thin.mesh.positions.push_back(corner + Vec3{0, 0, 3});
+  thin.mesh.triangles.insert(thin.mesh.triangles.begin(), {1, 4, 5});
+  const Primitive primitive = merged({thin})[0];
+  EXPECT_EQ(primitive.triangles.size(), 2u);
+  EXPECT_EQ(primitive.positions.size(), 4u);
+  EXPECT_EQ(primitive.normals.size(), 4u);
+}
+
 TEST(Merge, APlaceWithTwoUvsIsTwoVertices) {
   MaterialMesh seam = laid_out(Material::kAsphalt, ColourSource::kByMarkingAtlas);
   seam.mesh.positions.push_back(seam.mesh.positions[0]);
