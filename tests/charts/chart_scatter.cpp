@@ -14,7 +14,7 @@ namespace {
 
 using Places = std::vector<Vec2>;
 
-constexpr double kSide_m = 512, kPerHa = 400, kSpacing_m = 4;
+constexpr double kSide_m = 512, kPerHa = 300, kSpacing_m = 4.6;
 
 /// A plane that falls to the east: its height at a place.
 struct Hill {
