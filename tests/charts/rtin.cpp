@@ -9,7 +9,7 @@ namespace {
 struct SampleAt {
   int column = 0, row = 0;
 };
-SampleAt middle_of(SampleAt a, SampleAt b) { return {(a.column + b.column) / 2, (a.row + b.row) / 2}; }
+SampleAt halfway(SampleAt a, SampleAt b) { return {(a.column + b.column) / 2, (a.row + b.row) / 2}; }
 
 /// Triangles are (a, b, right angle c); their children are (c, a, middle) and (b, c, middle).
 class RightTriangles {
@@ -38,7 +38,7 @@ class RightTriangles {
   double height(SampleAt at) const { return square_.at(at.column, at.row); }
 
   void visit_depth(SampleAt a, SampleAt b, SampleAt c, int depth) {
-    const SampleAt middle = middle_of(a, b);
+    const SampleAt middle = halfway(a, b);
     if (depth < depth_) {
       visit_depth(c, a, middle, depth + 1);
       visit_depth(b, c, middle, depth + 1);
@@ -47,12 +47,12 @@ class RightTriangles {
     const double error_m = std::abs((height(a) + height(b)) / 2 - height(middle));
     const double allowed_m = tolerance_m_({static_cast<double>(middle.column), static_cast<double>(middle.row)});
     float largest = static_cast<float>(error_m / allowed_m);
-    if (depth + 1 < 2 * square_.power) largest = std::max({largest, ratio(middle_of(c, a)), ratio(middle_of(b, c))});
+    if (depth + 1 < 2 * square_.power) largest = std::max({largest, ratio(halfway(c, a)), ratio(halfway(b, c))});
     ratio(middle) = std::max(ratio(middle), largest);
   }
 
   void count_below(SampleAt a, SampleAt b, SampleAt c, int depth) {
-    const SampleAt middle = middle_of(a, b);
+    const SampleAt middle = halfway(a, b);
     if (depth == 2 * square_.power || ratio(middle) <= 1) {
       ++triangles_;
       return;
