@@ -14,6 +14,7 @@ void name_terrain(TerrainSettings& t, std::vector<NamedSetting>& all) {
   all.insert(all.end(), {{kSection, "power", &t.fractal.power, 0, 12},
                          {kSection, "size", &t.size_m, 0, 262144},
                          {kSection, "initial_height", &t.fractal.initial_height_m, -400, 5000},
+                         {kSection, "corner_spread", &t.fractal.corner_spread_m, 0, 5000},
                          {kSection, "spread", &t.fractal.spread_m, 0, 5000},
                          {kSection, "reduction", &t.fractal.reduction, 0, 1},
                          {kSection, "ridges", &t.ridges_m, 0, 5000},

@@ -281,6 +281,34 @@ def effects():
     return table(["ours", "theirs", "CPU s", "against without"], rows)
 
 
+BLADES_A_TUFT = 46  # lsystems/species/grass.lsys
+
+
+def drawn_by_three(folder, eye, look):
+    """What three.js draws of a run's tileset in headless Chromium, at an error of one pixel."""
+    job = {"page": "fly_three.html", "folder": str(Path(folder, "3dtiles").resolve()), "size": [1280, 720], "error_px": 1,
+           "views": [{"eye": eye, "look": look, "out": "three.png"}], "facts": "facts.json"}
+    Path("job.json").write_text(json.dumps(job))
+    subprocess.run(["node", ROOT / "tests/interop/fly_tiles3d.mjs", "job.json"], check=True)
+    return json.loads(Path("facts.json").read_text())["views"][0]
+
+
+@study(16)
+def grass():
+    Path("species").mkdir()
+    Path("species/spawners.txt").write_text("landuse=grass grass 1 1 0.9 0.9..1.1\n")
+    rows = []
+    for blades in (10_000, 20_000, 40_000, 80_000):
+        side_m = math.sqrt(blades / BLADES_A_TUFT)
+        square_map(side_m, {"landuse": "grass"})
+        made = measured("compile", "square.osm", "--species", "species", "--lods", "0.02", "--surroundings", "none", "--emit", "kiln,glb,3dtiles", "-o", "grass")
+        tufts = sum(tile["instances"] for tile in report_of("grass")["tiles"])
+        three = drawn_by_three("grass", [0, -side_m, side_m / 3], [0, 0, 0])
+        traced = measured("preview", "grass/scene.kiln", *SMALL, "--spp", "16", "--eye", f"0,{-side_m:.1f},{side_m / 3:.1f}", "--look", "0,0,0", "-o", "g.png")
+        rows.append([tufts * BLADES_A_TUFT, tufts, three["triangles"], three["calls"], three["bytes"] / 1e6, three["frame_ms"], made.cpu_s, traced.cpu_s])
+    return table(["blades", "tufts", "triangles drawn", "draw calls", "MB loaded", "ms a frame (software)", "compile (CPU s)", "traced, 16 paths a pixel (CPU s)"], rows)
+
+
 @study(17)
 def tile_cities():
     rows = []
@@ -328,22 +356,22 @@ def other_spots():
     return table(["scene", "CPU s for 320 × 180 × 64", "memory (MB)"], rows)
 
 
-def wood_map(side_m):
-    """A map of a square wood at 48 degrees north."""
+def square_map(side_m, tags):
+    """Writes square.osm: a square area at 48 degrees north."""
     north, east = side_m / 2 / 111_200, side_m / 2 / 74_500
     corners = [(48 - north, 11 - east), (48 - north, 11 + east), (48 + north, 11 + east), (48 + north, 11 - east)]
     nodes = "".join(f'<node id="{i + 1}" lat="{lat:.7f}" lon="{lon:.7f}"/>' for i, (lat, lon) in enumerate(corners))
     refs = "".join(f'<nd ref="{i}"/>' for i in (1, 2, 3, 4, 1))
-    tags = '<tag k="natural" v="wood"/><tag k="leaf_type" v="broadleaved"/>'
-    Path("wood.osm").write_text(f'<osm version="0.6">{nodes}<way id="1">{refs}{tags}</way></osm>')
+    text = "".join(f'<tag k="{key}" v="{value}"/>' for key, value in tags.items())
+    Path("square.osm").write_text(f'<osm version="0.6">{nodes}<way id="1">{refs}{text}</way></osm>')
 
 
 @study(21)
 def plants_before_it_breaks():
     rows = []
     for side_m in (50, 160, 500, 1600, 5000):
-        wood_map(side_m)
-        made = measured("compile", "wood.osm", "--lods", "2.5", "--surroundings", "none", "-o", "wood")
+        square_map(side_m, {"natural": "wood", "leaf_type": "broadleaved"})
+        made = measured("compile", "square.osm", "--lods", "2.5", "--surroundings", "none", "-o", "wood")
         plants = sum(tile["instances"] for tile in report_of("wood")["tiles"])
         drawn = measured("preview", "wood/scene.kiln", *SMALL, "--spp", "16", "--view", "overview", "-o", "w.png")
         rows.append([side_m, plants, made.cpu_s, made.memory_mb, megabytes("wood/scene.kiln") * 1000, megabytes("wood/glb/*"), drawn.cpu_s, drawn.memory_mb])
@@ -392,6 +420,46 @@ def stability():
     return table_of_chart("stability")
 
 
+@study(24)
+def air():
+    _, said = series_of("air")
+    found = re.findall(r"^(.*): (\S+) at the ground; columns within (\S+)$", said, re.MULTILINE)
+    return table(["air", "density at the ground over the axis", "largest relative error of columns"], [[name, float(ratio), float(error)] for name, ratio, error in found])
+
+
+RAMA_EYE = ["--eye", "420,-260,130", "--look", "-700,900,60", "--fov", "70"]
+RAMA_NIGHT = ["--time", "2026-06-21T23:30"]
+RAMA_PAIRS = {
+    "all": [],
+    "clearest air, which sees 300 km": ["--visibility", "300"],
+    "haze, which sees 2 km": ["--visibility", "2"],
+    "light of the lines alone, none reflected": ["--bounces", "1"],
+    "lines dark: lamps and windows": RAMA_NIGHT,
+    "lines dark, windows alone": [*RAMA_NIGHT, "--lamps", "off"],
+    "lines dark, lamps alone": [*RAMA_NIGHT, "--lit-windows", "none"],
+    "lines dark, neither": [*RAMA_NIGHT, "--lamps", "off", "--lit-windows", "none"],
+    "without buildings, and so without their shadows": ["--layers=-buildings"],
+    "without plants": ["--layers=-plants"],
+}
+
+
+@study(25)
+def with_and_without():
+    map_words = ["python3", ROOT / "examples/rama/make_rama.py", "out/rama_map"]
+    subprocess.run(map_words, check=True, stdout=subprocess.DEVNULL)
+    measured("compile", "--spec", ROOT / "examples/rama/spec.json", "--emit", "kiln", "-o", "rama")
+    # daylight's exposure by day, and one of dusk by night
+    rows, whole = [], {}
+    for name, words in RAMA_PAIRS.items():
+        is_night = "--time" in words
+        done = measured("preview", "rama/scene.kiln", "--tolerance", "2.5", *RAMA_EYE, *words, *SMALL, "--spp", "16", "--exposure", "+6" if is_night else "+0",
+                        "-o", "r.png")
+        values = luminances("r.png")
+        base = whole.setdefault(is_night, values)
+        rows.append([name, sum(values) / len(values), difference(values, base), done.cpu_s])
+    return table(["picture", "mean (of 255)", "RMS difference from the first by day, or by night (of 255)", "CPU s"], rows)
+
+
 @study(22)
 def one_eye():
     charts, _ = series_of("view", "--map", DATA / "andorra/cut-andorra-la-vella.osm.pbf", "--dem", DATA / "andorra/N42E001.hgt")
@@ -402,7 +470,13 @@ def one_eye():
 @study(23)
 def line_lights():
     _, said = series_of("linelights")
-    return table(["method"], [[line] for line in said.splitlines() if "a line" in line or "closed" in line])
+    found = {}
+    for name, count, error, us in re.findall(r"^(.*), (\d+) a line: error (\S+), (\S+) µs$", said, re.MULTILINE):
+        found.setdefault((name, int(count)), []).extend((float(error), float(us)))
+    rows = [[name, count, plain, us, walled] for (name, count), (plain, us, walled, _) in found.items()]
+    closed = re.search(r"closed form: error (\S+) .*, (\S+) µs", said)
+    rows.append(["closed form", "", float(closed[1]), float(closed[2]), ""])
+    return table(["method", "samples a line", "RMS error over the mean", "µs a place and line", "RMS error behind a wall"], rows)
 
 
 # ---- 004 Oplatek: terrain by maps ----
@@ -415,6 +489,18 @@ def threads():
         first = first or done
         rows.append([count, done.wall_s, first.wall_s / done.wall_s, done.cpu_s, done.memory_mb])
     return table(["threads", "seconds", "times as fast", "CPU s", "memory (MB)"], rows)
+
+
+@study(32)
+def drawn_in_chromium():
+    """The small place's woods, thinned and not, from 1.5 km, as three.js draws its tiles."""
+    rows = []
+    for density in ("0", "0.1", "0.5", "1", "2"):
+        measured("compile", DATA / "andorra/andorra-2023.osm.pbf", "--dem", DATA / "andorra/N42E001.hgt", "--bbox", "1.600,42.558,1.618,42.5714", "--lods",
+                 "0.5,2.5,12.5", "--wood-density", density, "--emit", "3dtiles", "--surroundings", "none", "-o", "small")
+        three = drawn_by_three("small", [0, -900, 2700], [0, 0, 1700])
+        rows.append([density, report_of("small")["counts"]["trees"], three["triangles"], three["calls"], three["bytes"] / 1e6, three["frame_ms"]])
+    return table(["density of woods, 2.2 km² of Canillo", "trees", "triangles drawn by three.js", "draw calls", "MB loaded", "ms a frame (software)"], rows)
 
 
 @study(27)

@@ -47,7 +47,7 @@ struct ChartRequest {
   bool has_bbox = false;
   std::vector<source::RasterSpec> rasters;  ///< Heightmaps. The terrain chart uses only the first.
   /// The maps of all charts except plane, terrain, smooth, canopy, plant, lsystem, lights, sky, linelights,
-  /// cloud, sampling, hierarchy, scatter and stability.
+  /// cloud, air, sampling, hierarchy, scatter and stability.
   std::vector<std::string> maps;
   std::optional<Vec3> eye;  ///< The viewer of the view chart; empty: 100 m above the middle of the map.
   double lat_deg = 42.5;    ///< The latitude of the plane chart's origin.
@@ -80,8 +80,8 @@ Result<std::vector<Chart>> chart_roads(const ChartRequest& request);
 /// without heights.
 Result<std::vector<Chart>> chart_ground(const ChartRequest& request);
 
-/// Charts the triangles of a map's ground over the error in one viewer's picture: with tolerances by distance, and with
-/// one tolerance.
+/// Charts the triangles of a map's ground over the error in one viewer's picture: with tolerances by distance, with one
+/// tolerance, and of a right-triangulated irregular network of the heights.
 Result<std::vector<Chart>> chart_view(const ChartRequest& request);
 
 /// Charts the earth moved for a map's roads, their distance from the heightmap and the share over the grade limit, over
@@ -142,7 +142,7 @@ Result<std::vector<Chart>> chart_lights(const ChartRequest& request);
 /// prepare it, over the sun's height. Needs no map.
 Result<std::vector<Chart>> chart_sky(const ChartRequest& request);
 /// Charts the irradiance by the line lights inside of a cylinder: the error of samples on the lines over their time,
-/// and the closed form. Needs no map.
+/// and the closed form; and that of samples beside a wall. Needs no map.
 Result<std::vector<Chart>> chart_linelights(const ChartRequest& request);
 /// Charts the error of a pixel's mean over its number of samples, for random, jittered and the previewer's points.
 /// Notes are a Markdown table. Needs no map.
@@ -156,6 +156,9 @@ Result<std::vector<Chart>> chart_scatter(const ChartRequest& request);
 /// Charts the share of failures of textbook methods and of citykiln's on input that breaks the former. Notes are a
 /// Markdown table. Needs no map.
 Result<std::vector<Chart>> chart_stability(const ChartRequest& request);
+/// Charts the density of air over the distance from the axis of a cylinder of 8 km, for three constants. Notes have the
+/// largest error of columns of air. Needs no map.
+Result<std::vector<Chart>> chart_air(const ChartRequest& request);
 /// Charts the errors of optical depth over particles for three cumulus clouds; their light, and that of single
 /// scattering, relative to the light by path tracing; and the time of paths relative to that of CloudField.
 Result<std::vector<Chart>> chart_cloud(const ChartRequest& request);

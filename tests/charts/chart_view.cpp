@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "compiler/bake/view/view_levels.h"
 #include "compiler/map/plane/heightfield.h"
@@ -10,6 +11,7 @@
 #include "compiler/scene/land_cover.h"
 #include "compiler/spec.h"
 #include "tests/charts/chart.h"
+#include "tests/charts/rtin.h"
 
 namespace citykiln::charts {
 namespace {
@@ -71,21 +73,52 @@ double pixels_at_nearest(const scene::Scene& scene, const bake::View& view, doub
   return tolerance_m / std::max(away_m, 1.0) * view.focal_px;
 }
 
+double seen_height_m(const scene::Scene& scene, Vec2 place) {
+  for (const scene::Chunk& chunk : scene.chunks)
+    if (chunk.heights.box().contains(place)) return map::height_m_at(chunk.heights, place);
+  return 0;
+}
+
+/// The scene's heights without roads, in steps of about 8 m.
+HeightSquare square_of_heights(const scene::Scene& scene) {
+  const Box2& extent = scene.header.extent;
+  const double side_m = std::max(extent.width(), extent.height());
+  HeightSquare square{std::clamp(static_cast<int>(std::lround(std::log2(side_m / 8))), 4, 12), 0, {}};
+  square.step_m = side_m / (1 << square.power);
+  for (int row = 0; row < square.count(); ++row)
+    for (int column = 0; column < square.count(); ++column)
+      square.heights_m.push_back(seen_height_m(scene, {std::min(extent.min.x + column * square.step_m, extent.max.x),
+                                                       std::min(extent.min.y + row * square.step_m, extent.max.y)}));
+  return square;
+}
+
+double rtin_seen(const scene::Scene& scene, const HeightSquare& square, const bake::View& view) {
+  const Vec2 corner = scene.header.extent.min;
+  return static_cast<double>(rtin_triangles(square, [&](Vec2 sample) {
+    const auto i = static_cast<int>(sample.x), j = static_cast<int>(sample.y);
+    const Vec3 place = at_height(corner + sample * square.step_m, square.at(i, j));
+    return std::max(1.0, length(place - view.eye)) * view.pixel_error / view.focal_px;
+  }));
+}
+
 }  // namespace
 
 Result<std::vector<Chart>> chart_view(const ChartRequest& request) {
   const Result<scene::Scene> scene = compile_first_map(request);
   if (!scene) return scene.error();
   bake::View view{request.eye.value_or(over_the_middle(*scene)), bake::focal_length_px(kViewHeight_px, kViewFov_deg)};
-  Chart chart{"view_triangles",
-              fmt::format("Triangles of the ground for one eye at {:.0f}, {:.0f}, {:.0f} m: {:.0f} km²", view.eye.x,
-                          view.eye.y, view.eye.z, scene->header.extent.width() * scene->header.extent.height() * 1e-6),
-              {"largest error on the picture (pixels)", true},
-              {"triangles", true},
-              {{"a tolerance a cell, by its distance", {}}, {"one tolerance everywhere", {}}}};
+  Chart chart{
+      "view_triangles",
+      fmt::format("Triangles of the ground for one eye at {:.0f}, {:.0f}, {:.0f} m: {:.0f} km²", view.eye.x, view.eye.y,
+                  view.eye.z, scene->header.extent.width() * scene->header.extent.height() * 1e-6),
+      {"largest error on the picture (pixels)", true},
+      {"triangles", true},
+      {{"a tolerance a cell, by its distance", {}}, {"one tolerance everywhere", {}}, {"RTIN of the heights", {}}}};
+  const HeightSquare square = square_of_heights(*scene);
   for (const double pixels : kPixels) {
     view.pixel_error = pixels;
     chart.series[0].points.emplace_back(pixels, triangles_seen(*scene, view, request.threads));
+    chart.series[2].points.emplace_back(pixels, rtin_seen(*scene, square, view));
   }
   for (const double tolerance_m : Outputs{}.tolerances_m)
     chart.series[1].points.emplace_back(pixels_at_nearest(*scene, view, tolerance_m),

@@ -45,6 +45,7 @@ constexpr std::array kKinds = {Kind{"plane", chart_plane},
                                Kind{"hierarchy", chart_hierarchy},
                                Kind{"scatter", chart_scatter},
                                Kind{"stability", chart_stability},
+                               Kind{"air", chart_air},
                                Kind{"cloud", chart_cloud},
                                Kind{"assumed", chart_assumed},
                                Kind{"invented", chart_invented},
@@ -66,7 +67,7 @@ void declare(CLI::App& app, ChartRequest& request, Texts& texts) {
   app.add_option("names", request.names, known_names())->type_name("NAME...")->required();
   app.add_option("--map", request.maps,
                  "maps for all charts except plane, terrain, smooth, canopy, plant, lsystem, lights, sky, linelights, "
-                 "cloud, sampling, hierarchy, scatter and stability")
+                 "cloud, air, sampling, hierarchy, scatter and stability")
       ->type_name("FILE...");
   app.add_option("--dem", texts.rasters,
                  "heightmap for terrain, smooth, ground, view, profile, facade, lod and assumed")

@@ -12,7 +12,8 @@ class Displaced {
         heights_(static_cast<std::size_t>(count_) * count_, 0.0),
         random_(seed, {}, "diamond_square") {
     for (const int row : {0, count_ - 1})
-      for (const int column : {0, count_ - 1}) at(column, row) = settings.initial_height_m;
+      for (const int column : {0, count_ - 1})
+        at(column, row) = settings.initial_height_m + displacement(column, row, settings.corner_spread_m);
   }
 
   void displace_level(int side, double spread_m) {

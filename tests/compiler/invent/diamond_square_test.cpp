@@ -15,6 +15,23 @@ TEST(DiamondSquare, CornersHaveTheInitialHeight) {
     EXPECT_EQ(heights[corner], 12.5);
 }
 
+TEST(DiamondSquare, CornersAreDrawnWithinTheirSpread) {
+  const DiamondSquare settings{
+      .power = 3, .initial_height_m = 2, .corner_spread_m = 5, .spread_m = 40, .reduction = 0.6};
+  double low = 1e9, high = -1e9;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const std::vector<double> heights = diamond_square(settings, seed);
+    for (const std::size_t corner : {std::size_t{0}, std::size_t{8}, std::size_t{8 * 9}, std::size_t{9 * 9 - 1}}) {
+      low = std::min(low, heights[corner]);
+      high = std::max(high, heights[corner]);
+    }
+  }
+  EXPECT_GE(low, -3);
+  EXPECT_LT(low, -2) << "200 corners leave the lower tenth empty";
+  EXPECT_LE(high, 7);
+  EXPECT_GT(high, 6);
+}
+
 TEST(DiamondSquare, HeightsLieWithinTwiceTheSumOfSpreads) {
   const DiamondSquare settings{.power = 7, .initial_height_m = 100, .spread_m = 10, .reduction = 0.5};
   // 10 + 5 + 2.5 + … over seven levels
