@@ -40,13 +40,15 @@ RayMesh bumpy_sphere(int triangles) {
   return mesh;
 }
 
-Vec3 point_of(const RayMesh& mesh, unsigned v) { return {mesh.points[v][0], mesh.points[v][1], mesh.points[v][2]}; }
+Vec3 corner_of_mesh(const RayMesh& mesh, unsigned v) {
+  return {mesh.points[v][0], mesh.points[v][1], mesh.points[v][2]};
+}
 
 /// The distance to the first triangle along a ray, infinite without one (Möller, Trumbore 1997).
 double nearest_of_all(const RayMesh& mesh, Vec3 from, Vec3 along) {
   double nearest = INFINITY;
   for (const auto& t : mesh.triangles) {
-    const Vec3 a = point_of(mesh, t[0]), ab = point_of(mesh, t[1]) - a, ac = point_of(mesh, t[2]) - a;
+    const Vec3 a = corner_of_mesh(mesh, t[0]), ab = corner_of_mesh(mesh, t[1]) - a, ac = corner_of_mesh(mesh, t[2]) - a;
     const Vec3 p = cross(along, ac);
     const double det = dot(ab, p);
     if (det == 0) continue;

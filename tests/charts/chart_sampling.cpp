@@ -24,7 +24,8 @@ struct PixelLight {
 constexpr PixelLight kLights[] = {
     {"a soft shadow", [](UnitPair p) { return p.u * p.v; }, 0.25},
     {"the edge of a wall", [](UnitPair p) { return p.v < 0.3 + 0.4 * p.u ? 1.0 : 0.0; }, 0.5},
-    {"a round lamp", [](UnitPair p) { return std::hypot(p.u - 0.5, p.v - 0.5) < 0.25 ? 1.0 : 0.0; }, 0.19634954084936207}};
+    {"a round lamp", [](UnitPair p) { return std::hypot(p.u - 0.5, p.v - 0.5) < 0.25 ? 1.0 : 0.0; },
+     0.19634954084936207}};
 
 SamplePoints random_points(std::mt19937_64& draw, int side) {
   std::uniform_real_distribution<double> unit(0, 1);
@@ -56,7 +57,7 @@ constexpr PointMethod kPointMethods[] = {
     {"random", random_points}, {"jittered strata", jittered_points}, {"Owen-scrambled Sobol (citykiln)", sobol_points}};
 
 /// The root mean square error of the pixel's mean over many pixels, relative to the mean.
-double error_of(const PointMethod& method, const PixelLight& light, int side) {
+double error_of_pixel(const PointMethod& method, const PixelLight& light, int side) {
   constexpr int kPixels = 4000;
   std::mt19937_64 draw(1);
   double squares = 0;
@@ -86,7 +87,7 @@ Result<std::vector<Chart>> chart_sampling(const ChartRequest&) {
       Series& series = chart.series.emplace_back(Series{method.name, {}});
       std::string row = fmt::format("| {} | {} |", light.name, method.name);
       for (const int side : kSides) {
-        series.points.emplace_back(side * side, error_of(method, light, side));
+        series.points.emplace_back(side * side, error_of_pixel(method, light, side));
         row += fmt::format(" {:.2g} |", series.points.back().second);
       }
       chart.notes.push_back(row);

@@ -52,7 +52,7 @@ Ring hard_ring(HardDraw& draw, Vec2 middle) {
   return ring;
 }
 
-/// What a method makes of a case: true if it is right.
+/// The verdicts on a case: true if a method's result is right.
 struct Judged {
   bool textbook = false, ours = false;
 };
@@ -153,12 +153,11 @@ struct HardMethod {
   int cases;
 };
 constexpr HardMethod kHardMethods[] = {
-    {"junctions of near-parallel roads", "sides intersected", "snap-rounded overlay", judge_junction, 100'000},
-    {"triangulation with repeats and needles", "ears cut off", "constrained Delaunay, exact", judge_triangles, 100'000},
-    {"offsets of such rings", "moved lines intersected", "inset(): lines, else overlay", judge_offset, 100'000},
+    {"near-parallel junctions", "sides intersected", "snap-rounded overlay", judge_junction, 100'000},
+    {"triangulation with needles", "ears cut off", "exact Delaunay", judge_triangles, 100'000},
+    {"offsets of such rings", "moved lines intersected", "lines, else overlay", judge_offset, 100'000},
     {"hipped roofs on such rings", "straight skeleton in doubles", "generate_roof()", judge_roof, 10'000},
-    {"corners in single precision to 1 mm", "from the middle of the Earth", "from the tile's origin", judge_place,
-     100'000}};
+    {"corners in floats to 1 mm", "from the Earth's middle", "from the tile's origin", judge_place, 100'000}};
 
 }  // namespace
 
