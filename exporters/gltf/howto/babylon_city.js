@@ -300,7 +300,7 @@ class Walker {
   move(along, tries) {
     const direction = along.normalizeToNew(), wall = this.wallAhead(direction, along.length() + RADIUS_M);
     if (wall) {
-      const across = wall.getNormal(true);
+      const across = wall.getNormal(true, false);
       across.y = 0;
       across.normalize();
       const rest = along.subtract(across.scale(BABYLON.Vector3.Dot(along, across)));
@@ -315,7 +315,7 @@ class Walker {
 
   wallAhead(direction, length_m) {
     return [STEP_M, 1.2].map((height) => this.city.hit(this.camera.position.add(new BABYLON.Vector3(0, height - EYE_M, 0)), direction, length_m))
-      .find((met) => met && Math.abs(met.getNormal(true).y) < 0.5);
+      .find((met) => met && Math.abs(met.getNormal(true, false).y) < 0.5);
   }
 
   land() {
