@@ -285,7 +285,7 @@ BLADES_A_TUFT = 46  # lsystems/species/grass.lsys
 
 
 def drawn_by_three(folder, eye, look):
-    """What three.js draws of a run's tileset in headless Chromium, at an error of one pixel."""
+    """Draws a run's tileset by three.js in headless Chromium at an error of one pixel, and returns the facts of its frame."""
     job = {"page": "fly_three.html", "folder": str(Path(folder, "3dtiles").resolve()), "size": [1280, 720], "error_px": 1,
            "views": [{"eye": eye, "look": look, "out": "three.png"}], "facts": "facts.json"}
     Path("job.json").write_text(json.dumps(job))
@@ -306,7 +306,7 @@ def grass():
         three = drawn_by_three("grass", [0, -side_m, side_m / 3], [0, 0, 0])
         traced = measured("preview", "grass/scene.kiln", *SMALL, "--spp", "16", "--eye", f"0,{-side_m:.1f},{side_m / 3:.1f}", "--look", "0,0,0", "-o", "g.png")
         rows.append([tufts * BLADES_A_TUFT, tufts, three["triangles"], three["calls"], three["bytes"] / 1e6, three["frame_ms"], made.cpu_s, traced.cpu_s])
-    return table(["blades", "tufts", "triangles drawn", "draw calls", "MB loaded", "ms a frame (software)", "compile (CPU s)", "traced, 16 paths a pixel (CPU s)"], rows)
+    return table(["blades", "tufts", "triangles drawn", "draw calls", "MB loaded", "ms a frame", "compile (CPU s)", "traced (CPU s)"], rows)
 
 
 @study(17)
@@ -424,7 +424,7 @@ def stability():
 def air():
     _, said = series_of("air")
     found = re.findall(r"^(.*): (\S+) at the ground; columns within (\S+)$", said, re.MULTILINE)
-    return table(["air", "density at the ground over the axis", "largest relative error of columns"], [[name, float(ratio), float(error)] for name, ratio, error in found])
+    return table(["air", "density at the ground over the axis", "largest relative error of columns"], [[name, ratio, float(error)] for name, ratio, error in found])
 
 
 RAMA_EYE = ["--eye", "420,-260,130", "--look", "-700,900,60", "--fov", "70"]
@@ -452,7 +452,7 @@ def with_and_without():
     rows, whole = [], {}
     for name, words in RAMA_PAIRS.items():
         is_night = "--time" in words
-        done = measured("preview", "rama/scene.kiln", "--tolerance", "2.5", *RAMA_EYE, *words, *SMALL, "--spp", "16", "--exposure", "+6" if is_night else "+0",
+        done = measured("preview", "rama/scene.kiln", "--tolerance", "12.5", *RAMA_EYE, *words, *SMALL, "--spp", "16", "--exposure", "+6" if is_night else "+0",
                         "-o", "r.png")
         values = luminances("r.png")
         base = whole.setdefault(is_night, values)
@@ -462,7 +462,7 @@ def with_and_without():
 
 @study(22)
 def one_eye():
-    charts, _ = series_of("view", "--map", DATA / "andorra/cut-andorra-la-vella.osm.pbf", "--dem", DATA / "andorra/N42E001.hgt")
+    charts, _ = series_of("view", "--map", DATA / "monaco/cut-1km2-monacoville-port.osm", "--dem", DATA / "monaco/N43E007.hgt")
     rows = [[series, x, int(y)] for each in charts.values() for series, points in each.items() for x, y in points]
     return table(["mesh", "error in the picture (pixels)", "triangles"], rows)
 
@@ -501,7 +501,7 @@ def drawn_in_chromium():
         three = drawn_by_three("small", [0, -900, 2700], [0, 0, 1700])
         plants = [sum(tile["instances"] for tile in report_of("small")["tiles"] if tile["level"] == level) for level in (0, 1)]
         rows.append([density, *plants, three["triangles"], three["calls"], three["bytes"] / 1e6, three["frame_ms"]])
-    return table(["density of woods, 2.2 km² of Canillo", "instances at 0.5 m", "at 2.5 m", "triangles drawn by three.js", "draw calls", "MB loaded", "ms a frame (software)"], rows)
+    return table(["density of woods", "instances at 0.5 m", "at 2.5 m", "triangles drawn", "draw calls", "MB loaded", "ms a frame"], rows)
 
 
 @study(27)
