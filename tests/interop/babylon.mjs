@@ -32,6 +32,7 @@ await page.evaluate(() => {
 });
 
 const facts = { views: [], walks: [] };
+await page.evaluate((hour) => window.city.setHour(hour), job.hour ?? 11);
 for (const [i, eye] of job.eyes.entries()) {
   facts.views.push(await page.evaluate(async ([eye, look]) => {
     const camera = scene.activeCamera;
@@ -39,6 +40,7 @@ for (const [i, eye] of job.eyes.entries()) {
     camera.setTarget(new BABYLON.Vector3(look[0], look[2] + city.report.sky.ground_m, -look[1]));
     camera.computeWorldMatrix(true);
     await settle();
+    await scene.whenReadyAsync();
     scene.render();
     scene.render();
     const levels = city.tiles.map((tile) => [tile.distance(camera.position), tile.shown]);

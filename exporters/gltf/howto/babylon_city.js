@@ -11,7 +11,7 @@ const COLLIDING = new Set(["ground", "roads", "water", "buildings", "structures"
 const GROUND = new Set(["ground", "roads", "water"]);
 const COLLISION_REACH_M = 60;
 // A walker: the height of its eyes, how far it keeps from walls, how high it steps up and how far down.
-const EYE_M = 1.7, RADIUS_M = 0.3, STEP_M = 0.5, DROP_M = 2;
+const EYE_M = 1.7, CHEST_M = 1.2, RADIUS_M = 0.3, STEP_M = 0.5, DROP_M = 2;
 const LAMPS = 4;
 
 /** The sun's direction (east, up, south) at an hour of the day in UTC; NOAA's formula of low precision, within 0.1 degrees. */
@@ -313,9 +313,11 @@ class Walker {
     if (ground) this.camera.position.set(next.x, ground.pickedPoint.y + EYE_M, next.z);
   }
 
+  /** What is in the way: any face at the chest, and at the knees one too steep to walk up. */
   wallAhead(direction, length_m) {
-    return [STEP_M, 1.2].map((height) => this.city.hit(this.camera.position.add(new BABYLON.Vector3(0, height - EYE_M, 0)), direction, length_m))
-      .find((met) => met && Math.abs(met.getNormal(true, false).y) < 0.5);
+    const met = (height_m) => this.city.hit(this.camera.position.add(new BABYLON.Vector3(0, height_m - EYE_M, 0)), direction, length_m);
+    const low = met(STEP_M);
+    return met(CHEST_M) ?? (low && Math.abs(low.getNormal(true, false).y) < 0.5 ? low : undefined);
   }
 
   land() {
