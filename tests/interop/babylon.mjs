@@ -59,13 +59,17 @@ for (const [x, y, turn] of job.walks) {
     while (city.groundAt(eyes) === undefined) await new Promise((resolve) => setTimeout(resolve, 20)), city.update();
     walker.land();
     const from = eyes.clone(), direction = new BABYLON.Vector3(Math.sin(turn), 0, Math.cos(turn));
-    let least_m = Infinity, highest_m = 0;
+    const chest = () => eyes.add(new BABYLON.Vector3(0, -0.5, 0));
+    let least_m = Infinity, highest_m = 0, crossed = 0;
     for (let i = 0; i < 400; ++i) {
+      const before = chest();
       walker.step(0.1, 0);
-      least_m = Math.min(least_m, city.hit(eyes.add(new BABYLON.Vector3(0, -0.5, 0)), direction, 5)?.distance ?? 5);
+      const step = chest().subtract(before);
+      if (step.length() > 1e-3 && city.hit(before, step.normalizeToNew(), step.length())) ++crossed;
+      least_m = Math.min(least_m, city.hit(chest(), direction, 5)?.distance ?? 5);
       highest_m = Math.max(highest_m, Math.abs(eyes.y - 1.7 - city.groundAt(eyes)));
     }
-    return { went: Math.hypot(eyes.x - from.x, eyes.z - from.z), least_m, highest_m, inside: city.hit(from, eyes.subtract(from).normalize(), eyes.subtract(from).length() - 0.01) !== undefined };
+    return { went: Math.hypot(eyes.x - from.x, eyes.z - from.z), least_m, highest_m, crossed };
   }, [x, y, turn]));
 }
 facts.light = await page.evaluate(() => [11, 23].map((hour) => {
