@@ -87,7 +87,7 @@ class Level {
     container.addAllToScene();
     for (const mesh of container.meshes.filter((each) => each.getTotalIndices?.() > 0)) {
       if (COLLIDING.has(layerOf(mesh))) this.solid.push(mesh);
-      if (/Lamp$/.test(mesh.parent?.name ?? mesh.name)) for (const copy of copiesOf(mesh)) this.lamps.push(copy.getTranslation());
+      if (/Lamp(_primitive\d+)?$/.test(mesh.name) || /Lamp$/.test(mesh.parent?.name ?? "")) for (const copy of copiesOf(mesh)) this.lamps.push(copy.getTranslation());
       const isCopied = mesh.thinInstanceCount > 1 && trianglesOf(mesh) > COPIED_TRIANGLES;
       const group = isCopied ? mesh.uniqueId : groupOf(mesh);
       groups.set(group, [...(groups.get(group) ?? []), mesh]);
