@@ -72,6 +72,8 @@ function joined(meshes, scene) {
   if (isPlain) delete all.uvs;
   Object.assign(data, all);
   data.applyToMesh(mesh);
+  // which side of a face is its front differs with the handedness of the scene
+  mesh.sideOrientation = meshes[0].sideOrientation;
   mesh.material = isPlain ? meshes[0].material.clone("plain") : meshes[0].material;
   if (isPlain) mesh.material.albedoColor = BABYLON.Color3.White();
   return mesh;
