@@ -129,8 +129,8 @@ def heights():
         a, b = started("high/scene.kiln"), started("high", "--level", "0")
         triangles = sum(level["triangles"] for level in report["levels"])
         rows.append([height, triangles, megabytes("high/scene.kiln"), megabytes("high/glb/**/*"), a.memory_mb, b.memory_mb, a.cpu_s, b.cpu_s])
-    return table(["mean height (m)", "triangles", "recipes (MB)", "stored (MB)", "picture of recipes (MB)", "of stored (MB)",
-                  "of recipes (CPU s)", "of stored (CPU s)"], rows)
+    return table(["mean height (m)", "triangles", "recipes (MB)", "stored (MB)", "recipes", "stored",
+                  "recipes (CPU s)", "stored"], rows)
 
 
 @study(3)
@@ -284,8 +284,8 @@ def effects():
     plain = measured(*common, "--view", "street", "-o", "e.png")
     night = measured(*common, "--view", "street", *NIGHT, "-o", "e.png")
     lens = measured(*common, "--view", "street", "--aperture", "f/1.4", "--focus", "12", "-o", "e.png")
-    turn = measured(*common, "--view", "street", "--turntable", "1", "-o", "e.png")
-    moving = measured(*common, "--view", "street", "--turntable", "1", "--shutter", "0.02", "-o", "e.png")
+    turn = measured(*common, "--view", "street", "--turntable", "1", "-o", "e##.png")
+    moving = measured(*common, "--view", "street", "--turntable", "1", "--shutter", "0.02", "-o", "e##.png")
     rows = [["pinhole, by day", "chessboard 74 s", plain.cpu_s, 1.0], ["lens, f/1.4", "lens 27 s", lens.cpu_s, lens.cpu_s / plain.cpu_s],
             ["area lights: lamps, lit windows", "area light 49 s", night.cpu_s, night.cpu_s / plain.cpu_s],
             ["camera in motion", "dragon moving 27,925 s", moving.cpu_s, moving.cpu_s / turn.cpu_s]]
