@@ -388,7 +388,7 @@ def plants_before_it_breaks():
         plants = sum(tile["instances"] for tile in report_of("wood")["tiles"])
         drawn = measured("preview", "wood/scene.kiln", *SMALL, "--spp", "16", "--view", "overview", "-o", "w.png")
         rows.append([side_m, plants, made.cpu_s, made.memory_mb, megabytes("wood/scene.kiln") * 1000, megabytes("wood/glb/*"), drawn.cpu_s, drawn.memory_mb])
-    return table(["side of the wood (m)", "plants", "compile (CPU s)", "memory (MB)", "manifest (kB)", "tiles (MB)", "picture (CPU s)", "memory (MB)"], rows)
+    return table(["side (m)", "plants", "compile (CPU s)", "MB", "manifest (kB)", "tiles (MB)", "picture (CPU s)", "MB"], rows)
 
 
 # ---- 003 Bruneton: Rama; charts of citykiln-chart ----
