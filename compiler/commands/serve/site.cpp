@@ -71,7 +71,6 @@ Site::Site(const SiteRequest& request)
     : outputs_(request.outputs),
       shown_(request.shown),
       has_page_(request.has_page),
-      threads_(request.threads),
       cache_(request.cache_bytes, std::max(1, request.threads == 0 ? 2 : request.threads)) {}
 
 Result<std::unique_ptr<Site>> Site::open(const SiteRequest& request) {

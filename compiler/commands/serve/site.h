@@ -65,7 +65,6 @@ class Site {
   Outputs outputs_;
   scene::ShownRequest shown_;
   bool has_page_;
-  int threads_;
   std::uint64_t version_ = 0;  ///< A hash of the manifest, the settings and the program.
   scene::Scene scene_;
   map::Geoid geoid_;
