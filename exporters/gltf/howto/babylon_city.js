@@ -44,14 +44,26 @@ const trianglesOf = (mesh) => mesh.getTotalIndices() / 3 * Math.max(1, mesh.thin
 const groupOf = ({ material }) => material.albedoTexture || material.emissiveTexture || material.bumpTexture ? material.uniqueId
   : `plain ${material.emissiveColor.toHexString()} ${material.alpha < 1 ? material.uniqueId : ""} ${material.metallic > 0.5} ${material.backFaceCulling}`;
 
+/** The data itself, or without normals each triangle with corners of its own and the normal of its plane, as glTF demands. */
+function withNormals(data) {
+  if (data.normals) return data;
+  const flat = new BABYLON.VertexData(), count = data.positions.length / 3;
+  for (const name of ["positions", "colors", "uvs"]) {
+    const width = data[name]?.length / count;
+    if (width) flat[name] = Array.from(data.indices).flatMap((v) => Array.from(data[name].slice(v * width, (v + 1) * width)));
+  }
+  flat.indices = Array.from(data.indices, (_, i) => i);
+  BABYLON.VertexData.ComputeNormals(flat.positions, flat.indices, flat.normals = [], { useRightHandedSystem: true });
+  return flat;
+}
+
 /** One mesh of all copies of some, which share a group. Colours of plain materials go to the vertices. */
 function joined(meshes, scene) {
   const all = { positions: [], normals: [], colors: [], uvs: [], indices: [] };
   const isPlain = !meshes.some(({ material }) => material.albedoTexture || material.emissiveTexture || material.bumpTexture);
   for (const mesh of meshes) {
-    const data = BABYLON.VertexData.ExtractFromMesh(mesh, true, true);
+    const data = withNormals(BABYLON.VertexData.ExtractFromMesh(mesh, true, true));
     const count = data.positions.length / 3, base = isPlain ? mesh.material.albedoColor : BABYLON.Color3.White();
-    if (!data.normals) BABYLON.VertexData.ComputeNormals(data.positions, data.indices, data.normals = []);
     const width = data.colors ? data.colors.length / count : 0;
     for (const matrix of copiesOf(mesh)) {
       const copy = new BABYLON.VertexData();
