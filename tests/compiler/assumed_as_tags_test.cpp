@@ -93,11 +93,30 @@ void add_tags_of_side(const Track& track, bool is_left, std::map<std::string, st
     tags["parking:" + side] = "lane";
 }
 
+// True for ways without kerbs that were made as wide as the room between walls.
+bool is_between_walls(const Track& track) {
+  return has(track.assumed, Assumption::kPavements) && std::ranges::none_of(track.section.lanes, &Lane::is_raised);
+}
+
+// Adds the width of the carriageway: of its lane, or of the lanes of each direction from left to right as seen along
+// it.
+void add_widths(const Track& track, std::map<std::string, std::string>& tags) {
+  const std::vector<Lane>& lanes = track.section.lanes;
+  if (lanes.size() == 1) tags["width"] = std::to_string(lanes[0].width_m);
+  if (lanes.size() == 1) return;
+  for (const Lane& lane : lanes) {
+    const bool is_backward = lane.way == map::LaneDirection::kBackward;
+    const std::string flow = is_backward ? ":backward" : ":forward";
+    std::string& list = tags[track.is_oneway ? "width:lanes" : "width:lanes" + flow];
+    const std::string width = std::to_string(lane.width_m);
+    list = list.empty() ? width : is_backward ? width + "|" + list : list + "|" + width;
+  }
+}
+
 std::map<std::string, std::string> tags_that_say(const Track& track) {
   std::map<std::string, std::string> tags;
   add_tags_of_side(track, true, tags), add_tags_of_side(track, false, tags);
-  const std::vector<Lane>& lanes = track.section.lanes;
-  if (has(track.assumed, Assumption::kPavements) && lanes.size() == 1) tags["width"] = std::to_string(lanes[0].width_m);
+  if (is_between_walls(track)) add_widths(track, tags);
   if (has(track.assumed, Assumption::kLamps)) tags["lit"] = "yes";
   if (has(track.assumed, Assumption::kSurfaces)) tags["surface"] = "gravel";
   return tags;
@@ -147,8 +166,7 @@ Counts count_equal_streets(const std::filesystem::path& path) {
     const Track& other = found->second;
     map::CrossSection section = track.section;
     // no tag says where between two walls the mapped axis of a paved way lies
-    if (has(other.assumed, Assumption::kPavements) && section.lanes.size() == 1)
-      section.axis_offset_m = other.section.axis_offset_m;
+    if (is_between_walls(other)) section.axis_offset_m = other.section.axis_offset_m;
     const bool is_equal = section == other.section && track.surface == other.surface && track.is_lit == other.is_lit;
     if (!is_equal)
       counts.different.push_back(std::to_string(track.id.osm.id) + ": " + text_of(other) + ", as tags " +
