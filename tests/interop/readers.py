@@ -320,23 +320,21 @@ def run_godot(folder, files, pictures=()):
 
 
 def import_into(project, names):
-    """Lets Godot's editor import the files of a project. It does not end by itself: it is ended when it has written the last one."""
-    with open(project.parent / "import.log", "w", encoding="utf-8") as log:
-        editor = subprocess.Popen(["godot3-server", "--path", str(project), "--editor", "--quit"], stdout=log, stderr=log)
+    """Lets Godot's editor import the files of a project. It may quit before it has begun, and does not end by itself once it has: it is begun
+    again until the last one is written, and then ended."""
     deadline_s = time.monotonic() + 1800
-    while editor.poll() is None and time.monotonic() < deadline_s:
-        if all(list((project / ".import").glob(f"{name}-*.md5")) for name in names):
-            # lets the editor finish
-            time.sleep(2)
-            break
-        time.sleep(0.5)
-    if editor.poll() is None:
-        editor.terminate()
-        editor.wait()
-
-
-# ---- pictures --------------------------------------------------------------------------------------------------------
-
+    def is_done():
+        return all(list((project / ".import").glob(f"{name}-*.md5")) for name in names)
+    with open(project.parent / "import.log", "w", encoding="utf-8") as log:
+        while not is_done() and time.monotonic() < deadline_s:
+            editor = subprocess.Popen(["godot3-server", "--path", str(project), "--editor", "--quit"], stdout=log, stderr=log)
+            while editor.poll() is None and not is_done() and time.monotonic() < deadline_s:
+                time.sleep(0.5)
+            if editor.poll() is None:
+                # lets the editor finish
+                time.sleep(2)
+                editor.terminate()
+                editor.wait()
 
 def pixels(path):
     """The pixels of a picture: rows of columns of RGB in 0 to 1."""

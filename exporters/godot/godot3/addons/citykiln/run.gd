@@ -12,8 +12,10 @@ var files = []
 # names such as "0_-1"
 var tiles = []
 var attribution = []
-# direction to the sun, y up; zero if it has set
-var to_sun = Vector3()
+# the run's day, its hour in UTC, and the longitude and latitude of its origin
+var date = ""
+var hour = 12.0
+var origin = {}
 
 
 func read(of_folder):
@@ -32,7 +34,7 @@ func read(of_folder):
 
 
 func take(report, path):
-	for key in ["target", "levels", "tiles", "attribution"]:
+	for key in ["target", "levels", "tiles", "attribution", "origin", "sky"]:
 		if not key in report:
 			problem = "%s: lacks \"%s\"; expected the report of citykiln compile" % [path, key]
 			return
@@ -42,7 +44,8 @@ func take(report, path):
 		return
 	levels = report["levels"]
 	attribution = report["attribution"]
-	take_sun(report.get("sky", {}).get("to_sun", [0, 0, -1]))
+	origin = report["origin"]
+	take_time(report["sky"]["time"])
 	for tile in report["tiles"]:
 		files.append(tile)
 		if not name_of(tile) in tiles:
@@ -51,9 +54,10 @@ func take(report, path):
 		problem = "%s: the run has no .glb tiles; compile with --emit glb" % path
 
 
-func take_sun(v):
-	if v[2] > 0:
-		to_sun = Vector3(v[0], v[2], -v[1])
+# Takes a time such as 2026-06-21T15:20 or 2026-06-21T15:20:00Z.
+func take_time(text):
+	date = text.left(10)
+	hour = float(text.substr(11, 2)) + float(text.substr(14, 2)) / 60.0
 
 
 static func name_of(tile):

@@ -1,17 +1,17 @@
-# Runs when Godot imports a tile: leaves out layers that were not chosen, puts vertex colours in again, draws objects that
-# share a mesh as one MultiMesh, and adds collision shapes. The choices are in city.json beside the tile.
+# Runs when Godot imports a tile: leaves out layers that were not chosen, puts vertex colours in again, draws each layer in
+# few calls, adds collision shapes, and notes what city.gd has to know of the tile: "box" (its extent), "calls" and
+# "triangles" (what drawing it costs), "lamps" (places). The choices are in city.json beside the tile.
 tool
 extends EditorScenePostImport
 
 const TileColours = preload("tile_colours.gd")
-const Copies = preload("copies.gd")
-
-# Fewer objects of a mesh than this stay single objects.
-const LEAST_COPIES = 2
+const Joined = preload("joined.gd")
 
 var choices
 var colours
 var coloured = {}
+var joined = Joined.new()
+var lamps = []
 
 
 func post_import(scene):
@@ -27,22 +27,43 @@ func post_import(scene):
 				tile.remove_child(layer)
 				layer.free()
 	scene.set_meta("box", box_of(scene, Transform()))
+	scene.set_meta("lamps", lamps)
+	var cost = cost_of(scene)
+	scene.set_meta("calls", cost[0])
+	scene.set_meta("triangles", cost[1])
 	return scene
 
 
 func take_layer(layer, scene):
-	var copies = {}
 	for node in [layer] + layer.get_children():
 		if node is MeshInstance:
 			show_colours(node.mesh)
-	for child in layer.get_children():
-		if child is MeshInstance and child.get_child_count() == 0:
-			copies[child.mesh] = copies.get(child.mesh, []) + [child]
-	for mesh in copies:
-		if copies[mesh].size() >= LEAST_COPIES:
-			join(copies[mesh], mesh, layer, scene)
 	if layer is MeshInstance and layer.name in choices["collision"] and is_finest():
 		add_collision(layer, scene)
+	lamps += lamps_of(layer)
+	joined.join(layer, scene)
+	if is_coarsest():
+		cast_no_shadows(layer)
+
+
+# The coarsest level is shown beyond the reach of shadows.
+func cast_no_shadows(node):
+	if node is GeometryInstance:
+		node.cast_shadow = GeometryInstance.SHADOW_CASTING_SETTING_OFF
+	for child in node.get_children():
+		cast_no_shadows(child)
+
+
+# The places of the lamps of streets and doors: the middle of each at its upper end.
+func lamps_of(layer):
+	var places = []
+	var above = layer.get_parent().transform * layer.transform
+	for child in layer.get_children():
+		if child is MeshInstance and child.mesh.resource_name.ends_with("Lamp"):
+			var box = child.mesh.get_aabb()
+			var middle = box.position + box.size / 2
+			places.append((above * child.transform).xform(Vector3(middle.x, box.end.y, middle.z)))
+	return places
 
 
 func show_colours(mesh):
@@ -51,28 +72,17 @@ func show_colours(mesh):
 		colours.apply(mesh)
 
 
-# Replaces objects that share a mesh by one MultiMeshInstance.
-func join(objects, mesh, layer, scene):
-	var multi = MultiMesh.new()
-	multi.transform_format = MultiMesh.TRANSFORM_3D
-	multi.mesh = mesh
-	var instance = Copies.new()
-	# an exported array is one for all objects until another is assigned
-	instance.places = []
-	for object in objects:
-		instance.places.append(object.transform)
-		layer.remove_child(object)
-		object.free()
-	instance.name = mesh.resource_name
-	instance.multimesh = multi
-	layer.add_child(instance)
-	instance.owner = scene
-
-
 # Shapes are of the finest chosen level only: those of coarser levels would stand in the same place.
 func is_finest():
-	var level = int(get_source_file().get_basename().split("_L")[-1])
-	return level == int(choices["levels"].min())
+	return level() == int(choices["levels"].min())
+
+
+func is_coarsest():
+	return level() == int(choices["levels"].max()) and not is_finest()
+
+
+func level():
+	return int(get_source_file().get_basename().split("_L")[-1])
 
 
 func add_collision(layer, scene):
@@ -94,3 +104,17 @@ func box_of(node, above):
 		if not of_child.has_no_area():
 			box = of_child if box.has_no_area() else box.merge(of_child)
 	return box
+
+
+# The draw calls and triangles of a node and all below it.
+func cost_of(node):
+	var cost = [0, 0]
+	if node is MeshInstance:
+		cost = [node.mesh.get_surface_count(), Joined.triangles_of(node.mesh)]
+	elif node is MultiMeshInstance:
+		var mesh = node.multimesh.mesh
+		cost = [mesh.get_surface_count(), Joined.triangles_of(mesh) * node.places.size()]
+	for child in node.get_children():
+		var of_child = cost_of(child)
+		cost = [cost[0] + of_child[0], cost[1] + of_child[1]]
+	return cost

@@ -1,6 +1,6 @@
 # Copies chosen tiles of a run into a project and writes what Godot needs to import them: a file of import settings beside
-# each tile, so that tile_import.gd runs on it, the choices (city.json), and a scene of all tiles with the sun of the run's
-# time (city.tscn).
+# each tile, so that tile_import.gd runs on it, the choices (city.json), and a scene of all tiles at the hour of the run
+# (city.tscn).
 #
 # Choices: "levels" (numbers), "tiles" (names), "layers" (names), "collision" (names of layers, of the finest chosen
 # level), "pixel_error" (pixels by which a level may be wrong where it is shown).
@@ -22,29 +22,22 @@ materials/storage=0
 meshes/ensure_tangents=false
 animation/import=false
 """
-# A clear day, as bright as in citykiln's preview.
+# City sets the sun's direction and the colours of the sky, by the hour.
 const SKY = """
 [sub_resource type="ProceduralSky" id=1]
-sky_top_color = Color( 0.42, 0.54, 0.73, 1 )
-sky_horizon_color = Color( 0.67, 0.76, 0.85, 1 )
-ground_bottom_color = Color( 0.42, 0.4, 0.38, 1 )
-ground_horizon_color = Color( 0.6, 0.66, 0.7, 1 )
 sun_energy = 0.0
 
 [sub_resource type="Environment" id=2]
 background_mode = 2
 background_sky = SubResource( 1 )
-ambient_light_energy = 1.0
 tonemap_mode = 3
 tonemap_white = 6.0
 """
 const LIGHTS = """
 [node name="Sun" type="DirectionalLight" parent="."]
-transform = %s
-light_color = Color( 1, 0.93, 0.83, 1 )
-light_energy = 2.5
 shadow_enabled = true
-directional_shadow_max_distance = 300.0
+directional_shadow_mode = 1
+directional_shadow_max_distance = 120.0
 
 [node name="Sky" type="WorldEnvironment" parent="."]
 environment = SubResource( 2 )
@@ -110,12 +103,13 @@ func write_text(path, text):
 # A scene as text: it names files that Godot imports later.
 func scene_text(run, target, choices):
 	var chosen = chosen_files(run, choices)
-	var is_day = run.to_sun != Vector3()
-	var head = "[gd_scene load_steps=%d format=2]\n\n" % (chosen.size() + (4 if is_day else 2))
+	var head = "[gd_scene load_steps=%d format=2]\n\n" % (chosen.size() + 4)
 	head += "[ext_resource path=\"%s\" type=\"Script\" id=1]\n" % get_script().resource_path.get_base_dir().plus_file("city.gd")
 	var nodes = "\n[node name=\"City\" type=\"Spatial\"]\nscript = ExtResource( 1 )\n"
 	nodes += "errors_m = %s\npixel_error = %s\nattribution = %s\n" % [
 		to_json(errors_of(run, choices)), choices["pixel_error"], to_json(PoolStringArray(run.attribution).join("; "))]
+	nodes += "date = \"%s\"\nhour = %f\nlongitude_deg = %f\nlatitude_deg = %f\n" % [
+		run.date, run.hour, run.origin["lon_deg"], run.origin["lat_deg"]]
 	for tile in choices["tiles"]:
 		nodes += "\n[node name=\"%s\" type=\"Spatial\" parent=\".\"]\n" % tile
 	var id = 1
@@ -124,13 +118,7 @@ func scene_text(run, target, choices):
 		var path = target.plus_file(file["file"].get_file())
 		head += "[ext_resource path=\"%s\" type=\"PackedScene\" id=%d]\n" % [path, id]
 		nodes += "\n[node name=\"L%d\" parent=\"%s\" instance=ExtResource( %d )]\n" % [file["level"], run.name_of(file), id]
-	return head + SKY + nodes + LIGHTS % shining_from(run.to_sun) if is_day else head + nodes
-
-
-# A light's placement as text of scenes.
-func shining_from(to_sun):
-	var light = Transform().looking_at(-to_sun, Vector3.UP)
-	return "Transform(%s)" % var2str(light).trim_prefix("Transform(").trim_suffix(")")
+	return head + SKY + nodes + LIGHTS
 
 
 # The measured errors of the chosen levels, finest first.
