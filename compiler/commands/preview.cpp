@@ -280,8 +280,9 @@ preview::Lights lights_of(const PreviewScene& scene, const preview::Camera& came
 Result<Exit> run_preview(PreviewRequest request, const Console& console) {
   if (request.picture_path.empty() && !request.is_interactive)
     return Error{"", "no picture is given; add -o FILE.png or -o FILE.exr"};
-  for (const std::string& path : request.load.paths) {
+  for (std::string& path : request.load.paths) {
     if (const Result<Done> fits = check_run_path(path); !fits) return fits.error();
+    path = manifest_without_tiles(path);
     if (request.load.level && path.ends_with(".kiln"))
       return Error{"--level", "is for a folder's tiles; of a manifest --tolerance or --pixel-error gives the detail"};
   }

@@ -264,8 +264,8 @@ def samples():
 @study(10)
 def roulette():
     compiled("scene", SCENES["Berlin, 672, 457, 1,406"][1])
-    common = ["preview", "scene/scene.kiln", *SMALL, "--view", "street", *NIGHT, "--exposure", "+0"]
-    measured(*common, "--spp", "512", "--bounces", "30", "--roulette", "0", "-o", "reference.png")
+    common = ["preview", "scene/scene.kiln", "--size", "160x90", "--no-denoise", "--view", "street", *NIGHT, "--exposure", "+0"]
+    measured(*common, "--spp", "256", "--bounces", "30", "--roulette", "0", "-o", "reference.png")
     reference = luminances("reference.png")
     rows = []
     for bounces in (3, 10, 30):

@@ -237,6 +237,14 @@ class Runs(ProgramTest):
             self.assertEqual(run("bake", path, "--lods", "2.5", "-o", baked).returncode, 0)
             self.assertEqual(sorted(p.name for p in (baked / "glb").iterdir()), sorted(p.name for p in (out / "glb").iterdir()))
 
+    def test_preview_of_a_run_without_tiles_is_that_of_its_manifest(self):
+        out = self.town("recipes", "12.5", "--emit", "kiln")
+        pictures = [self.folder / f"{name}.png" for name in ("folder", "manifest")]
+        for path, picture in zip((out, out / "scene.kiln"), pictures):
+            done = run("preview", path, "--size", "32x18", "--spp", "1", "-o", picture)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(*map(sha256, pictures))
+
     def test_a_file_without_a_tolerance_is_refused(self):
         out = self.whole("2.5")
         done = run("bake", out, "-o", self.folder / "x.glb")

@@ -233,6 +233,15 @@ std::optional<scene::Header> header_of(const std::string& manifest_path, std::sp
   return std::nullopt;
 }
 
+std::string manifest_without_tiles(const std::string& path) {
+  const std::string manifest = (fs::path(path) / exporters::kManifestName).string();
+  std::error_code none;
+  if (!fs::is_directory(path, none) || !fs::exists(manifest, none)) return path;
+  if (has_tileset(path) || has_tileset(fs::path(path) / exporters::kTilesetFolder)) return path;
+  const Result<outputs::RunRecord> record = outputs::read_report(path);
+  return record && record->tiles.empty() ? manifest : path;
+}
+
 bool asks_for_levels(const LoadRequest& request) {
   std::error_code none;
   return !request.level && request.paths.size() == 1 && fs::is_directory(request.paths.front(), none);
