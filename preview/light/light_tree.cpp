@@ -202,10 +202,43 @@ double LightTree::first_share(std::uint32_t node, Vec3 at, Vec3 normal) const {
   return first + second > 0 ? first / (first + second) : -1;
 }
 
+// True for groups to be divided: from within about 1.4 radii some sources may be far nearer than the centre, and one
+// estimate for all says little.
+bool LightTree::is_around(const Node& node, Vec3 at) {
+  constexpr double kReach2 = 2;
+  const Vec3 from = at - node.centre;
+  return node.second != 0 && dot(from, from) < kReach2 * node.radius_m * node.radius_m;
+}
+
+LightTree::Parts LightTree::parts_at(Vec3 at, Vec3 normal) const {
+  Parts parts;
+  boost::container::small_vector<std::uint32_t, 64> waiting = {0};
+  while (!waiting.empty()) {
+    const std::uint32_t node = waiting.back();
+    waiting.pop_back();
+    if (is_around(nodes_[node], at)) {
+      waiting.push_back(nodes_[node].second), waiting.push_back(node + 1);
+      continue;
+    }
+    const double weight = importance(nodes_[node], at, normal);
+    if (weight > 0) parts.each.push_back({node, weight}), parts.sum += weight;
+  }
+  return parts;
+}
+
 std::optional<LightChoice> LightTree::choose(Vec3 at, Vec3 normal, double chance) const {
   if (nodes_.empty()) return std::nullopt;
-  std::uint32_t node = 0;
-  double probability = 1;
+  const Parts parts = parts_at(at, normal);
+  if (parts.each.empty()) return std::nullopt;
+  double before = chance * parts.sum;
+  std::size_t drawn = 0;
+  while (drawn + 1 < parts.each.size() && before >= parts.each[drawn].weight) before -= parts.each[drawn++].weight;
+  const Part& part = parts.each[drawn];
+  return choose_below(part.node, part.weight / parts.sum, at, normal, before / part.weight);
+}
+
+std::optional<LightChoice> LightTree::choose_below(std::uint32_t node, double probability, Vec3 at, Vec3 normal,
+                                                   double chance) const {
   while (nodes_[node].second != 0) {
     const double share = first_share(node, at, normal);
     if (share < 0) return std::nullopt;
@@ -221,14 +254,20 @@ std::optional<LightChoice> LightTree::choose(Vec3 at, Vec3 normal, double chance
 double LightTree::probability(std::uint32_t light, Vec3 at, Vec3 normal) const {
   assert(light < leaf_of_.size());
   if (leaf_of_[light] == kNone) return 0;
-  double probability = 1;
-  for (std::uint32_t node = leaf_of_[light]; node != 0; node = nodes_[node].parent) {
+  // the part that holds the source, and the probability of the source within it
+  std::uint32_t part = leaf_of_[light];
+  double within = 1, below = 1;
+  for (std::uint32_t node = part; node != 0; node = nodes_[node].parent) {
     const std::uint32_t parent = nodes_[node].parent;
     const double share = first_share(parent, at, normal);
     if (share < 0) return 0;
-    probability *= node == parent + 1 ? share : 1 - share;
+    below *= node == parent + 1 ? share : 1 - share;
+    if (!is_around(nodes_[parent], at)) part = parent, within = below;
   }
-  return probability;
+  const Parts parts = parts_at(at, normal);
+  for (const Part& each : parts.each)
+    if (each.node == part) return each.weight / parts.sum * within;
+  return 0;
 }
 
 }  // namespace citykiln::preview

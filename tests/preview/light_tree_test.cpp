@@ -106,6 +106,38 @@ TEST(LightTree, VariesLessThanUniformChoice) {
   EXPECT_LT((by_tree - sum * sum) * 10, uniform - sum * sum);
 }
 
+// The standard deviation of the light that one choice estimates, over the light, for level ground.
+double deviation(const std::vector<LightBounds>& lanterns, Vec3 at) {
+  const LightTree tree(lanterns);
+  double sum = 0, squares = 0;
+  for (std::uint32_t i = 0; i < lanterns.size(); ++i) {
+    const Vec3 to = lanterns[i].low - at;
+    const double light = lanterns[i].flux * to.z / std::pow(dot(to, to), 1.5);
+    sum += light, squares += light * light / tree.probability(i, at, {0, 0, 1});
+  }
+  return std::sqrt(std::max(0.0, squares / (sum * sum) - 1));
+}
+
+// A dim lantern next to a place, in a group with bright ones far away.
+TEST(LightTree, ANearDimLightIsChosenAsOftenAsItShines) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share;
+  double most = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 at{1000 * share(random), 1000 * share(random), 0};
+    std::vector<LightBounds> lanterns(2 + i % 62);
+    for (LightBounds& lantern : lanterns) {
+      const bool is_near = share(random) < 0.1;
+      lantern.low = is_near ? at + Vec3{0.1 * share(random), 0.1 * share(random), 0.01 + 0.1 * share(random)}
+                            : Vec3{1000 * share(random), 1000 * share(random), 3 + 9 * share(random)};
+      lantern.high = lantern.low, lantern.axis = {0, 0, -1}, lantern.reach_rad = std::numbers::pi / 2;
+      lantern.flux = std::pow(10, 7 * share(random) - 3), lantern.is_even = true;
+    }
+    most = std::max(most, deviation(lanterns, at));
+  }
+  EXPECT_LT(most, 3);
+}
+
 TEST(LightTree, WithoutLightsNothingIsChosen) {
   EXPECT_TRUE(LightTree({}).is_empty());
   const std::vector<LightBounds> dark(3);
