@@ -88,8 +88,8 @@ struct Header {
 /// - Bridges and tunnels are whole in every chunk whose tile, widened by kHalo_m, they can grade. They are also in the
 ///   chunk of their first point, which alone bakes them (baking_tile: another one if that tile lies beyond the clip).
 /// - Trees, and every tree row, hedge and power-line corridor of which a segment is there, are whole in every chunk
-/// whose
-///   tile is within plants::kObstacleInfluence_m. Hedges are also in the chunk of their first point.
+///   whose tile is within plants::kObstacleInfluence_m.
+///   Hedges are also in the chunk of their first point.
 /// - Woods and plantings are in every chunk that has their surface.
 /// - Buildings are only in the chunk of the tile that bakes them (baking_tile), which the middle of their box decides.
 /// - Other barriers, lamps, things and wires are only in the chunk of their anchor.
@@ -140,9 +140,9 @@ Box2 box_of(const Header& header, TileKey tile);
 /// the nearest tile.
 /// @param anchor  The place of the object that decides: its centroid or first point, plane metres.
 bool is_anchored(const Header& header, TileKey tile, Vec2 anchor);
-/// Returns the tile that bakes an object: that of its anchor, as is_anchored() has it. If that tile has no ground in
-/// the clip, it is the first with ground that the object's box touches, if there is one. Cost: O(vertices of the clip),
-/// for an anchor beyond it for each of these tiles.
+/// Returns the one tile that bakes an object: that of its anchor (is_anchored()). If less than 1 m² of it is in the
+/// clip, it is the first tile by x, then y, that the object's box touches and of which 1 m² is in the clip; if there is
+/// none, it stays that of the anchor. Cost: touches_clip() (scene/clip.h), once or once for each of these tiles.
 TileKey baking_tile(const Header& header, Vec2 anchor, const Box2& box);
 /// Returns the tile that bakes a bridge or tunnel, which is anchored at its first point.
 TileKey baking_tile(const Header& header, const structures::Span& span);

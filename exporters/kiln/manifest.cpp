@@ -145,9 +145,9 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
       builder, kVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg, &extent, h.tile_m, h.seed,
       h.resampling_error_m, sky, &sources, &attributions, kLicence, index, dictionary.empty() ? nullptr : &dictionary,
       snow_line_m, &rules, &species, around, things.empty() ? nullptr : &things, climate, h.has_wild_slopes,
-      number_of(h.cars), h.has_street_furniture, number_of(h.people), number_of(h.traffic), h.shown.left_out,
+      encode_share(h.cars), h.has_street_furniture, encode_share(h.people), encode_share(h.traffic), h.shown.left_out,
       static_cast<std::uint16_t>(h.shown.wood_density * kFullShare), static_cast<std::uint8_t>(h.shown.lamps),
-      number_of_lit_windows(h.shown), clip.empty() ? nullptr : &clip));
+      encode_lit_windows(h.shown), clip.empty() ? nullptr : &clip));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -273,9 +273,9 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   if (!climate) return damaged;
   header.climate = std::move(*climate);
   header.has_wild_slopes = h.has_wild_slopes();
-  const auto cars = share_of<cars::CarShare>(h.cars());
-  const auto people = share_of<people::PeopleShare>(h.people());
-  const auto traffic = share_of<cars::CarShare>(h.traffic());
+  const auto cars = decode_share<cars::CarShare>(h.cars());
+  const auto people = decode_share<people::PeopleShare>(h.people());
+  const auto traffic = decode_share<cars::CarShare>(h.traffic());
   const std::optional<scene::Shown> shown = decode_shown(h);
   std::optional<scene::Clip> clip = decode_clip(h);
   if (!cars || !people || !traffic || !shown || !clip) return damaged;

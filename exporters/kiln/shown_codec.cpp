@@ -22,7 +22,7 @@ flatbuffers::Offset<fbs::ClipRing> clip_ring_of(flatbuffers::FlatBufferBuilder& 
 
 }  // namespace
 
-std::uint16_t number_of_lit_windows(const scene::Shown& shown) {
+std::uint16_t encode_lit_windows(const scene::Shown& shown) {
   return shown.lit_windows ? static_cast<std::uint16_t>(*shown.lit_windows * kFullShare) : kUsualShare;
 }
 

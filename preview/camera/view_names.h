@@ -1,11 +1,11 @@
-// The names of the views that named_view() (camera.h) finds.
+// The names that named_view() (camera.h) takes, for help and error messages.
 #pragma once
 
 #include <string>
 
 namespace citykiln::preview {
 
-/// Returns all names with a separator between them: "street|low|overview|…".
+/// Returns all names in one text: view_names("|") is "street|low|overview|…". A scene may lack some of these views.
 std::string view_names(const char* separator);
 
 }  // namespace citykiln::preview

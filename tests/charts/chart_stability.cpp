@@ -4,58 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "compiler/geometry/polygons/offset_polygon.h"
 #include "compiler/geometry/polygons/overlay.h"
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/geometry/triangles/triangulate.h"
-#include "grammars/roofs/generate_roof.h"
 #include "tests/charts/chart.h"
+#include "tests/charts/hard_cases.h"
 #include "tests/charts/stopwatch.h"
 #include "tests/charts/textbook.h"
 
 namespace citykiln::charts {
 namespace {
 
-/// The random numbers of a case.
-class HardDraw {
- public:
-  explicit HardDraw(std::uint64_t seed) : draw_(seed) {}
-  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(draw_); }
-  int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(draw_); }
-  /// A number whose logarithm is even between those of two numbers.
-  double of_any_size(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
-
- private:
-  std::mt19937_64 draw_;
-};
-
 Vec2 towards(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
-/// A simple ring around a place, with a share of hard corners: repeated points, points on edges, needles of one step of
-/// the grid.
-Ring hard_ring(HardDraw& draw, Vec2 middle) {
-  Ring ring;
-  const int corners = draw.whole(4, 12);
-  for (int i = 0; i < corners; ++i) {
-    const Vec2 p =
-        snapped(middle + towards((i + draw.between(0.1, 0.9)) * 6.283185307 / corners) * draw.between(6, 20));
-    ring.push_back(p);
-    const int kind = draw.whole(0, 9);
-    if (kind == 0) ring.push_back(p);
-    if (kind == 1)
-      ring.push_back(snapped(p + unit(p - middle) * draw.between(1, 9))), ring.push_back(p + Vec2{kQuantum_m, 0});
-    if (kind == 2) ring.push_back(snapped(p + left_of(p - middle) * 0x1p-9));
-  }
-  return ring;
-}
-
-/// The verdicts on a case: true if a method's result is right.
-struct Judged {
-  bool textbook = false, ours = false;
-};
 
 /// True if the area is that which is wanted, to a thousandth and to the grid's rounding along the border.
 bool is_about(double area, double wanted, double border_m) {
@@ -126,16 +89,6 @@ Judged judge_offset(HardDraw& draw) {
   return {is_right, is_within && is_about(area, wanted, length_m(ring))};
 }
 
-Judged judge_roof(HardDraw& draw) {
-  const Polygon footprint{without_repeats(hard_ring(draw, {})), {}};
-  roofs::RoofShape shape;
-  shape.form = roofs::RoofForm::kHipped;
-  Report report;
-  const roofs::Roof roof = roofs::generate_roof(footprint, shape, 0.02, {}, report);
-  return {roofs::roof_by_skeleton(footprint, shape, 0.02, SkeletonKernel::kInexact).has_value(),
-          report.diagnoses().empty()};
-}
-
 // The place of a corner written in single precision: from the middle of the Earth, and from the tile's origin.
 Judged judge_place(HardDraw& draw) {
   constexpr double kRadius_m = 6'371'000, kMostError_m = 0.001;
@@ -144,20 +97,21 @@ Judged judge_place(HardDraw& draw) {
   return {error_m(kRadius_m * std::cos(around)) < kMostError_m, error_m(in_tile) < kMostError_m};
 }
 
-/// A method with its textbook form and the input that breaks it.
-struct HardMethod {
-  const char* name;
-  const char* textbook;
-  const char* ours;
-  Judged (*judge)(HardDraw& draw);
-  int cases;
-};
 constexpr HardMethod kHardMethods[] = {
-    {"near-parallel junctions", "sides intersected", "snap-rounded overlay", judge_junction, 100'000},
-    {"triangulation with needles", "ears cut off", "exact Delaunay", judge_triangles, 100'000},
-    {"offsets of such rings", "moved lines intersected", "lines, else overlay", judge_offset, 100'000},
-    {"hipped roofs on such rings", "straight skeleton in doubles", "generate_roof()", judge_roof, 10'000},
-    {"corners in floats to 1 mm", "from the Earth's middle", "from the tile's origin", judge_place, 100'000}};
+    {"junctions of near-parallel roads", "sides intersected", "snap-rounded overlay", judge_junction, 100'000},
+    {"triangulation with repeats and needles", "ears cut off", "constrained Delaunay, exact", judge_triangles, 100'000},
+    {"offsets of such rings", "moved lines intersected", "inset(): lines, else overlay", judge_offset, 100'000},
+    {"hipped roofs, events that coincide", "straight skeleton in doubles", "generate_roof()", judge_symmetric_roof,
+     10'000},
+    {"refinement of land with spikes", "halved while a middle is off", "refine(), worst point first", judge_refinement,
+     10'000},
+    {"one lamp of up to 64", "even choice", "LightTree", judge_lights, 100'000},
+    {"one lamp, some within 0.18 m", "even choice", "LightTree", judge_near_lights, 100'000},
+    {"turtles of up to 2^20 turns", "matrices in single precision", "walk()", judge_turtle, 100'000},
+    {"growth without end, poles", "loop without limits", "derive(), limits", judge_growth, 100'000},
+    {"lots with one or two frontages", "halved across", "split(), frontage kept", judge_lots, 100'000},
+    {"corners in single precision to 1 mm", "from the middle of the Earth", "from the tile's origin", judge_place,
+     100'000}};
 
 }  // namespace
 

@@ -85,8 +85,8 @@ HeightSquare square_of_heights(const scene::Scene& scene) {
   const double side_m = std::max(extent.width(), extent.height());
   HeightSquare square{std::clamp(static_cast<int>(std::lround(std::log2(side_m / 8))), 4, 12), 0, {}};
   square.step_m = side_m / (1 << square.power);
-  for (int row = 0; row < square.count(); ++row)
-    for (int column = 0; column < square.count(); ++column)
+  for (int row = 0; row < square.samples_per_side(); ++row)
+    for (int column = 0; column < square.samples_per_side(); ++column)
       square.heights_m.push_back(seen_height_m(scene, {std::min(extent.min.x + column * square.step_m, extent.max.x),
                                                        std::min(extent.min.y + row * square.step_m, extent.max.y)}));
   return square;
@@ -94,7 +94,7 @@ HeightSquare square_of_heights(const scene::Scene& scene) {
 
 double rtin_seen(const scene::Scene& scene, const HeightSquare& square, const bake::View& view) {
   const Vec2 corner = scene.header.extent.min;
-  return static_cast<double>(rtin_triangles(square, [&](Vec2 sample) {
+  return static_cast<double>(rtin_triangle_count(square, [&](Vec2 sample) {
     const auto i = static_cast<int>(sample.x), j = static_cast<int>(sample.y);
     const Vec3 place = at_height(corner + sample * square.step_m, square.at(i, j));
     return std::max(1.0, length(place - view.eye)) * view.pixel_error / view.focal_px;

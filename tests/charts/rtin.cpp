@@ -29,12 +29,14 @@ class RightTriangles {
   using Visit = void (RightTriangles::*)(SampleAt, SampleAt, SampleAt, int);
 
   void for_both(Visit visit) {
-    const int last = square_.count() - 1;
+    const int last = square_.samples_per_side() - 1;
     (this->*visit)({0, 0}, {last, last}, {last, 0}, 0);
     (this->*visit)({last, last}, {0, 0}, {0, last}, 0);
   }
 
-  float& ratio(SampleAt at) { return ratios_[static_cast<std::size_t>(at.row) * square_.count() + at.column]; }
+  float& ratio(SampleAt at) {
+    return ratios_[static_cast<std::size_t>(at.row) * square_.samples_per_side() + at.column];
+  }
   double height(SampleAt at) const { return square_.at(at.column, at.row); }
 
   void visit_depth(SampleAt a, SampleAt b, SampleAt c, int depth) {
@@ -70,7 +72,7 @@ class RightTriangles {
 
 }  // namespace
 
-std::int64_t rtin_triangles(const HeightSquare& square, const std::function<double(Vec2)>& tolerance_m) {
+std::int64_t rtin_triangle_count(const HeightSquare& square, const std::function<double(Vec2)>& tolerance_m) {
   return RightTriangles(square, tolerance_m).count();
 }
 

@@ -5,7 +5,7 @@
 
 namespace citykiln::charts {
 
-std::optional<Vec2> meeting_of(Vec2 a, Vec2 along_a, Vec2 b, Vec2 along_b) {
+std::optional<Vec2> line_intersection(Vec2 a, Vec2 along_a, Vec2 b, Vec2 along_b) {
   const double determinant = cross(along_a, along_b);
   if (determinant == 0) return std::nullopt;
   return a + along_a * (cross(b - a, along_b) / determinant);
@@ -14,8 +14,8 @@ std::optional<Vec2> meeting_of(Vec2 a, Vec2 along_a, Vec2 b, Vec2 along_b) {
 std::optional<Ring> mitred_outline(Vec2 node, Vec2 first_end, Vec2 second_end, double width_m) {
   const Vec2 first = unit(first_end - node), second = unit(second_end - node);
   const Vec2 beside_first = left_of(first) * (width_m / 2), beside_second = left_of(second) * (width_m / 2);
-  const auto left = meeting_of(node + beside_first, first, node - beside_second, second);
-  const auto right = meeting_of(node - beside_first, first, node + beside_second, second);
+  const auto left = line_intersection(node + beside_first, first, node - beside_second, second);
+  const auto right = line_intersection(node - beside_first, first, node + beside_second, second);
   if (!left || !right) return std::nullopt;
   return Ring{*right, first_end - beside_first,   first_end + beside_first,
               *left,  second_end - beside_second, second_end + beside_second};
@@ -58,7 +58,7 @@ std::optional<Ring> inset_by_lines(const Ring& ring, double depth_m) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2 a = ring[(i + ring.size() - 1) % ring.size()], b = ring[i], c = ring[(i + 1) % ring.size()];
     const Vec2 in = unit(b - a), out = unit(c - b);
-    const auto corner = meeting_of(b + left_of(in) * depth_m, in, b + left_of(out) * depth_m, out);
+    const auto corner = line_intersection(b + left_of(in) * depth_m, in, b + left_of(out) * depth_m, out);
     if (!corner) return std::nullopt;
     moved.push_back(*corner);
   }

@@ -29,10 +29,11 @@ struct TreeContents {
 std::vector<std::byte> make_content(const TreeContents& tree, bake::BakedTile&& baked,
                                     const std::vector<bake::PlacedLamp>& lights, int threads);
 
-/// Returns a tile as a part of the inner node above it: its terrain is decimated, but for the tile's border, so that
-/// the parts of a node can be made at the same time. Thread-safe.
-/// @param height  The height of the inner node.
-/// @param baked   The tile at InnerLevel::bake_m of that height.
+/// Prepares a baked tile to be joined into an inner node by make_inner_tile(). Where the tolerance of that level pays
+/// for it, the tile's terrain is decimated by at most kSimplifyShare of the tolerance. Vertices on the tile's border
+/// stay, so that parts made at the same time meet. In the plane, not bent. Thread-safe.
+/// @param height  The level of the inner node in the quadtree (NodeKey::height), at least 1; not metres.
+/// @param baked   The tile at the tolerance InnerLevel::bake_m of that level. Consumed.
 bake::BakedTile make_part(const TreeContents& tree, int height, scene::TileKey tile, bake::BakedTile&& baked);
 
 /// Returns the tile of an inner node in the plane: its parts as one tile. Parts that are inner nodes are simplified.

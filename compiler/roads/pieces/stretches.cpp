@@ -208,9 +208,8 @@ std::vector<RoadStretch> cut_stretches(std::span<const RoadStretch> stretches, s
       if (!may_cut(stretch) || here_m <= stretch.from_m || here_m >= to_m) continue;
       stretch.to_m = here_m;
       cut.push_back(stretch);
-      stretch.from_m = here_m;
+      stretch.from_m = here_m, stretch.to_m = to_m;
     }
-    stretch.to_m = to_m;
     cut.push_back(stretch);
   }
   return cut;

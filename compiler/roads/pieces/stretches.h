@@ -47,9 +47,10 @@ struct RoadStretch {
 ///                   depend on, they are left out in all, so that tiles agree.
 std::vector<RoadStretch> stretches_of(const Road& road, std::span<const JunctionInterval> intervals, double tile_m);
 
-/// Returns stretches cut at distances along the way, with the properties of the whole on all parts.
-/// @param at_m     In any order. A distance that lies in no stretch changes nothing.
-/// @param may_cut  Tests whether a stretch may be cut; others stay whole.
+/// Splits stretches at distances along the way. Each part copies all other members of its stretch, zero_m too, so that
+/// dashes run on.
+/// @param at_m     In any order. A distance outside of all stretches, or at an end of one, changes nothing.
+/// @param may_cut  True for a stretch that may be split; asked once for each distance, of what is left of the stretch.
 std::vector<RoadStretch> cut_stretches(std::span<const RoadStretch> stretches, std::vector<double> at_m,
                                        bool (*may_cut)(const RoadStretch&));
 
