@@ -4,6 +4,15 @@ import { chromium, devices } from "playwright-core";
 
 const SIZE = { width: 760, height: 360 };
 
+/** Answers with the page's own files from the folder PAGE_FILES, if it is given, instead of those that the program holds. */
+async function serveFiles(page) {
+  const folder = process.env.PAGE_FILES;
+  if (!folder) return;
+  const fulfill = (name) => (route) => route.fulfill({ path: `${folder}/${name}` });
+  await page.route(/^[^?#]*:\d+\/([?#].*)?$/, fulfill("index.html"));
+  for (const name of ["viewer.js", "style.css"]) await page.route(`**/page/${name}`, fulfill(name));
+}
+
 /** What a page needs for tests: Playwright's page, the requests it made, and its errors. */
 export class OpenPage {
   static async open(url, options = {}) {
@@ -14,6 +23,7 @@ export class OpenPage {
     const device = options.isPhone ? { ...devices["Pixel 5"], deviceScaleFactor: 1 } : { viewport: options.size ?? SIZE };
     const context = await browser.newContext({ ...device, acceptDownloads: true });
     const page = await context.newPage();
+    await serveFiles(page);
     const opened = new OpenPage(browser, page);
     page.setDefaultTimeout(options.timeout_ms ?? 240_000);
     // few pixels and few triangles: there is no graphics card
