@@ -15,6 +15,7 @@ import { Layers, hiddenBy } from "./layers.js";
 import { readLink, writeLink } from "./link.js";
 import { Measure } from "./measure.js";
 import { Moves } from "./moves.js";
+import { Names } from "./names.js";
 import { Outline } from "./outline.js";
 import { savePicture } from "./picture.js";
 import { makePlate } from "./plate.js";
@@ -87,7 +88,8 @@ export class Viewer {
     this.records = new Records(page.feature_files);
     this.measure = new Measure(scene, changed);
     this.findings = new Findings(scene, { page, frame: this.frame, rays: this.rays, limits }, (finding) => this.flyTo(finding), changed);
-    this.panel = new FeaturePanel(page, this.records, this.findings, () => this.pick(null));
+    this.names = new Names(() => (this.panel.id ? this.panel.show(this.panel.id) : null, this.address.later()));
+    this.panel = new FeaturePanel({ page, records: this.records, findings: this.findings, names: this.names }, () => this.pick(null));
     this.search = new Search(this.records, this.box(), { toPlace: (lon, lat) => this.goToPlace(lon, lat), toFeature: (id, record) => this.goToFeature(id, record) });
     this.address = new Address(() => this.link);
   }
@@ -299,7 +301,7 @@ export class Viewer {
 
   get link() {
     const { position } = this.camera, { heading, pitch, mode } = this.moves;
-    return writeLink({ position, heading, pitch, mode, hidden: this.layers.hidden, colours: this.colours.mode, time: this.sky.number, detail_px: this.tileset.detail_px, id: this.panel.id });
+    return writeLink({ position, heading, pitch, mode, hidden: this.layers.hidden, colours: this.colours.mode, time: this.sky.number, detail_px: this.tileset.detail_px, names: this.names.language, id: this.panel.id });
   }
 
   async copyLink() {
@@ -315,6 +317,7 @@ export class Viewer {
     for (const name of state.hidden) if (byId(`layer-${name}`)) this.layers.set(name, false);
     if (["none", "level", "error", "source"].includes(state.colours)) this.colours.set(state.colours);
     if (state.time !== undefined) this.sky.set(state.time);
+    this.names.set(state.names);
     if (state.position) this.openView(state);
     if (state.id) this.openPicked(state);
   }
