@@ -1,21 +1,9 @@
 // The page as a new reader uses it: walks on a street, searches by parts of names, refuses places that are not there, and is read in words.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
-import { createRequire } from "node:module";
-import { after, before, beforeEach, test } from "node:test";
-import { OpenPage, changedShare, distance, luminance, meanLuminance, shareOf } from "./open_page.mjs";
+import { test } from "node:test";
+import { axeFaults, distance, isSerious, luminance, meanLuminance, shareOf, openForTests } from "./open_page.mjs";
 
-const url = process.env.PAGE_URL;
-let open, page;
-before(async () => {
-  open = await OpenPage.open(url);
-  page = open.page;
-});
-after(() => open.close());
-beforeEach(async () => {
-  await page.keyboard.press("Escape");
-  if (await page.isVisible("#close-feature")) await page.click("#close-feature");
-});
+const open = await openForTests(), { page } = open;
 
 const status = () => open.text("#status");
 const search = async (text) => {
@@ -225,7 +213,7 @@ test("a bar says what is loading, and a plate stands there until the first tile 
   let letGo;
   const held = new Promise((resolve) => (letGo = resolve));
   await slow.route(/\.glb/, async (route) => (await held, route.continue()));
-  await slow.goto(`${url}#detail=20`);
+  await slow.goto(`${process.env.PAGE_URL}#detail=20`);
   await slow.waitForFunction(() => /^Loading tiles: \d+ of \d+$/.test(document.getElementById("loading-text").innerText) && window.citykiln.sky.environment);
   assert.ok(await slow.evaluate(() => window.citykiln.plate.visible));
   letGo();
@@ -292,16 +280,9 @@ test("a picture stays within its budget of triangles", async () => {
 });
 
 test("axe finds no serious fault", async () => {
-  const source = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-  const session = await page.context().newCDPSession(page);
   await page.evaluate(() => window.citykiln.pick("w35"));
   await page.fill("#place", "allee");
-  // the page's policy keeps other scripts out; the debugger's do not count
-  await session.send("Runtime.evaluate", { expression: source });
-  const { result } = await session.send("Runtime.evaluate", { expression: `axe.run().then((found) => JSON.stringify(found.violations.map(({ id, impact, nodes }) => [impact, id, nodes.length, nodes[0].html.slice(0, 90)])))`, awaitPromise: true, returnByValue: true });
-  const found = JSON.parse(result.value);
-  console.log(`# axe: ${found.map((each) => each.slice(0, 3).join(" ")).join("; ") || "nothing"}`);
-  assert.deepEqual(found.filter(([impact]) => ["serious", "critical"].includes(impact)), []);
+  assert.deepEqual((await axeFaults(open)).filter(isSerious), []);
 });
 
 test("the page throws no errors", () => assert.deepEqual(open.errors, []));

@@ -1,5 +1,8 @@
 // Opens the page of a run in headless Chromium, and looks at what it draws. Functions run in the page as they are written here, under the
 // page's own policy of what may run.
+import { readFile } from "node:fs/promises";
+import { createRequire } from "node:module";
+import { after, beforeEach } from "node:test";
 import { chromium, devices } from "playwright-core";
 
 const SIZE = { width: 760, height: 360 };
@@ -97,6 +100,32 @@ export class OpenPage {
     return this.page.locator(selector).innerText();
   }
 }
+
+/** Opens the page PAGE_URL for the tests of a file, each of which begins with nothing picked, and closes it after them. */
+export async function openForTests(options) {
+  const open = await OpenPage.open(process.env.PAGE_URL, options);
+  beforeEach(async () => {
+    await open.page.keyboard.press("Escape");
+    if (await open.page.isVisible("#close-feature")) await open.page.click("#close-feature");
+  });
+  after(() => open.close());
+  return open;
+}
+
+/** The faults that axe finds in what the page shows: [impact, rule, number of elements, the first of them]. */
+export async function axeFaults({ page }) {
+  const source = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+  const session = await page.context().newCDPSession(page);
+  // the page's policy keeps other scripts out; the debugger's do not count
+  await session.send("Runtime.evaluate", { expression: source });
+  const expression = "axe.run().then(({ violations }) => JSON.stringify(violations.map(({ id, impact, nodes }) => [impact, id, nodes.length, nodes[0].html.slice(0, 90)])))";
+  const { result } = await session.send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true });
+  const found = JSON.parse(result.value);
+  console.log(`# axe: ${found.map((each) => each.slice(0, 3).join(" ")).join("; ") || "nothing"}`);
+  return found;
+}
+
+export const isSerious = ([impact]) => impact === "serious" || impact === "critical";
 
 /** The share of pixels that differ between two pictures by more than a few steps of 255. */
 export function changedShare(before, after) {
