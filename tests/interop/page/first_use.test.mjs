@@ -1,7 +1,7 @@
 // The page as a new reader uses it: walks on a street, searches by parts of names, refuses places that are not there, and is read in words.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { axeFaults, distance, isSerious, luminance, meanLuminance, shareOf, openForTests } from "./open_page.mjs";
+import { OpenPage, axeFaults, distance, isSerious, luminance, meanLuminance, shareOf, openForTests } from "./open_page.mjs";
 
 const open = await openForTests(), { page } = open;
 
@@ -208,8 +208,7 @@ test("words of people, not of the program", async () => {
 });
 
 test("a bar says what is loading, and a plate stands there until the first tile does", async () => {
-  const browser = open.browser, context = await browser.newContext({ viewport: { width: 400, height: 200 } }), slow = await context.newPage();
-  slow.setDefaultTimeout(240_000);
+  const other = await OpenPage.start({ size: { width: 400, height: 200 } }), slow = other.page;
   let letGo;
   const held = new Promise((resolve) => (letGo = resolve));
   await slow.route(/\.glb/, async (route) => (await held, route.continue()));
@@ -219,7 +218,7 @@ test("a bar says what is loading, and a plate stands there until the first tile 
   letGo();
   await slow.waitForFunction(() => window.citykiln.isStill && document.getElementById("loading").hidden);
   assert.equal(await slow.evaluate(() => window.citykiln.plate.visible), false);
-  await context.close();
+  await other.close();
 });
 
 test("the page lights windows and lamps of a run that was compiled for a day", async () => {

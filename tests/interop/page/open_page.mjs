@@ -18,7 +18,8 @@ async function serveFiles(page) {
 
 /** What a page needs for tests: Playwright's page, the requests it made, and its errors. */
 export class OpenPage {
-  static async open(url, options = {}) {
+  /** Starts a browser without a page in it. A browser draws the page in front alone, so each page has its own. */
+  static async start(options = {}) {
     const browser = await chromium.launch({
       executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
       args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
@@ -29,6 +30,11 @@ export class OpenPage {
     await serveFiles(page);
     const opened = new OpenPage(browser, page);
     page.setDefaultTimeout(options.timeout_ms ?? 240_000);
+    return opened;
+  }
+
+  static async open(url, options) {
+    const opened = await OpenPage.start(options), { page } = opened;
     // few pixels and few triangles: there is no graphics card
     await page.goto(url.includes("#") ? url : `${url}#detail=20`);
     await page.waitForFunction(() => window.citykiln);

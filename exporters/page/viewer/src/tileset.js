@@ -11,6 +11,14 @@ export const LAYERS = ["ground", "roads", "water", "buildings", "structures", "p
 
 const COARSE_PX = 20;
 
+/** Tiles without content are refined however small they are in the picture: nothing would be shown in their place. */
+const REFINES_EMPTY = {
+  name: "REFINES_EMPTY",
+  preprocessNode(tile) {
+    if (!tile.content) tile.geometricError = Number.MAX_VALUE;
+  },
+};
+
 /** Returns the layer that a mesh belongs to: that of the node above it. */
 function layerOf(object) {
   for (let node = object; node; node = node.parent) {
@@ -51,6 +59,7 @@ export class Tileset {
     this.watch = watch;
     this.renderer = renderer;
     this.tiles = new TilesRenderer(url);
+    this.tiles.registerPlugin(REFINES_EMPTY);
     this.setDetail(Number(byId("detail").value));
     byId("detail").addEventListener("change", (event) => this.setDetail(Number(event.target.value)));
     this.addLoaders();
@@ -69,8 +78,7 @@ export class Tileset {
     const isOffered = [...byId("detail").options].some((option) => Number(option.value) === error_px);
     if (!isOffered) return;
     this.detail_px = error_px;
-    // a larger error may be that of a root without content, and nothing would be shown
-    this.tiles.errorTarget = Math.min(Math.max(error_px, COARSE_PX), error_px * this.factor);
+    this.tiles.errorTarget = error_px * this.factor;
     byId("detail").value = String(error_px);
     this.watch.changed();
   }
