@@ -106,6 +106,33 @@ test("walkers stay on the map", async () => {
   await open.still();
 });
 
+test("walls stop walkers, who then go along them", async () => {
+  await open.put(0, -160, 70, 0, -0.45);
+  await page.click("#walk");
+  await open.still();
+  const [far, walked, along] = await page.evaluate(() => {
+    const { camera, moves, rays } = window.citykiln, from = camera.position.clone();
+    // how far a wall is that one walks straight at
+    const wallAhead = (heading) => {
+      rays.level.set(from.clone().setZ(from.z - 0.7), from.clone().set(Math.sin(heading), Math.cos(heading), 0));
+      rays.level.far = 60;
+      const [hit] = rays.level.intersectObject(rays.group, true);
+      return hit?.object.userData.layer === "buildings" && hit.face.normal.clone().transformDirection(hit.object.matrixWorld).dot(rays.level.ray.direction) < -0.9 ? hit.distance : Infinity;
+    };
+    const [far, heading] = Array.from({ length: 72 }, (_, i) => (i * Math.PI) / 36).map((each) => [wallAhead(each), each]).sort((a, b) => a[0] - b[0])[0];
+    moves.look(heading, 0);
+    for (let i = 0; i < 2 * far + 20; ++i) moves.step({ ahead: 0.5, aside: 0, up: 0 });
+    const walked = camera.position.clone().sub(from).dot(from.clone().set(Math.sin(heading), Math.cos(heading), 0)), stopped = camera.position.clone();
+    moves.look(heading + 1.2, 0);
+    for (let i = 0; i < 4; ++i) moves.step({ ahead: 0.5, aside: 0, up: 0 });
+    return [far, walked, Math.hypot(camera.position.x - stopped.x, camera.position.y - stopped.y)];
+  });
+  console.log(`# a wall ${far.toFixed(1)} m ahead stops after ${walked.toFixed(1)} m; ${along.toFixed(1)} of 2 m along it`);
+  assert.ok(walked < far + 1 && walked > far - 2, `${walked} m towards a wall ${far} m away`);
+  assert.ok(along > 0.5);
+  await page.click("#fly");
+});
+
 test("swapped and outside coordinates are refused with the map's box", async () => {
   const before = (await open.camera()).at;
   await search("12.3000, 48.7000");
@@ -155,6 +182,22 @@ test("names in other scripts are found and shown in their own direction", async 
   const [name, all] = await page.evaluate(() => [document.querySelector("#matches bdi"), document.querySelector("#matches button")].map((element) => element.getBoundingClientRect().toJSON()));
   assert.ok(name.left - all.left < 20, "the name stands first");
   await page.fill("#place", "");
+});
+
+test("names are shown in English by option, and in their own direction", async () => {
+  const id = await page.evaluate(async () => {
+    const { records } = window.citykiln, [, id] = (await records.names()).find(([name]) => name === "Lindenallee"), record = await records.find(id);
+    Object.assign(record, { name: "شارع الملك", tags: { ...record.tags, "name:en": "King Street" } });
+    await window.citykiln.pick(id);
+    return id;
+  });
+  assert.equal(await open.text("#feature-title"), "شارع الملك");
+  assert.equal(await page.evaluate(() => getComputedStyle(document.getElementById("feature-title")).direction), "rtl");
+  await page.selectOption("#names", "en");
+  await page.waitForFunction(() => document.getElementById("feature-title").textContent === "King Street");
+  await page.waitForFunction(() => location.hash.includes("names=en"));
+  await page.selectOption("#names", "local");
+  await page.evaluate((id) => window.citykiln.records.find(id).then((record) => Object.assign(record, { name: "Lindenallee" })), id);
 });
 
 test("links and ids that lead to nothing say so", async () => {

@@ -18,9 +18,13 @@ export class FeaturePanel {
     byId("close-feature").addEventListener("click", () => this.close());
   }
 
-  close() {
+  hide() {
     byId("feature").hidden = true;
     this.id = null;
+  }
+
+  close() {
+    this.hide();
     this.closed();
     byId("scene").focus();
   }

@@ -5,19 +5,34 @@ import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { MeshoptDecoder } from "three/addons/libs/meshopt_decoder.module.js";
 import { TilesRenderer } from "3d-tiles-renderer/three";
 import { byId } from "./dom.js";
+import { bytesOf } from "./memory.js";
 
 /** The layers, in the order of compiler/bake/layer.h. Meshes outside of them are of the land around. */
 export const LAYERS = ["ground", "roads", "water", "buildings", "structures", "props", "plants"];
 
 const COARSE_PX = 20;
 
-/** Tiles without content are refined however small they are in the picture: nothing would be shown in their place. */
-const REFINES_EMPTY = {
-  name: "REFINES_EMPTY",
-  preprocessNode(tile) {
-    if (!tile.content) tile.geometricError = Number.MAX_VALUE;
-  },
-};
+/** Nearer tiles count as if they were this far away: else the tile around the camera is always the finest, whatever error is allowed. */
+const NEAREST_M = 15;
+
+/** The tiles, whose errors on the picture are finite. */
+class Tiles extends TilesRenderer {
+  bytes = new WeakMap();
+
+  // the library's own number counts the clones of a texture, which share one picture, as often as there are materials
+  calculateBytesUsed(_, scene) {
+    if (!scene) return null;
+    if (!this.bytes.has(scene)) this.bytes.set(scene, bytesOf(scene));
+    return this.bytes.get(scene);
+  }
+
+  // tiles without content are refined however small they are: nothing would be shown in their place
+  calculateTileViewError(tile, target) {
+    super.calculateTileViewError(tile, target);
+    const [{ sseDenominator }] = this.cameraInfo;
+    target.error = tile.content ? Math.min(target.error, tile.geometricError / (NEAREST_M * sseDenominator)) : Number.MAX_VALUE;
+  }
+}
 
 /** Returns the layer that a mesh belongs to: that of the node above it. */
 function layerOf(object) {
@@ -58,8 +73,7 @@ export class Tileset {
     this.factor = 1;
     this.watch = watch;
     this.renderer = renderer;
-    this.tiles = new TilesRenderer(url);
-    this.tiles.registerPlugin(REFINES_EMPTY);
+    this.tiles = new Tiles(url);
     this.setDetail(Number(byId("detail").value));
     byId("detail").addEventListener("change", (event) => this.setDetail(Number(event.target.value)));
     this.addLoaders();
@@ -122,6 +136,11 @@ export class Tileset {
   get waiting() {
     const { queued, downloading, parsing } = this.tiles.stats;
     return { queued: this.tiles.lruCache.isFull() ? 0 : queued, downloading, parsing };
+  }
+
+  /** True if tiles that the camera sees are missing for want of memory. */
+  get isFull() {
+    return this.tiles.lruCache.isFull() && this.tiles.stats.refused > 0;
   }
 
   /** True if nothing is loading. */

@@ -248,6 +248,7 @@ export class Viewer {
   /** Picks a feature by its id; null picks none. */
   async pick(id) {
     const drawn = this.outline.show(id, this.tileset.shown);
+    if (id && this.device === "phone") this.fold(true);
     if (id) this.picked = { id, record: await this.panel.show(id) };
     else [this.picked, byId("feature").hidden] = [null, true];
     await drawn;
@@ -265,8 +266,9 @@ export class Viewer {
     this.moves.travel = null;
     if (mode === "fly") return this.moves.setMode("fly");
     const { id, record } = this.picked ?? {};
-    // the mark of what is picked would cover the street
+    // the mark of what is picked would cover the street, and on a phone its panel the view
     this.outline.show(null, []);
+    if (this.device === "phone") this.panel.hide();
     return this.walk.begin(record ? { id, at: new THREE.Vector3(...record.at) } : null);
   }
 
