@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 import { OpenPage, axeFaults, changedShare, distance, isSerious, luminance, meanLuminance, openForTests, shareOf } from "./open_page.mjs";
 
-const open = await openForTests({ isPhone: true }), { page } = open;
+const open = await openForTests({ isPhone: true, timeout_ms: 60_000 }), { page } = open;
 const shots = process.env.PAGE_SHOTS;
 let number = 0;
 afterEach(async () => shots && (await page.screenshot({ path: `${shots}/${++number}.png` })));
@@ -62,7 +62,7 @@ test("2: see it at night", async () => {
 test("3: send a friend the view", async () => {
   await sheet(true);
   await page.tap("#link");
-  assert.match(await open.text("#linked"), /link|address/);
+  await page.waitForFunction(() => /link|address/.test(document.getElementById("linked").textContent));
   await sheet(false);
   const picture = await open.picture(), { at, heading, mode } = await open.camera();
   const friend = await OpenPage.open(page.url(), { isPhone: true });
@@ -70,7 +70,7 @@ test("3: send a friend the view", async () => {
   await friend.close();
   assert.ok(distance(seen.at, at) < 0.1 && Math.abs(seen.heading - heading) < 0.01, `${seen.at} for ${at}`);
   assert.equal(seen.mode, mode);
-  assert.ok(share < 0.05, `${share} of the picture differ`);
+  assert.ok(share < 0.1, `${share} of the picture differ`);
 });
 
 test("4: go back to the whole", async () => {
@@ -81,7 +81,7 @@ test("4: go back to the whole", async () => {
   await open.still();
   const [place, middle] = await page.evaluate(() => {
     const { camera, limits, rays } = window.citykiln, { west, east, south, north } = limits;
-    return [rays.at(0, 0).point.toArray(), [(west + east) / 2, (south + north) / 2, camera.position.z - limits.ground_m]];
+    return [rays.at(0, rays.middle).point.toArray(), [(west + east) / 2, (south + north) / 2, camera.position.z - limits.ground_m]];
   });
   assert.ok(Math.hypot(place[0] - middle[0], place[1] - middle[1]) < 100 && middle[2] > 150);
 });
@@ -132,11 +132,12 @@ test("8: see the worst finding", async () => {
   await open.still();
   await sheet(false);
   assert.ok((await open.text("#status")).length > 20);
-  const mark = await page.evaluate(() => {
-    const { findings, camera } = window.citykiln;
-    return findings.place(findings.some[0]).project(camera).toArray();
+  const [place, free] = await page.evaluate(() => {
+    const { findings, camera, canvas } = window.citykiln, { x, y } = findings.place(findings.some[0]).project(camera);
+    const sheets = ["controls", "feature"].map((id) => document.getElementById(id)).filter((element) => !element.hidden);
+    return [[(x + 1) / 2 * canvas.clientWidth, (1 - y) / 2 * canvas.clientHeight], Math.min(...sheets.map((element) => element.getBoundingClientRect().top))];
   });
-  assert.ok(Math.abs(mark[0]) < 0.5 && Math.abs(mark[1]) < 0.5, String(mark));
+  assert.ok(place[0] > 0 && place[0] < 393 && place[1] > 0 && place[1] < free, `${place}; the scene is free down to ${free}`);
 });
 
 test("9: turn a layer off", async () => {

@@ -28,6 +28,8 @@ export class Rays {
     this.group = tileset.tiles.group;
     this.camera = camera;
     this.eye = new Raycaster();
+    /** The middle of the view, from -1 to 1 up the picture. */
+    this.middle = 0;
     this.down = seeing(FLOORS);
     this.level = seeing(WALLS);
   }

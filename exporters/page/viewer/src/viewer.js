@@ -38,6 +38,15 @@ const NEAR = 0.03, LEAST_NEAR_M = 0.2, MOST_NEAR_M = 20;
 const SHADOW_PX = { phone: 1024, computer: 2048 };
 const MOST_RATIO = { phone: 1.5, computer: 2 };
 const VISIBILITY_KM = 100;
+/** As in style.css. */
+const NARROW = "(max-width: 700px)";
+
+/** Returns how many pixels of the scene's height are covered by sheets, which lie at the bottom of narrow screens; at most 60 %. */
+function coveredPixels(height) {
+  if (!window.matchMedia(NARROW).matches) return 0;
+  const tops = [byId("controls"), byId("feature")].filter((element) => !element.hidden).map((element) => element.getBoundingClientRect().top);
+  return Math.min(0.6 * height, Math.max(0, height - Math.min(...tops)));
+}
 
 export class Viewer {
   constructor(page, tileset, progress) {
@@ -115,7 +124,8 @@ export class Viewer {
     byId("fold").addEventListener("click", () => this.fold(!byId("sections").hidden));
     window.addEventListener("resize", this.changed);
     // what stands on the scene keeps clear of the sheet
-    new ResizeObserver(() => document.documentElement.style.setProperty("--sheet", `${byId("controls").offsetHeight}px`)).observe(byId("controls"));
+    for (const [name, element] of [["--sheet", byId("controls")], ["--footer", document.querySelector("footer")]])
+      new ResizeObserver(() => document.documentElement.style.setProperty(name, `${element.offsetHeight}px`)).observe(element);
     window.addEventListener("hashchange", () => this.openLink());
     listenForHelp();
   }
@@ -150,7 +160,7 @@ export class Viewer {
 
   // all that the camera sees is loaded and drawn
   settle() {
-    if (this.budget.settle()) return this.changed();
+    if (this.budget.settle() || this.correctGoal()) return this.changed();
     this.address.later();
     this.findings.load().catch((error) => say(error.message));
     if (this.walk.wanted) this.walk.settle().then(this.changed);
@@ -181,11 +191,15 @@ export class Viewer {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const size = this.renderer.getSize(new THREE.Vector2());
     const ratio = this.tileset.isCoarse ? 0.5 : Math.min(MOST_RATIO[this.device], window.devicePixelRatio);
-    if (size.x === width && size.y === height && this.renderer.getPixelRatio() === ratio) return;
+    const covered_px = coveredPixels(height);
+    if (size.x === width && size.y === height && this.renderer.getPixelRatio() === ratio && covered_px === this.covered_px) return;
+    this.covered_px = covered_px;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    // the middle of the view is the middle of what sheets leave free
+    this.camera.setViewOffset(width, height, 0, covered_px / 2, width, height);
+    this.rays.middle = covered_px / height;
     this.changed();
   }
 
@@ -281,8 +295,7 @@ export class Viewer {
   goToPlace(lon_deg, lat_deg) {
     const at = this.frame.at(lon_deg, lat_deg, this.page.ground_m);
     at.z = this.rays.groundAt(at.x, at.y) ?? at.z;
-    this.setMode("fly");
-    this.moves.goTo(at, 120);
+    this.goToGround(at, 120);
     say(`At ${lat_deg}, ${lon_deg}`);
   }
 
@@ -292,9 +305,25 @@ export class Viewer {
     return this.pick(id);
   }
 
-  flyTo(finding) {
+  /** Flies to a place on the ground, whose height may only be known when its tile is there. */
+  goToGround(at, distance_m) {
     this.setMode("fly");
-    this.moves.goTo(this.findings.place(finding), 60);
+    this.moves.goTo(at, distance_m);
+    this.goal = { at, eye: this.moves.travel.to };
+  }
+
+  /** Raises or lowers the camera with the ground that it flew to. Returns true if it has moved. */
+  correctGoal() {
+    const { goal, camera } = this;
+    if (!goal || camera.position.distanceTo(goal.eye) > 0.5) return false;
+    const higher_m = (this.rays.groundAt(goal.at.x, goal.at.y) ?? goal.at.z) - goal.at.z;
+    if (Math.abs(higher_m) < 1) return (this.goal = null), false;
+    for (const place of [camera.position, goal.at, goal.eye]) place.z += higher_m;
+    return true;
+  }
+
+  flyTo(finding) {
+    this.goToGround(this.findings.place(finding), 60);
     this.findings.settle(finding);
     this.findings.tell(finding);
     const { id } = finding.properties;
