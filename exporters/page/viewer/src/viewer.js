@@ -306,10 +306,10 @@ export class Viewer {
   }
 
   /** Flies to a place on the ground, whose height may only be known when its tile is there. */
-  goToGround(at, distance_m) {
+  goToGround(at, distance_m, finding) {
     this.setMode("fly");
     this.moves.goTo(at, distance_m);
-    this.goal = { at, eye: this.moves.travel.to };
+    this.goal = { at, eye: this.moves.travel.to, finding };
   }
 
   /** Raises or lowers the camera with the ground that it flew to. Returns true if it has moved. */
@@ -319,11 +319,12 @@ export class Viewer {
     const higher_m = (this.rays.groundAt(goal.at.x, goal.at.y) ?? goal.at.z) - goal.at.z;
     if (Math.abs(higher_m) < 1) return (this.goal = null), false;
     for (const place of [camera.position, goal.at, goal.eye]) place.z += higher_m;
+    if (goal.finding) this.findings.settle(goal.finding);
     return true;
   }
 
   flyTo(finding) {
-    this.goToGround(this.findings.place(finding), 60);
+    this.goToGround(this.findings.place(finding), 60, finding);
     this.findings.settle(finding);
     this.findings.tell(finding);
     const { id } = finding.properties;
