@@ -14,7 +14,7 @@ PROGRAM = os.environ.get("CITYKILN", ROOT / "build" / "release" / "citykiln")
 
 
 def first_view(path, picture):
-    """What first_view.mjs prints."""
+    """Returns the costs of both views, as first_view.mjs prints them."""
     with subprocess.Popen([PROGRAM, "view", path, "--port", "0"], stdout=subprocess.PIPE, text=True) as server:
         url = re.search(r"http://\S+/", server.stdout.readline())[0]
         script = ROOT / "tests" / "interop" / "page" / "first_view.mjs"
