@@ -321,6 +321,25 @@ test("a picture stays within its budget of triangles", async () => {
   await page.selectOption("#detail", "20");
 });
 
+test("the memory of a tile counts a picture once, however many materials share it", async () => {
+  await open.put(0, -160, 70, 0, -0.45);
+  const [bytes, shared] = await page.evaluate(() => {
+    const { tiles, loaded } = window.citykiln.tileset, textures = new Set(), sources = new Set();
+    const [tile, own] = [...loaded].sort(([a], [b]) => tiles.lruCache.getMemoryUsage(b) - tiles.lruCache.getMemoryUsage(a))[0];
+    const buffers = new Set();
+    for (const { material, geometry } of own.meshes) {
+      for (const value of Object.values(material)) if (value?.isTexture) textures.add(value), sources.add(value.source);
+      for (const attribute of [geometry.index, ...Object.values(geometry.attributes)]) buffers.add((attribute?.data ?? attribute)?.array);
+    }
+    const pixels = (texture) => texture.source.data.width * texture.source.data.height;
+    const most = [...buffers].reduce((sum, array) => sum + (array?.byteLength ?? 0), 0) + [...sources].reduce((sum, { data }) => sum + data.width * data.height * 6, 0);
+    return [[tiles.lruCache.getMemoryUsage(tile), most], [textures.size, sources.size, [...textures].reduce((sum, texture) => sum + pixels(texture), 0)]];
+  });
+  console.log(`# ${(bytes[0] / 1e6).toFixed(1)} MB; ${shared[0]} textures of ${shared[1]} pictures`);
+  assert.ok(shared[0] > shared[1], "no picture is shared, so this shows nothing");
+  assert.ok(bytes[0] < 1.3 * bytes[1], `${bytes[0]} bytes for ${bytes[1]}`);
+});
+
 test("axe finds no serious fault", async () => {
   await page.evaluate(() => window.citykiln.pick("w35"));
   await page.fill("#place", "allee");

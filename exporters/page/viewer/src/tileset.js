@@ -12,12 +12,16 @@ export const LAYERS = ["ground", "roads", "water", "buildings", "structures", "p
 
 const COARSE_PX = 20;
 
-/** Nearer tiles count as if they were this far away: else the tile around the camera is always the finest, whatever error is allowed. */
-const NEAREST_M = 15;
+/**
+ * Nearer tiles count as if they were this far away, and half as far as the floor is below: else the tile around the camera, whose box
+ * reaches from its lowest to its highest point, is always the finest, whatever error is allowed.
+ */
+const NEAREST_M = 15, NEAREST = 0.5;
 
 /** The tiles, whose errors on the picture are finite. */
 class Tiles extends TilesRenderer {
   bytes = new WeakMap();
+  nearest_m = NEAREST_M;
 
   // the library's own number counts the clones of a texture, which share one picture, as often as there are materials
   calculateBytesUsed(_, scene) {
@@ -30,7 +34,7 @@ class Tiles extends TilesRenderer {
   calculateTileViewError(tile, target) {
     super.calculateTileViewError(tile, target);
     const [{ sseDenominator }] = this.cameraInfo;
-    target.error = tile.content ? Math.min(target.error, tile.geometricError / (NEAREST_M * sseDenominator)) : Number.MAX_VALUE;
+    target.error = tile.content ? Math.min(target.error, tile.geometricError / (this.nearest_m * sseDenominator)) : Number.MAX_VALUE;
   }
 }
 
@@ -149,7 +153,9 @@ export class Tileset {
     return queued + downloading + parsing === 0 && this.loaded.size > 0;
   }
 
-  update(camera) {
+  /** @param {number} above_m The camera's height above the floor. */
+  update(camera, above_m) {
+    this.tiles.nearest_m = Math.max(NEAREST_M, NEAREST * above_m);
     this.tiles.setResolutionFromRenderer(camera, this.renderer);
     this.tiles.update();
   }

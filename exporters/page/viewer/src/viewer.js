@@ -148,7 +148,7 @@ export class Viewer {
     this.resize();
     this.setNear();
     this.camera.updateMatrixWorld();
-    this.tileset.update(this.camera);
+    this.tileset.update(this.camera, this.moves.above_m);
     this.progress.tiles(this.tileset.waiting);
     this.lamps.update(this.camera.position, this.tileset.shown, this.sky.exposure, this.areLit);
     const isOld = this.isChanged || this.moves.isMoving || !this.camera.matrixWorld.equals(this.seenFrom);
