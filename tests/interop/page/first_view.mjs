@@ -1,6 +1,7 @@
 // first_view.mjs URL PICTURE: opens the page of a run or a manifest once, then walks in the named street nearest to the map's middle, and prints of
 // both views, when they were whole: seconds, requests, MB on the wire, draw calls and triangles of the picture. For first_view.py; not a test.
 import { chromium } from "playwright-core";
+import { serveFiles } from "./open_page.mjs";
 
 const [url, picture] = process.argv.slice(2);
 const browser = await chromium.launch({
@@ -8,6 +9,7 @@ const browser = await chromium.launch({
   args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
 });
 const page = await browser.newPage({ viewport: { width: 760, height: 360 } });
+await serveFiles(page);
 const session = await page.context().newCDPSession(page);
 await session.send("Network.enable");
 let bytes = 0, requests = 0;

@@ -8,7 +8,7 @@ import { chromium, devices } from "playwright-core";
 const SIZE = { width: 760, height: 360 };
 
 /** Answers with the page's own files from the folder PAGE_FILES, if it is given, instead of those that the program holds. */
-async function serveFiles(page) {
+export async function serveFiles(page) {
   const folder = process.env.PAGE_FILES;
   if (!folder) return;
   const fulfill = (name) => (route) => route.fulfill({ path: `${folder}/${name}` });

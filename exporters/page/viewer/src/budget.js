@@ -5,8 +5,8 @@ import { LEAST_SHADOW_M } from "./shadows.js";
 
 /** Triangles of a picture, and megabytes of tiles that are kept. */
 const BUDGETS = { phone: { triangles: 1.2e6, megabytes: 160 }, computer: { triangles: 3e6, megabytes: 500 } };
-/** Errors that are allowed grow by this factor while pictures cost too much, at most this often. */
-const STEP = 1.3, MOST = 8;
+/** Errors that are allowed grow by such factors while pictures cost too much, by more where they cost far too much; up to MOST. */
+const STEP = 1.3, MOST_STEP = 2, MOST = 12;
 /** The first picture allows errors that are larger by this factor: it is there with a third of the bytes. */
 const FIRST = 2;
 /** So many pictures and so long must a picture be over the budget before the level changes, also while tiles are loading. */
@@ -62,7 +62,8 @@ export class Budget {
 
   coarser() {
     this.costly.copy(this.camera.position);
-    this.turn(Math.min(MOST, this.factor * STEP));
+    const over = this.renderer.info.render.triangles / this.triangles;
+    this.turn(Math.min(MOST, this.factor * Math.min(MOST_STEP, Math.max(STEP, over))));
   }
 
   turn(factor) {
