@@ -222,6 +222,10 @@ class UsesTheTown(PageTest):
         with Server(self.out) as server:
             self.use("touch.test.mjs", PAGE_URL=server.url)
 
+    def test_ten_tasks_with_a_phone(self):
+        with Server(self.out) as server:
+            self.use("phone_tasks.test.mjs", PAGE_URL=server.url)
+
     def test_the_keyboard_alone(self):
         with Server(self.out) as server:
             self.use("keyboard.test.mjs", PAGE_URL=server.url)

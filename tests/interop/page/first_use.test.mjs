@@ -1,21 +1,9 @@
 // The page as a new reader uses it: walks on a street, searches by parts of names, refuses places that are not there, and is read in words.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
-import { createRequire } from "node:module";
-import { after, before, beforeEach, test } from "node:test";
-import { OpenPage, changedShare, distance, luminance, meanLuminance, shareOf } from "./open_page.mjs";
+import { test } from "node:test";
+import { OpenPage, axeFaults, distance, isSerious, luminance, meanLuminance, shareOf, openForTests } from "./open_page.mjs";
 
-const url = process.env.PAGE_URL;
-let open, page;
-before(async () => {
-  open = await OpenPage.open(url);
-  page = open.page;
-});
-after(() => open.close());
-beforeEach(async () => {
-  await page.keyboard.press("Escape");
-  if (await page.isVisible("#close-feature")) await page.click("#close-feature");
-});
+const open = await openForTests(), { page } = open;
 
 const status = () => open.text("#status");
 const search = async (text) => {
@@ -118,6 +106,33 @@ test("walkers stay on the map", async () => {
   await open.still();
 });
 
+test("walls stop walkers, who then go along them", async () => {
+  await open.put(0, -160, 70, 0, -0.45);
+  await page.click("#walk");
+  await open.still();
+  const [far, walked, along] = await page.evaluate(() => {
+    const { camera, moves, rays } = window.citykiln, from = camera.position.clone();
+    // how far a wall is that one walks straight at
+    const wallAhead = (heading) => {
+      rays.level.set(from.clone().setZ(from.z - 0.7), from.clone().set(Math.sin(heading), Math.cos(heading), 0));
+      rays.level.far = 60;
+      const [hit] = rays.level.intersectObject(rays.group, true);
+      return hit?.object.userData.layer === "buildings" && hit.face.normal.clone().transformDirection(hit.object.matrixWorld).dot(rays.level.ray.direction) < -0.9 ? hit.distance : Infinity;
+    };
+    const [far, heading] = Array.from({ length: 72 }, (_, i) => (i * Math.PI) / 36).map((each) => [wallAhead(each), each]).sort((a, b) => a[0] - b[0])[0];
+    moves.look(heading, 0);
+    for (let i = 0; i < 2 * far + 20; ++i) moves.step({ ahead: 0.5, aside: 0, up: 0 });
+    const walked = camera.position.clone().sub(from).dot(from.clone().set(Math.sin(heading), Math.cos(heading), 0)), stopped = camera.position.clone();
+    moves.look(heading + 1.2, 0);
+    for (let i = 0; i < 4; ++i) moves.step({ ahead: 0.5, aside: 0, up: 0 });
+    return [far, walked, Math.hypot(camera.position.x - stopped.x, camera.position.y - stopped.y)];
+  });
+  console.log(`# a wall ${far.toFixed(1)} m ahead stops after ${walked.toFixed(1)} m; ${along.toFixed(1)} of 2 m along it`);
+  assert.ok(walked < far + 1 && walked > far - 2, `${walked} m towards a wall ${far} m away`);
+  assert.ok(along > 0.5);
+  await page.click("#fly");
+});
+
 test("swapped and outside coordinates are refused with the map's box", async () => {
   const before = (await open.camera()).at;
   await search("12.3000, 48.7000");
@@ -167,6 +182,22 @@ test("names in other scripts are found and shown in their own direction", async 
   const [name, all] = await page.evaluate(() => [document.querySelector("#matches bdi"), document.querySelector("#matches button")].map((element) => element.getBoundingClientRect().toJSON()));
   assert.ok(name.left - all.left < 20, "the name stands first");
   await page.fill("#place", "");
+});
+
+test("names are shown in English by option, and in their own direction", async () => {
+  const id = await page.evaluate(async () => {
+    const { records } = window.citykiln, [, id] = (await records.names()).find(([name]) => name === "Lindenallee"), record = await records.find(id);
+    Object.assign(record, { name: "شارع الملك", tags: { ...record.tags, "name:en": "King Street" } });
+    await window.citykiln.pick(id);
+    return id;
+  });
+  assert.equal(await open.text("#feature-title"), "شارع الملك");
+  assert.equal(await page.evaluate(() => getComputedStyle(document.getElementById("feature-title")).direction), "rtl");
+  await page.selectOption("#names", "en");
+  await page.waitForFunction(() => document.getElementById("feature-title").textContent === "King Street");
+  await page.waitForFunction(() => location.hash.includes("names=en"));
+  await page.selectOption("#names", "local");
+  await page.evaluate((id) => window.citykiln.records.find(id).then((record) => Object.assign(record, { name: "Lindenallee" })), id);
 });
 
 test("links and ids that lead to nothing say so", async () => {
@@ -220,18 +251,17 @@ test("words of people, not of the program", async () => {
 });
 
 test("a bar says what is loading, and a plate stands there until the first tile does", async () => {
-  const browser = open.browser, context = await browser.newContext({ viewport: { width: 400, height: 200 } }), slow = await context.newPage();
-  slow.setDefaultTimeout(240_000);
+  const other = await OpenPage.start({ size: { width: 400, height: 200 } }), slow = other.page;
   let letGo;
   const held = new Promise((resolve) => (letGo = resolve));
   await slow.route(/\.glb/, async (route) => (await held, route.continue()));
-  await slow.goto(`${url}#detail=20`);
+  await slow.goto(`${process.env.PAGE_URL}#detail=20`);
   await slow.waitForFunction(() => /^Loading tiles: \d+ of \d+$/.test(document.getElementById("loading-text").innerText) && window.citykiln.sky.environment);
   assert.ok(await slow.evaluate(() => window.citykiln.plate.visible));
   letGo();
   await slow.waitForFunction(() => window.citykiln.isStill && document.getElementById("loading").hidden);
   assert.equal(await slow.evaluate(() => window.citykiln.plate.visible), false);
-  await context.close();
+  await other.close();
 });
 
 test("the page lights windows and lamps of a run that was compiled for a day", async () => {
@@ -291,17 +321,29 @@ test("a picture stays within its budget of triangles", async () => {
   await page.selectOption("#detail", "20");
 });
 
+test("the memory of a tile counts a picture once, however many materials share it", async () => {
+  await open.put(0, -160, 70, 0, -0.45);
+  const [bytes, shared] = await page.evaluate(() => {
+    const { tiles, loaded } = window.citykiln.tileset, textures = new Set(), sources = new Set();
+    const [tile, own] = [...loaded].sort(([a], [b]) => tiles.lruCache.getMemoryUsage(b) - tiles.lruCache.getMemoryUsage(a))[0];
+    const buffers = new Set();
+    for (const { material, geometry } of own.meshes) {
+      for (const value of Object.values(material)) if (value?.isTexture) textures.add(value), sources.add(value.source);
+      for (const attribute of [geometry.index, ...Object.values(geometry.attributes)]) buffers.add((attribute?.data ?? attribute)?.array);
+    }
+    const pixels = (texture) => texture.source.data.width * texture.source.data.height;
+    const most = [...buffers].reduce((sum, array) => sum + (array?.byteLength ?? 0), 0) + [...sources].reduce((sum, { data }) => sum + data.width * data.height * 6, 0);
+    return [[tiles.lruCache.getMemoryUsage(tile), most], [textures.size, sources.size, [...textures].reduce((sum, texture) => sum + pixels(texture), 0)]];
+  });
+  console.log(`# ${(bytes[0] / 1e6).toFixed(1)} MB; ${shared[0]} textures of ${shared[1]} pictures`);
+  assert.ok(shared[0] > shared[1], "no picture is shared, so this shows nothing");
+  assert.ok(bytes[0] < 1.3 * bytes[1], `${bytes[0]} bytes for ${bytes[1]}`);
+});
+
 test("axe finds no serious fault", async () => {
-  const source = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-  const session = await page.context().newCDPSession(page);
   await page.evaluate(() => window.citykiln.pick("w35"));
   await page.fill("#place", "allee");
-  // the page's policy keeps other scripts out; the debugger's do not count
-  await session.send("Runtime.evaluate", { expression: source });
-  const { result } = await session.send("Runtime.evaluate", { expression: `axe.run().then((found) => JSON.stringify(found.violations.map(({ id, impact, nodes }) => [impact, id, nodes.length, nodes[0].html.slice(0, 90)])))`, awaitPromise: true, returnByValue: true });
-  const found = JSON.parse(result.value);
-  console.log(`# axe: ${found.map((each) => each.slice(0, 3).join(" ")).join("; ") || "nothing"}`);
-  assert.deepEqual(found.filter(([impact]) => ["serious", "critical"].includes(impact)), []);
+  assert.deepEqual((await axeFaults(open)).filter(isSerious), []);
 });
 
 test("the page throws no errors", () => assert.deepEqual(open.errors, []));

@@ -1,14 +1,9 @@
 // The page by the keyboard alone: the order of focus, names of controls, contrast, and every function without a mouse.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { OpenPage, changedShare, distance, isPicked, shareOf } from "./open_page.mjs";
+import { test } from "node:test";
+import { changedShare, distance, isPicked, shareOf, openForTests } from "./open_page.mjs";
 
-let open, page;
-before(async () => {
-  open = await OpenPage.open(process.env.PAGE_URL);
-  page = open.page;
-});
-after(() => open.close());
+const open = await openForTests(), { page } = open;
 
 const focused = () => page.evaluate(() => document.activeElement.id || document.activeElement.textContent.trim().slice(0, 30));
 
@@ -92,7 +87,8 @@ test("switches a layer, colours, and the time", async () => {
   await page.keyboard.press("Space");
   assert.ok(changedShare(before, await open.picture()) > 0.02);
   await page.keyboard.press("Space");
-  for (const [id, key] of [["colours", "l"], ["time", "Home"]]) {
+  // colours are without light, so the time comes first
+  for (const [id, key] of [["time", "Home"], ["colours", "l"]]) {
     const own = await open.picture(), value = await page.inputValue(`#${id}`);
     await tabTo(id);
     await page.keyboard.press(key);

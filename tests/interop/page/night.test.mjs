@@ -1,14 +1,9 @@
 // The page of a run by night with lights: windows glow, and lamps light the ground below them.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { OpenPage, changedShare, luminance, meanLuminance, shareOf } from "./open_page.mjs";
+import { test } from "node:test";
+import { changedShare, luminance, meanLuminance, shareOf, openForTests } from "./open_page.mjs";
 
-let open, page;
-before(async () => {
-  open = await OpenPage.open(process.env.PAGE_URL);
-  page = open.page;
-});
-after(() => open.close());
+const open = await openForTests(), { page } = open;
 
 test("windows are lit at the run's time", async () => {
   await open.put(0, -160, 40, 0, -0.3);

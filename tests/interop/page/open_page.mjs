@@ -1,12 +1,25 @@
 // Opens the page of a run in headless Chromium, and looks at what it draws. Functions run in the page as they are written here, under the
 // page's own policy of what may run.
+import { readFile } from "node:fs/promises";
+import { createRequire } from "node:module";
+import { after, beforeEach } from "node:test";
 import { chromium, devices } from "playwright-core";
 
 const SIZE = { width: 760, height: 360 };
 
+/** Answers with the page's own files from the folder PAGE_FILES, if it is given, instead of those that the program holds. */
+export async function serveFiles(page) {
+  const folder = process.env.PAGE_FILES;
+  if (!folder) return;
+  const fulfill = (name) => (route) => route.fulfill({ path: `${folder}/${name}` });
+  await page.route(/^[^?#]*:\d+\/([?#].*)?$/, fulfill("index.html"));
+  for (const name of ["viewer.js", "style.css"]) await page.route(`**/page/${name}`, fulfill(name));
+}
+
 /** What a page needs for tests: Playwright's page, the requests it made, and its errors. */
 export class OpenPage {
-  static async open(url, options = {}) {
+  /** Starts a browser without a page in it. A browser draws the page in front alone, so each page has its own. */
+  static async start(options = {}) {
     const browser = await chromium.launch({
       executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
       args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
@@ -14,8 +27,14 @@ export class OpenPage {
     const device = options.isPhone ? { ...devices["Pixel 5"], deviceScaleFactor: 1 } : { viewport: options.size ?? SIZE };
     const context = await browser.newContext({ ...device, acceptDownloads: true });
     const page = await context.newPage();
+    await serveFiles(page);
     const opened = new OpenPage(browser, page);
     page.setDefaultTimeout(options.timeout_ms ?? 240_000);
+    return opened;
+  }
+
+  static async open(url, options) {
+    const opened = await OpenPage.start(options), { page } = opened;
     // few pixels and few triangles: there is no graphics card
     await page.goto(url.includes("#") ? url : `${url}#detail=20`);
     await page.waitForFunction(() => window.citykiln);
@@ -87,6 +106,32 @@ export class OpenPage {
     return this.page.locator(selector).innerText();
   }
 }
+
+/** Opens the page PAGE_URL for the tests of a file, each of which begins with nothing picked, and closes it after them. */
+export async function openForTests(options) {
+  const open = await OpenPage.open(process.env.PAGE_URL, options);
+  beforeEach(async () => {
+    await open.page.keyboard.press("Escape");
+    if (await open.page.isVisible("#close-feature")) await open.page.click("#close-feature");
+  });
+  after(() => open.close());
+  return open;
+}
+
+/** The faults that axe finds in what the page shows: [impact, rule, number of elements, the first of them]. */
+export async function axeFaults({ page }) {
+  const source = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+  const session = await page.context().newCDPSession(page);
+  // the page's policy keeps other scripts out; the debugger's do not count
+  await session.send("Runtime.evaluate", { expression: source });
+  const expression = "axe.run().then(({ violations }) => JSON.stringify(violations.map(({ id, impact, nodes }) => [impact, id, nodes.length, nodes[0].html.slice(0, 90)])))";
+  const { result } = await session.send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true });
+  const found = JSON.parse(result.value);
+  console.log(`# axe: ${found.map((each) => each.slice(0, 3).join(" ")).join("; ") || "nothing"}`);
+  return found;
+}
+
+export const isSerious = ([impact]) => impact === "serious" || impact === "critical";
 
 /** The share of pixels that differ between two pictures by more than a few steps of 255. */
 export function changedShare(before, after) {

@@ -1,14 +1,9 @@
 // The page of a real place: it streams, and its features are picked.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { OpenPage, changedShare, isPicked, shareOf } from "./open_page.mjs";
+import { test } from "node:test";
+import { changedShare, isPicked, shareOf, openForTests } from "./open_page.mjs";
 
-let open, page;
-before(async () => {
-  open = await OpenPage.open(process.env.PAGE_URL);
-  page = open.page;
-});
-after(() => open.close());
+const open = await openForTests(), { page } = open;
 
 test("the first view loads a small part of the run", async () => {
   const { requests, bytes } = await open.loaded();

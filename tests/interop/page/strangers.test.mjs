@@ -1,15 +1,10 @@
 // Tags and names of strangers with markup in them stay text, in the panel, in the list of names and in findings.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { OpenPage } from "./open_page.mjs";
+import { test } from "node:test";
+import { openForTests } from "./open_page.mjs";
 
 const MARKUP = process.env.PAGE_MARKUP;
-let open, page;
-before(async () => {
-  open = await OpenPage.open(process.env.PAGE_URL);
-  page = open.page;
-});
-after(() => open.close());
+const open = await openForTests(), { page } = open;
 
 /** Elements of the page that its own code does not make, and what markup of tags would have set. */
 const injected = () => page.evaluate(() => [window.hacked ?? null, document.querySelectorAll("img, iframe, object, svg, form:not(#go), script:not([src])").length]);

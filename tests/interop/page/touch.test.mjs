@@ -1,15 +1,10 @@
 // The page on a phone, with touch emulated: fingers turn, slide, spread and close, buttons walk, the controls are a sheet at the bottom.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { OpenPage, distance } from "./open_page.mjs";
+import { test } from "node:test";
+import { distance, openForTests } from "./open_page.mjs";
 
-let open, page, session;
-before(async () => {
-  open = await OpenPage.open(process.env.PAGE_URL, { isPhone: true });
-  page = open.page;
-  session = await page.context().newCDPSession(page);
-});
-after(() => open.close());
+const open = await openForTests({ isPhone: true }), { page } = open;
+const session = await page.context().newCDPSession(page);
 
 const touch = (type, points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
 

@@ -2,21 +2,11 @@
 // PAGE_URL is the server of `citykiln view`, PAGE_STATIC a static server of the same folder; see page_test.py.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { after, before, beforeEach, test } from "node:test";
-import { OpenPage, changedShare, distance, isPicked, luminance, meanLuminance, shareOf } from "./open_page.mjs";
+import { test } from "node:test";
+import { OpenPage, changedShare, distance, isPicked, luminance, meanLuminance, shareOf, openForTests } from "./open_page.mjs";
 
 const url = process.env.PAGE_URL;
-let open, page;
-
-before(async () => {
-  open = await OpenPage.open(url);
-  page = open.page;
-});
-after(() => open.close());
-beforeEach(async () => {
-  await page.keyboard.press("Escape");
-  if (await page.isVisible("#close-feature")) await page.click("#close-feature");
-});
+const open = await openForTests(), { page } = open;
 
 /** A name of the program, such as "TertiaryRoad", as the page writes it, but for capitals. */
 const inWords = (name) => name.replace(/([a-z\d])(?=[A-Z])/g, "$1 ").replaceAll("_", " ").toLowerCase();

@@ -5,12 +5,12 @@ import { LEAST_SHADOW_M } from "./shadows.js";
 
 /** Triangles of a picture, and megabytes of tiles that are kept. */
 const BUDGETS = { phone: { triangles: 1.2e6, megabytes: 160 }, computer: { triangles: 3e6, megabytes: 500 } };
-/** Errors that are allowed grow by this factor while pictures cost too much, at most this often. */
-const STEP = 1.3, MOST = 8;
+/** Errors that are allowed grow by such factors while pictures cost too much, by more where they cost far too much; up to MOST. */
+const STEP = 1.3, MOST_STEP = 2, MOST = 12;
 /** The first picture allows errors that are larger by this factor: it is there with a third of the bytes. */
 const FIRST = 2;
-/** Pictures of a moving camera that must be over the budget before the level changes. */
-const PATIENCE = 20;
+/** So many pictures and so long must a picture be over the budget before the level changes, also while tiles are loading. */
+const PATIENCE = 2, PATIENCE_MS = 500;
 /** The level becomes finer again when the camera is this far from where a picture cost too much. */
 const AWAY_M = 60;
 /** Pictures with more than this share of the budget do not become finer. */
@@ -40,13 +40,15 @@ export class Budget {
   }
 
   get isOver() {
-    return this.renderer.info.render.triangles > this.triangles;
+    return this.renderer.info.render.triangles > this.triangles || this.tileset.isFull;
   }
 
-  /** Chooses levels and instances for the next picture of a moving camera. */
+  /** Chooses levels and instances for the next picture. */
   update() {
+    const now_ms = performance.now();
     this.over = this.isOver ? this.over + 1 : 0;
-    if (this.over > PATIENCE) this.coarser();
+    if (this.over <= 1) this.overSince_ms = now_ms;
+    if (this.over > PATIENCE && now_ms - this.overSince_ms > PATIENCE_MS && this.factor < MOST) this.coarser();
     if (this.camera.position.distanceTo(this.seen) > MOVED_M) this.choose();
   }
 
@@ -60,7 +62,8 @@ export class Budget {
 
   coarser() {
     this.costly.copy(this.camera.position);
-    this.turn(Math.min(MOST, this.factor * STEP));
+    const over = this.renderer.info.render.triangles / this.triangles;
+    this.turn(Math.min(MOST, this.factor * Math.min(MOST_STEP, Math.max(STEP, over))));
   }
 
   turn(factor) {

@@ -12,14 +12,19 @@ const rowsOf = (recipe) => Object.entries(recipe).map(([name, value]) => [proper
 const classOf = (record) => (record?.class ? capital(wordsOf(record.class)) : "Unknown");
 
 export class FeaturePanel {
-  constructor(page, records, findings, closed) {
-    Object.assign(this, { page, records, findings, closed, id: null });
+  /** @param {object} parts {page, records, findings, names}. @param {Function} closed Called when the panel closes. */
+  constructor(parts, closed) {
+    Object.assign(this, parts, { closed, id: null });
     byId("close-feature").addEventListener("click", () => this.close());
   }
 
-  close() {
+  hide() {
     byId("feature").hidden = true;
     this.id = null;
+  }
+
+  close() {
+    this.hide();
     this.closed();
     byId("scene").focus();
   }
@@ -29,12 +34,12 @@ export class FeaturePanel {
     this.id = id;
     const [record] = await Promise.all([this.records.find(id), this.findings.load()]);
     if (this.id !== id) return undefined;
-    const title = byId("feature-title");
-    title.textContent = record?.name || (record?.class ? classOf(record) : capital(elementOf(id)));
+    const title = byId("feature-title"), name = this.names.of(record ?? {});
+    title.textContent = name || (record?.class ? classOf(record) : capital(elementOf(id)));
     title.dir = "auto";
     byId("feature-text").replaceChildren(...this.parts(id, record ?? {}));
     byId("feature").hidden = false;
-    say(`${record?.name ? `${record.name}, ` : ""}${record?.class ? wordsOf(record.class) : elementOf(id)}`);
+    say(`${name ? `\u2068${name}\u2069, ` : ""}${record?.class ? wordsOf(record.class) : elementOf(id)}`);
     return record;
   }
 

@@ -5,7 +5,7 @@ import { fetchJson } from "./records.js";
 import { capital, elementOf, wordsOf } from "./words.js";
 
 const STEP = 100;
-/** Dropped, mended and notes: vermillion, orange and sky blue of Okabe and Ito. */
+/** Dropped, mended and notes, the worst first: vermillion, orange and sky blue of Okabe and Ito. */
 const COLOURS = { dropped: "#d55e00", mended: "#e69f00", note: "#56b4e9" };
 
 export class Findings {
@@ -28,7 +28,8 @@ export class Findings {
   }
 
   take(collection) {
-    this.all = collection.features;
+    const worst = (finding) => Object.keys(COLOURS).indexOf(finding.properties.severity);
+    this.all = collection.features.toSorted((a, b) => worst(a) - worst(b));
     const counts = new Map();
     for (const { properties } of this.all) counts.set(properties.code, (counts.get(properties.code) ?? 0) + 1);
     const rows = [...counts].sort((a, b) => b[1] - a[1]).map(([code, count]) => make("option", { value: code }, `${capital(wordsOf(code))} (${count})`));

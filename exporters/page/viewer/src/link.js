@@ -5,7 +5,7 @@ const USUAL_DETAIL_PX = 6;
 const number = (value, digits) => String(Number(value.toFixed(digits)));
 
 /** Returns the state as text, such as "x=12&y=-40&z=18.2&heading=20&pitch=-5". */
-export function writeLink({ position, heading, pitch, mode, hidden, colours, time, detail_px, id }) {
+export function writeLink({ position, heading, pitch, mode, hidden, colours, time, detail_px, names, id }) {
   const link = new URLSearchParams({
     x: number(position.x, 2), y: number(position.y, 2), z: number(position.z, 2),
     heading: number((heading * 180) / Math.PI, 2), pitch: number((pitch * 180) / Math.PI, 2),
@@ -15,6 +15,7 @@ export function writeLink({ position, heading, pitch, mode, hidden, colours, tim
   if (colours !== "none") link.set("colours", colours);
   if (detail_px !== USUAL_DETAIL_PX) link.set("detail", String(detail_px));
   if (time !== undefined) link.set("time", String(time));
+  if (names !== "local") link.set("names", names);
   if (id) link.set("id", id);
   return link.toString();
 }
@@ -37,6 +38,7 @@ export function readLink(text) {
     colours: link.get("colours") ?? "none",
     time: read("time"),
     detail_px: read("detail") ?? USUAL_DETAIL_PX,
+    names: link.get("names") ?? "local",
     id: /^[nwr]-?\d+$/.test(link.get("id") ?? "") ? link.get("id") : undefined,
   };
 }

@@ -113,16 +113,23 @@ export class Moves {
     return new Vector3(Math.sin(h) * Math.cos(p), Math.cos(h) * Math.cos(p), Math.sin(p));
   }
 
-  /** Moves by metres along the view, to its right and up. On foot, along the floor. */
+  /** Moves by metres along the view, to its right and up. On foot, along the floor and as far as walls allow. */
   step({ ahead, aside, up }) {
-    const { heading, camera } = this;
-    const right = new Vector3(Math.cos(heading), -Math.sin(heading), 0);
-    const along = this.mode === "walk" ? new Vector3(Math.sin(heading), Math.cos(heading), 0) : this.direction();
-    camera.position.addScaledVector(along, ahead).addScaledVector(right, aside);
-    if (this.mode === "fly") camera.position.z += up;
+    const { heading, camera } = this, isWalk = this.mode === "walk";
+    const along = isWalk ? new Vector3(Math.sin(heading), Math.cos(heading), 0) : this.direction();
+    const step = along.multiplyScalar(ahead).addScaledVector(new Vector3(Math.cos(heading), -Math.sin(heading), 0), aside);
+    camera.position.add(isWalk ? this.allowed(step) : step.setZ(step.z + up));
     this.stayNear();
     this.stand();
     this.changed();
+  }
+
+  /** Returns the part of a walker's step that walls allow: all of it, its part along a wall, or nothing in a corner. */
+  allowed(step) {
+    const { x, y, z } = this.camera.position, feet = new Vector3(x, y, z - EYE_M), wall = this.rays.wallAt(feet, step);
+    if (!wall) return step;
+    const along = step.addScaledVector(wall, -step.dot(wall));
+    return this.rays.wallAt(feet, along) ? new Vector3() : along;
   }
 
   /** Keeps walkers on the map, and flyers near it. */

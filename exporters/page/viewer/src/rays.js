@@ -6,6 +6,17 @@ const DOWN = new Vector3(0, 0, -1);
 /** Layers that one stands on. */
 const FLOORS = ["ground", "roads", "water", "structures"];
 const ABOVE_M = 3;
+/** Layers whose steep faces stop a walker, how high above the floor, and how near. */
+const WALLS = ["buildings", "structures", "props"], CHEST_M = 1, ARM_M = 0.4;
+/** Faces are steep if the height of their unit normal is below this. */
+const STEEP = 0.7;
+
+const seeing = (names) => {
+  const ray = new Raycaster();
+  ray.layers.disableAll();
+  for (const name of names) ray.layers.enable(1 + LAYERS.indexOf(name));
+  return ray;
+};
 
 const isShown = (object) => {
   for (let node = object; node; node = node.parent) if (!node.visible) return false;
@@ -17,9 +28,10 @@ export class Rays {
     this.group = tileset.tiles.group;
     this.camera = camera;
     this.eye = new Raycaster();
-    this.down = new Raycaster();
-    this.down.layers.disableAll();
-    for (const name of FLOORS) this.down.layers.enable(1 + LAYERS.indexOf(name));
+    /** The middle of the view, from -1 to 1 up the picture. */
+    this.middle = 0;
+    this.down = seeing(FLOORS);
+    this.level = seeing(WALLS);
   }
 
   /** Returns the first hit of what is shown at a point of the picture: x and y from -1 to 1, up and right; undefined for the sky. */
@@ -32,6 +44,21 @@ export class Rays {
   free(from, heading) {
     this.eye.set(from, new Vector3(Math.sin(heading), Math.cos(heading), 0));
     return this.eye.intersectObject(this.group, true).find((hit) => hit.object.userData.loaded && isShown(hit.object))?.distance ?? Infinity;
+  }
+
+  /** Returns the level normal of the shown wall that a level step from a place on the floor meets at chest height; null if it is free. */
+  wallAt(floor, step) {
+    const length_m = step.length();
+    if (length_m === 0) return null;
+    this.level.set(new Vector3(floor.x, floor.y, floor.z + CHEST_M), step.clone().divideScalar(length_m));
+    this.level.far = length_m + ARM_M;
+    for (const hit of this.level.intersectObject(this.group, true)) {
+      // lamps and bins, which are instances, are walked through
+      if (hit.object.isInstancedMesh || !hit.object.userData.loaded || !isShown(hit.object)) continue;
+      const normal = hit.face.normal.clone().transformDirection(hit.object.matrixWorld);
+      if (Math.abs(normal.z) < STEEP) return normal.setZ(0).normalize().multiplyScalar(-Math.sign(normal.dot(step)) || 1);
+    }
+    return null;
   }
 
   /** Returns the height of the highest floor that is not above a place by more than a storey; undefined where nothing is loaded. */

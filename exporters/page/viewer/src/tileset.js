@@ -5,11 +5,38 @@ import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { MeshoptDecoder } from "three/addons/libs/meshopt_decoder.module.js";
 import { TilesRenderer } from "3d-tiles-renderer/three";
 import { byId } from "./dom.js";
+import { bytesOf } from "./memory.js";
 
 /** The layers, in the order of compiler/bake/layer.h. Meshes outside of them are of the land around. */
 export const LAYERS = ["ground", "roads", "water", "buildings", "structures", "props", "plants"];
 
 const COARSE_PX = 20;
+
+/**
+ * Nearer tiles count as if they were this far away, and half as far as the floor is below: else the tile around the camera, whose box
+ * reaches from its lowest to its highest point, is always the finest, whatever error is allowed.
+ */
+const NEAREST_M = 15, NEAREST = 0.5;
+
+/** The tiles, whose errors on the picture are finite. */
+class Tiles extends TilesRenderer {
+  bytes = new WeakMap();
+  nearest_m = NEAREST_M;
+
+  // the library's own number counts the clones of a texture, which share one picture, as often as there are materials
+  calculateBytesUsed(_, scene) {
+    if (!scene) return null;
+    if (!this.bytes.has(scene)) this.bytes.set(scene, bytesOf(scene));
+    return this.bytes.get(scene);
+  }
+
+  // tiles without content are refined however small they are: nothing would be shown in their place
+  calculateTileViewError(tile, target) {
+    super.calculateTileViewError(tile, target);
+    const [{ sseDenominator }] = this.cameraInfo;
+    target.error = tile.content ? Math.min(target.error, tile.geometricError / (this.nearest_m * sseDenominator)) : Number.MAX_VALUE;
+  }
+}
 
 /** Returns the layer that a mesh belongs to: that of the node above it. */
 function layerOf(object) {
@@ -50,7 +77,7 @@ export class Tileset {
     this.factor = 1;
     this.watch = watch;
     this.renderer = renderer;
-    this.tiles = new TilesRenderer(url);
+    this.tiles = new Tiles(url);
     this.setDetail(Number(byId("detail").value));
     byId("detail").addEventListener("change", (event) => this.setDetail(Number(event.target.value)));
     this.addLoaders();
@@ -69,8 +96,7 @@ export class Tileset {
     const isOffered = [...byId("detail").options].some((option) => Number(option.value) === error_px);
     if (!isOffered) return;
     this.detail_px = error_px;
-    // a larger error may be that of a root without content, and nothing would be shown
-    this.tiles.errorTarget = Math.min(Math.max(error_px, COARSE_PX), error_px * this.factor);
+    this.tiles.errorTarget = error_px * this.factor;
     byId("detail").value = String(error_px);
     this.watch.changed();
   }
@@ -116,13 +142,20 @@ export class Tileset {
     return { queued: this.tiles.lruCache.isFull() ? 0 : queued, downloading, parsing };
   }
 
+  /** True if tiles that the camera sees are missing for want of memory. */
+  get isFull() {
+    return this.tiles.lruCache.isFull() && this.tiles.stats.refused > 0;
+  }
+
   /** True if nothing is loading. */
   get isWhole() {
     const { queued, downloading, parsing } = this.waiting;
     return queued + downloading + parsing === 0 && this.loaded.size > 0;
   }
 
-  update(camera) {
+  /** @param {number} above_m The camera's height above the floor. */
+  update(camera, above_m) {
+    this.tiles.nearest_m = Math.max(NEAREST_M, NEAREST * above_m);
     this.tiles.setResolutionFromRenderer(camera, this.renderer);
     this.tiles.update();
   }

@@ -15,6 +15,7 @@ import { Layers, hiddenBy } from "./layers.js";
 import { readLink, writeLink } from "./link.js";
 import { Measure } from "./measure.js";
 import { Moves } from "./moves.js";
+import { Names } from "./names.js";
 import { Outline } from "./outline.js";
 import { savePicture } from "./picture.js";
 import { makePlate } from "./plate.js";
@@ -37,6 +38,15 @@ const NEAR = 0.03, LEAST_NEAR_M = 0.2, MOST_NEAR_M = 20;
 const SHADOW_PX = { phone: 1024, computer: 2048 };
 const MOST_RATIO = { phone: 1.5, computer: 2 };
 const VISIBILITY_KM = 100;
+/** As in style.css. */
+const NARROW = "(max-width: 700px)";
+
+/** Returns how many pixels of the scene's height are covered by sheets, which lie at the bottom of narrow screens; at most 60 %. */
+function coveredPixels(height) {
+  if (!window.matchMedia(NARROW).matches) return 0;
+  const tops = [byId("controls"), byId("feature")].filter((element) => !element.hidden).map((element) => element.getBoundingClientRect().top);
+  return Math.min(0.6 * height, Math.max(0, height - Math.min(...tops)));
+}
 
 export class Viewer {
   constructor(page, tileset, progress) {
@@ -87,7 +97,8 @@ export class Viewer {
     this.records = new Records(page.feature_files);
     this.measure = new Measure(scene, changed);
     this.findings = new Findings(scene, { page, frame: this.frame, rays: this.rays, limits }, (finding) => this.flyTo(finding), changed);
-    this.panel = new FeaturePanel(page, this.records, this.findings, () => this.pick(null));
+    this.names = new Names(() => (this.panel.id ? this.panel.show(this.panel.id) : null, this.address.later()));
+    this.panel = new FeaturePanel({ page, records: this.records, findings: this.findings, names: this.names }, () => this.pick(null));
     this.search = new Search(this.records, this.box(), { toPlace: (lon, lat) => this.goToPlace(lon, lat), toFeature: (id, record) => this.goToFeature(id, record) });
     this.address = new Address(() => this.link);
   }
@@ -113,7 +124,8 @@ export class Viewer {
     byId("fold").addEventListener("click", () => this.fold(!byId("sections").hidden));
     window.addEventListener("resize", this.changed);
     // what stands on the scene keeps clear of the sheet
-    new ResizeObserver(() => document.documentElement.style.setProperty("--sheet", `${byId("controls").offsetHeight}px`)).observe(byId("controls"));
+    for (const [name, element] of [["--sheet", byId("controls")], ["--footer", document.querySelector("footer")]])
+      new ResizeObserver(() => document.documentElement.style.setProperty(name, `${element.offsetHeight}px`)).observe(element);
     window.addEventListener("hashchange", () => this.openLink());
     listenForHelp();
   }
@@ -136,7 +148,7 @@ export class Viewer {
     this.resize();
     this.setNear();
     this.camera.updateMatrixWorld();
-    this.tileset.update(this.camera);
+    this.tileset.update(this.camera, this.moves.above_m);
     this.progress.tiles(this.tileset.waiting);
     this.lamps.update(this.camera.position, this.tileset.shown, this.sky.exposure, this.areLit);
     const isOld = this.isChanged || this.moves.isMoving || !this.camera.matrixWorld.equals(this.seenFrom);
@@ -148,7 +160,7 @@ export class Viewer {
 
   // all that the camera sees is loaded and drawn
   settle() {
-    if (this.budget.settle()) return this.changed();
+    if (this.budget.settle() || this.correctGoal()) return this.changed();
     this.address.later();
     this.findings.load().catch((error) => say(error.message));
     if (this.walk.wanted) this.walk.settle().then(this.changed);
@@ -179,11 +191,15 @@ export class Viewer {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const size = this.renderer.getSize(new THREE.Vector2());
     const ratio = this.tileset.isCoarse ? 0.5 : Math.min(MOST_RATIO[this.device], window.devicePixelRatio);
-    if (size.x === width && size.y === height && this.renderer.getPixelRatio() === ratio) return;
+    const covered_px = coveredPixels(height);
+    if (size.x === width && size.y === height && this.renderer.getPixelRatio() === ratio && covered_px === this.covered_px) return;
+    this.covered_px = covered_px;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    // the middle of the view is the middle of what sheets leave free
+    this.camera.setViewOffset(width, height, 0, covered_px / 2, width, height);
+    this.rays.middle = covered_px / height;
     this.changed();
   }
 
@@ -246,6 +262,7 @@ export class Viewer {
   /** Picks a feature by its id; null picks none. */
   async pick(id) {
     const drawn = this.outline.show(id, this.tileset.shown);
+    if (id && this.device === "phone") this.fold(true);
     if (id) this.picked = { id, record: await this.panel.show(id) };
     else [this.picked, byId("feature").hidden] = [null, true];
     await drawn;
@@ -263,8 +280,9 @@ export class Viewer {
     this.moves.travel = null;
     if (mode === "fly") return this.moves.setMode("fly");
     const { id, record } = this.picked ?? {};
-    // the mark of what is picked would cover the street
+    // the mark of what is picked would cover the street, and on a phone its panel the view
     this.outline.show(null, []);
+    if (this.device === "phone") this.panel.hide();
     return this.walk.begin(record ? { id, at: new THREE.Vector3(...record.at) } : null);
   }
 
@@ -277,8 +295,7 @@ export class Viewer {
   goToPlace(lon_deg, lat_deg) {
     const at = this.frame.at(lon_deg, lat_deg, this.page.ground_m);
     at.z = this.rays.groundAt(at.x, at.y) ?? at.z;
-    this.setMode("fly");
-    this.moves.goTo(at, 120);
+    this.goToGround(at, 120);
     say(`At ${lat_deg}, ${lon_deg}`);
   }
 
@@ -288,9 +305,26 @@ export class Viewer {
     return this.pick(id);
   }
 
-  flyTo(finding) {
+  /** Flies to a place on the ground, whose height may only be known when its tile is there. */
+  goToGround(at, distance_m, finding) {
     this.setMode("fly");
-    this.moves.goTo(this.findings.place(finding), 60);
+    this.moves.goTo(at, distance_m);
+    this.goal = { at, eye: this.moves.travel.to, finding };
+  }
+
+  /** Raises or lowers the camera with the ground that it flew to. Returns true if it has moved. */
+  correctGoal() {
+    const { goal, camera } = this;
+    if (!goal || camera.position.distanceTo(goal.eye) > 0.5) return false;
+    const higher_m = (this.rays.groundAt(goal.at.x, goal.at.y) ?? goal.at.z) - goal.at.z;
+    if (Math.abs(higher_m) < 1) return (this.goal = null), false;
+    for (const place of [camera.position, goal.at, goal.eye]) place.z += higher_m;
+    if (goal.finding) this.findings.settle(goal.finding);
+    return true;
+  }
+
+  flyTo(finding) {
+    this.goToGround(this.findings.place(finding), 60, finding);
     this.findings.settle(finding);
     this.findings.tell(finding);
     const { id } = finding.properties;
@@ -299,7 +333,7 @@ export class Viewer {
 
   get link() {
     const { position } = this.camera, { heading, pitch, mode } = this.moves;
-    return writeLink({ position, heading, pitch, mode, hidden: this.layers.hidden, colours: this.colours.mode, time: this.sky.number, detail_px: this.tileset.detail_px, id: this.panel.id });
+    return writeLink({ position, heading, pitch, mode, hidden: this.layers.hidden, colours: this.colours.mode, time: this.sky.number, detail_px: this.tileset.detail_px, names: this.names.language, id: this.panel.id });
   }
 
   async copyLink() {
@@ -315,6 +349,7 @@ export class Viewer {
     for (const name of state.hidden) if (byId(`layer-${name}`)) this.layers.set(name, false);
     if (["none", "level", "error", "source"].includes(state.colours)) this.colours.set(state.colours);
     if (state.time !== undefined) this.sky.set(state.time);
+    this.names.set(state.names);
     if (state.position) this.openView(state);
     if (state.id) this.openPicked(state);
   }

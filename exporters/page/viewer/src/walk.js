@@ -36,7 +36,7 @@ export class Walk {
   pointOf(picked) {
     const { limits, above_m, heading } = this.moves, { position } = this.camera;
     if (picked) return picked.at.clone();
-    const hit = above_m > LOW_M ? this.rays.at(0, 0)?.point : position.clone();
+    const hit = above_m > LOW_M ? this.rays.at(0, this.rays.middle)?.point : position.clone();
     if (hit && isIn(limits, hit)) return hit;
     // the sky, or outside of the map: ahead of the camera, but on the map
     const ahead = hit ?? position.clone().add(new Vector3(Math.sin(heading), Math.cos(heading), 0).multiplyScalar(above_m));
