@@ -89,7 +89,7 @@ Judged judge_offset(HardDraw& draw) {
   return {is_right, is_within && is_about(area, wanted, length_m(ring))};
 }
 
-// The place of a corner written in single precision: from the middle of the Earth, and from the tile's origin.
+// The place of a corner written in single precision: from the Earth's middle, and from the tile's origin.
 Judged judge_place(HardDraw& draw) {
   constexpr double kRadius_m = 6'371'000, kMostError_m = 0.001;
   const auto error_m = [](double x) { return std::abs(static_cast<double>(static_cast<float>(x)) - x); };
@@ -98,20 +98,17 @@ Judged judge_place(HardDraw& draw) {
 }
 
 constexpr HardMethod kHardMethods[] = {
-    {"junctions of near-parallel roads", "sides intersected", "snap-rounded overlay", judge_junction, 100'000},
-    {"triangulation with repeats and needles", "ears cut off", "constrained Delaunay, exact", judge_triangles, 100'000},
-    {"offsets of such rings", "moved lines intersected", "inset(): lines, else overlay", judge_offset, 100'000},
-    {"hipped roofs, events that coincide", "straight skeleton in doubles", "generate_roof()", judge_symmetric_roof,
-     10'000},
-    {"refinement of land with spikes", "halved while a middle is off", "refine(), worst point first", judge_refinement,
-     10'000},
+    {"near-parallel junctions", "sides intersected", "snap-rounded overlay", judge_junction, 100'000},
+    {"triangulation with needles", "ears cut off", "exact Delaunay", judge_triangles, 100'000},
+    {"offsets of such rings", "moved lines intersected", "lines, else overlay", judge_offset, 100'000},
+    {"hipped roofs, events at once", "skeleton in doubles", "generate_roof()", judge_symmetric_roof, 10'000},
+    {"land with spikes refined", "halved by middles", "worst point first", judge_refinement, 10'000},
     {"one lamp of up to 64", "even choice", "LightTree", judge_lights, 100'000},
-    {"one lamp, some within 0.18 m", "even choice", "LightTree", judge_near_lights, 100'000},
-    {"turtles of up to 2^20 turns", "matrices in single precision", "walk()", judge_turtle, 100'000},
+    {"one lamp, some within 0.2 m", "even choice", "LightTree", judge_near_lights, 100'000},
+    {"turtles of up to 2^20 turns", "matrices in floats", "walk()", judge_turtle, 100'000},
     {"growth without end, poles", "loop without limits", "derive(), limits", judge_growth, 100'000},
-    {"lots with one or two frontages", "halved across", "split(), frontage kept", judge_lots, 100'000},
-    {"corners in single precision to 1 mm", "from the middle of the Earth", "from the tile's origin", judge_place,
-     100'000}};
+    {"lots with 1 or 2 frontages", "halved across", "frontage kept", judge_lots, 100'000},
+    {"corners in floats to 1 mm", "from the Earth's middle", "from the tile's origin", judge_place, 100'000}};
 
 }  // namespace
 

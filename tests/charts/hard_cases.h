@@ -41,26 +41,26 @@ struct HardMethod {
   int cases;
 };
 
-/// Samples of one lamp of many: at most 64, at least 3 m high, some at one place, with fluxes over seven orders of
-/// magnitude. A case fails if one sample has a standard deviation over three times the light, or if a lamp that lights
-/// the place has no chance.
+/// Tests samples of one lamp of many: at most 64, at least 3 m high, some at one place, with fluxes over seven orders
+/// of magnitude. A case fails if one sample has a standard deviation over three times the light, or if a lamp that
+/// lights the place has no chance.
 Judged judge_lights(HardDraw& draw);
-/// The same with a tenth of the lamps within 0.18 m of the lit place.
+/// Tests the same with a tenth of the lamps within 0.18 m of the lit place.
 Judged judge_near_lights(HardDraw& draw);
-/// Turtles after up to 2^20 equal turns and steps, against the closed form of a repeated rotation. A case fails if the
-/// end is farther from it than a millionth of the way walked.
+/// Tests turtles after up to 2^20 equal turns and steps against the closed form of a repeated rotation. A case fails if
+/// the end is farther from it than a millionth of the way walked.
 Judged judge_turtle(HardDraw& draw);
-/// L-systems that grow without end or divide by nearly 0. A case fails if a length is not finite, or if the string
-/// exceeds the memory of 2^31 modules.
+/// Tests L-systems that grow without end or divide by nearly 0. A case fails if a length is not finite, or if the
+/// string exceeds the memory of 2^31 modules.
 Judged judge_growth(HardDraw& draw);
-/// Splits of lots whose frontage is one edge or two. A case fails if a part has less than 0.4 times the usual frontage,
-/// or if the parts do not have the lot's area.
+/// Tests splits of lots whose frontage is one edge or two. A case fails if a part has less than 0.4 times the usual
+/// frontage, or if the parts do not have the lot's area.
 Judged judge_lots(HardDraw& draw);
-/// Terrain meshes of 16 by 16 samples with spikes and ridges of one sample. A case fails if a sample is farther from
-/// the mesh than the tolerance, or if a triangle has no area.
+/// Tests terrain meshes of 16 by 16 samples with spikes and ridges of one sample. A case fails if a sample is farther
+/// from the mesh than the tolerance, or if a triangle has no area.
 Judged judge_refinement(HardDraw& draw);
-/// Hipped roofs on crosses, combs and regular polygons, where many events of the skeleton coincide, and on hard_ring().
-/// A case fails if the roof is missing or flat, does not cover the footprint in plan, or rises to 64 m.
+/// Tests hipped roofs on crosses, combs and regular polygons, where many events of the skeleton coincide, and on
+/// hard_ring(). A case fails if the roof is missing or flat, does not cover the footprint in plan, or rises to 64 m.
 Judged judge_symmetric_roof(HardDraw& draw);
 
 }  // namespace citykiln::charts

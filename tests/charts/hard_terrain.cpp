@@ -10,11 +10,12 @@ namespace citykiln::charts {
 namespace {
 
 constexpr int kSide = 17;
-constexpr double kStep_m = 8, kMostOff_m = 0.5;
+constexpr double kSampleStep_m = 8, kMostOff_m = 0.5;
 
 // Level land, with spikes and ridges one sample wide inside of the border.
 map::Heightfield hard_heights(HardDraw& draw) {
-  map::Heightfield field{.min = {0, 0}, .step_m = {kStep_m, kStep_m}, .columns = kSide, .rows = kSide, .heights = {}};
+  map::Heightfield field{
+      .min = {0, 0}, .step_m = {kSampleStep_m, kSampleStep_m}, .columns = kSide, .rows = kSide, .heights = {}};
   field.heights.assign(kSide * kSide, 0);
   const auto height = [&](int i, int j) -> std::int32_t& { return field.heights[j * kSide + i]; };
   const int spikes = draw.whole(1, 6);
@@ -31,7 +32,7 @@ void halve(const map::Heightfield& field, const HalvedTriangle& t, std::vector<s
   const auto at = [&](Vec2 p) { return Vec3{p.x, p.y, map::height_m_at(field, p)}; };
   const Vec2 middle = (t[1] + t[2]) * 0.5;
   const double off = std::abs(map::height_m_at(field, middle) - (at(t[1]).z + at(t[2]).z) / 2);
-  if (off <= kMostOff_m || distance(t[1], t[2]) <= kStep_m) return mesh.push_back({at(t[0]), at(t[1]), at(t[2])});
+  if (off <= kMostOff_m || distance(t[1], t[2]) <= kSampleStep_m) return mesh.push_back({at(t[0]), at(t[1]), at(t[2])});
   halve(field, {middle, t[0], t[1]}, mesh), halve(field, {middle, t[2], t[0]}, mesh);
 }
 
@@ -44,8 +45,8 @@ double worst_of(const map::Heightfield& field, const std::array<Vec3, 3>& t) {
   double worst = 0;
   const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
   const auto [low, high] = std::minmax({t[0].y, t[1].y, t[2].y});
-  for (int j = static_cast<int>(low / kStep_m); j * kStep_m <= high; ++j)
-    for (int i = static_cast<int>(left / kStep_m); i * kStep_m <= right; ++i) {
+  for (int j = static_cast<int>(low / kSampleStep_m); j * kSampleStep_m <= high; ++j)
+    for (int i = static_cast<int>(left / kSampleStep_m); i * kSampleStep_m <= right; ++i) {
       const Vec2 p = field.vertex(i, j);
       std::array<double, 3> share{};
       for (int k = 0; k < 3; ++k) {
@@ -65,7 +66,7 @@ bool is_within(const map::Heightfield& field, const std::vector<std::array<Vec3,
     if (worst_of(field, t) > kMostOff_m + 0x1p-10) return false;
     area += area2(t) / 2;
   }
-  const double side = (kSide - 1) * kStep_m;
+  const double side = (kSide - 1) * kSampleStep_m;
   return std::abs(area - side * side) < 1e-6;
 }
 
@@ -91,7 +92,7 @@ Judged judge_refinement(HardDraw& draw) {
   const map::Heightfield field = hard_heights(draw);
   std::vector<std::array<Vec3, 3>> halved;
   // squares of four samples, as a program that expects no spikes may begin
-  constexpr double kSquare_m = 4 * kStep_m;
+  constexpr double kSquare_m = 4 * kSampleStep_m;
   for (int square = 0; square < 16; ++square) {
     const Vec2 a{square % 4 * kSquare_m, square / 4 * kSquare_m},
         b = a + Vec2{kSquare_m, 0}, c = a + Vec2{kSquare_m, kSquare_m}, d = a + Vec2{0, kSquare_m};
