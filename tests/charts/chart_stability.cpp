@@ -128,7 +128,7 @@ Result<std::vector<Chart>> chart_stability(const ChartRequest&) {
     const double us = watch.microseconds() / method.cases;
     const auto percent = [&](int count) { return 100.0 * count / method.cases; };
     chart.series[0].points.emplace_back(m, percent(textbook)), chart.series[1].points.emplace_back(m, percent(ours));
-    chart.notes.push_back(fmt::format("| {} | {} | {} | {} ({:.2g} %) | {} | {} ({:.2g} %) | {:.0f} |", method.name,
+    chart.notes.push_back(fmt::format("| {} | {} | {} | {} ({:.3g} %) | {} | {} ({:.3g} %) | {:.0f} |", method.name,
                                       method.cases, method.textbook, textbook, percent(textbook), method.ours, ours,
                                       percent(ours), us));
   }
