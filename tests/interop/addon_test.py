@@ -9,11 +9,13 @@ import unittest
 from pathlib import Path
 
 import readers
-from citykiln_program import PROGRAM, TOWN, TOWN_MIDDLE, run
+from citykiln_program import PROGRAM, ROOT, TOWN, TOWN_MIDDLE, run
 from glb import Glb
 from readers import ReaderTest
 
 
+# of the example town: a building with a name, and a way with five storeys
+NAMED, HOUSE = "Kilnturm", "66"
 TOWN_RUN = ["--lods", "0.5,2.5", "--target", "blender", "--lights", "20", "--surroundings", "none"]
 
 
@@ -215,12 +217,12 @@ class Remakes(AddonTest):
 
     def test_a_run_is_baked_again_in_its_place(self):
         out = self.town_run()
-        first, again = self.addon(("run", {"directory": str(out), "level": 1}),
+        first, again = self.addon(("run", {"directory": str(out), "level": 1, "layers": ["ground", "buildings", "plants"]}),
                                   ("bake", {"lods": "5", "options": "--layers=-plants", "program": PROGRAM, "out": str(self.folder / "new")},
                                    False))
         self.assertEqual((again["runs"], len(again["tiles"])), (1, len(first["tiles"])))
         self.assertEqual({tile["tolerance_m"] for tile in again["tiles"].values()}, {5})
-        self.assertNotIn("plants", again["layers"])
+        self.assertEqual(again["layers"], ["buildings", "ground"], "of the layers that were imported, those that the new run has")
 
 
 class Compiles(AddonTest):
@@ -231,6 +233,24 @@ class Compiles(AddonTest):
     def town_map(self):
         [found] = [path for path in TOWN.iterdir() if path.name.endswith((".osm", ".osm.pbf"))][:1]
         return found
+
+
+@unittest.skipUnless(readers.blender() and "bpy" not in sys.argv, "needs Blender of the system")
+class Artists(AddonTest):
+    def test_ten_tasks_are_done_with_the_add_on_alone(self):
+        out = self.town_run()
+        target, job, facts = self.folder / "citykiln.zip", self.folder / "job.json", self.folder / "facts.json"
+        self.assertEqual(run("addon", "blender", "-o", target).returncode, 0)
+        pictures = Path(os.environ.get("PICTURES", self.folder))
+        (self.folder / "mends.edits").write_text(f"w{HOUSE} set building:levels=9 remove height\n")
+        heights = json.loads((TOWN / "spec.json").read_text())["dem"]
+        job.write_text(json.dumps({"zip": str(target), "facts": str(facts), "run": str(out), "map": str(TOWN / "town.osm"), "named": NAMED,
+                                   "heights": str(ROOT / heights), "house": HOUSE, "edits": str(self.folder / "mends.edits"),
+                                   "program": str(PROGRAM), "pictures": str(pictures), "street": [[80, -150, 377.5], [130, -60, 380]]}))
+        env = {**os.environ, "BLENDER_USER_SCRIPTS": str(self.folder), "BLENDER_USER_RESOURCES": str(self.folder)}
+        done = readers.done_by([*readers.blender_command(), readers.HERE / "artist_tasks.py", "--", job], facts, env=env)[0]
+        self.assertEqual(len(done), 10)
+        self.assertEqual({name: word for name, word in done.items() if word is not True}, {})
 
 
 class Mistakes(AddonTest):

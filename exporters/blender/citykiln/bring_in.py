@@ -1,6 +1,7 @@
 """Brings a run into a scene: chooses files, builds their objects, sets the world. Both commands of the menu end here."""
+import json
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import mathutils
@@ -32,6 +33,23 @@ class Wishes:
     has_view: bool = True
 
 
+# of a run's collection: what of it was wanted
+WANTED = "citykiln_wanted"
+
+
+def note_wishes(collection, wishes):
+    collection[WANTED] = json.dumps({"layers": sorted(wishes.layers), "has_lamps": wishes.has_lamps,
+                                     "has_single_buildings": wishes.has_single_buildings})
+
+
+def wishes_of(collection, **more):
+    """The wishes by which a run was imported, with other ones set."""
+    noted = json.loads(collection.get(WANTED, "{}"))
+    if "layers" in noted:
+        noted["layers"] = set(noted["layers"])
+    return replace(Wishes(), **noted, **more)
+
+
 def bring_in(context, folder, wishes, on_progress=lambda share: None):
     """Imports a run and returns a sentence about it. Errors: RunError, GlbError."""
     start_s = time.time()
@@ -41,6 +59,7 @@ def bring_in(context, folder, wishes, on_progress=lambda share: None):
         wishes.choice.viewer = viewer_of(context.scene, placement, wishes.pixel_error)
     files = files_of(run, wishes)
     collection = begin_run(context.scene, run, keeps_tiles=wishes.choice.is_part())
+    note_wishes(collection, wishes)
     materials = Materials()
     builder = Builder(collection, Meshes(materials), materials, placement, wishes.layers | {"surroundings", "clouds"},
                       wishes.has_lamps, wishes.has_single_buildings)
@@ -82,7 +101,9 @@ def add_finer(context, run, file):
     """Replaces a tile of an imported run by a file that the run's report does not list."""
     collection = begin_run(context.scene, run, keeps_tiles=True)
     materials = Materials()
-    builder = Builder(collection, Meshes(materials), materials, place_run(context.scene, run), set(LAYERS), True, True)
+    wishes = wishes_of(collection)
+    builder = Builder(collection, Meshes(materials), materials, place_run(context.scene, run), wishes.layers, wishes.has_lamps,
+                      wishes.has_single_buildings)
     add_file(builder, file)
     builder.place_all()
     note_boxes(collection)

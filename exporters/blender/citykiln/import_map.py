@@ -39,11 +39,12 @@ class IMPORT_SCENE_OT_citykiln_map(bpy.types.Operator, ImportHelper, Wanted):
         "heightmaps": StringProperty(name="Heightmaps", description="Files or folders of heightmaps, with ; between them; empty: level land"),
         "box": StringProperty(name="Box", description="west,south,east,north in degrees; empty: the whole map"),
         "target": EnumProperty(name="Target", items=TARGETS),
+        "options": StringProperty(name="Options", description="Further options of citykiln compile, such as --edits mends.edits"),
         "out": StringProperty(name="Folder", description="The run's folder; empty: a folder beside the map, with its name"),
         "program": StringProperty(name="Program", options={"HIDDEN", "SKIP_SAVE"})}
 
     def draw(self, context):
-        for name in ("heightmaps", "box", "target", "out"):
+        for name in ("heightmaps", "box", "target", "options", "out"):
             self.layout.prop(self, name)
         self.draw_wanted(self.layout)
 
@@ -83,7 +84,7 @@ class IMPORT_SCENE_OT_citykiln_map(bpy.types.Operator, ImportHelper, Wanted):
         program = program_of(context, self.program)
         self.folder = self.out or str(map_path.parent / map_path.name.split(".")[0])
         heightmaps = [each.strip() for each in self.heightmaps.split(";") if each.strip()]
-        return Job(compile_command(program, str(map_path), heightmaps, self.box, self.target, self.folder))
+        return Job([*compile_command(program, str(map_path), heightmaps, self.box, self.target, self.folder), *self.options.split()])
 
     def _finish(self, context):
         try:

@@ -4,7 +4,7 @@ from pathlib import Path
 import bpy
 from bpy.props import StringProperty
 
-from .bring_in import File, Wishes, add_finer, bring_in
+from .bring_in import File, add_finer, bring_in, wishes_of
 from .choice import Choice
 from .earlier_run import FOLDER, TILE_KEY
 from .import_map import program_of
@@ -72,7 +72,7 @@ class SCENE_OT_citykiln_bake(bpy.types.Operator):
             return {"CANCELLED"}
         # the new run takes the old one's place
         old[FOLDER] = str(Path(folder).resolve())
-        return finish(self, context, folder, Wishes(has_view=False, has_sky=False))
+        return finish(self, context, folder, wishes_of(old, has_view=False, has_sky=False))
 
 
 class SCENE_OT_citykiln_finer(bpy.types.Operator):
@@ -88,17 +88,17 @@ class SCENE_OT_citykiln_finer(bpy.types.Operator):
             if not groups:
                 raise RunError("no object of a tile is selected")
             for collection, group in groups:
-                self._refine(context, Run(collection[FOLDER]), group)
+                self._refine(context, collection, group)
         except RunError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         return {"FINISHED"}
 
-    def _refine(self, context, run, group):
+    def _refine(self, context, collection, group):
         """Replaces one tile."""
-        key, level = group[TILE_KEY], group["level"]
+        run, key, level = Run(collection[FOLDER]), group[TILE_KEY], group["level"]
         if level > 0:
-            bring_in(context, run.folder, Wishes(Choice(level=level - 1, tiles=key), has_view=False, has_sky=False))
+            bring_in(context, run.folder, wishes_of(collection, choice=Choice(level=level - 1, tiles=key), has_view=False, has_sky=False))
             return
         tolerance_m = group["tolerance_m"] / 2
         path = run.folder / "finer" / f"{key}_{tolerance_m:g}m.glb"
