@@ -217,7 +217,8 @@ class Remakes(AddonTest):
 
     def test_a_run_is_baked_again_in_its_place(self):
         out = self.town_run()
-        first, again = self.addon(("run", {"directory": str(out), "level": 1, "layers": ["ground", "buildings", "plants"]}),
+        first, again = self.addon(("run", {"directory": str(out), "level": 1, "layers": ["ground", "buildings", "plants"],
+                                           "lamps": False}),
                                   ("bake", {"lods": "5", "options": "--layers=-plants", "program": PROGRAM, "out": str(self.folder / "new")},
                                    False))
         self.assertEqual((again["runs"], len(again["tiles"])), (1, len(first["tiles"])))
