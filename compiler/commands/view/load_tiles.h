@@ -44,7 +44,8 @@ struct Loaded {
   std::optional<map::Cylinder> cylinder{};
 };
 
-/// Returns "OUT/scene.kiln" for "OUT", the folder of a run that wrote its manifest and no tiles; any other path unchanged.
+/// Returns "OUT/scene.kiln" for "OUT", the folder of a run that wrote its manifest and no tiles; any other path
+/// unchanged.
 std::string manifest_without_tiles(const std::string& path);
 
 /// True if a request is for a run's folder, where the level of each tile is chosen to suit the cameras.
